@@ -32,15 +32,17 @@ pub(super) struct Parts {
 const MIDDLES: usize = 61;
 const FARTHEST_MIDDLE: f64 = 3.0;
 /// The steepness on the grid, for scores from −1 to 1.
-const STEEPNESSES: usize = 28;
+const STEEPNESSES: usize = 40;
 const LEAST_STEEPNESS: f64 = 0.05;
 const GREATEST_STEEPNESS: f64 = 1e5;
+/// Where a score may lie on a slope, in the unit of its width.
+const ON_SLOPE: [f64; 9] = [-3.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
 /// The simplex may leave the grid by this much, but the scores must span this part of the logistic
 /// function at least: its height would be lost in rounding otherwise.
 const FARTHEST: f64 = 30.0;
 const LEAST_PART: f64 = 1e-6;
 /// How many local minima of the grid are followed.
-const FOLLOWED: usize = 40;
+const FOLLOWED: usize = 80;
 /// How often the search from a place begins again.
 const SEARCHES: usize = 8;
 
@@ -57,9 +59,16 @@ pub(super) fn everywhere<C: Curve>(
         2.0 * FARTHEST_MIDDLE / MIDDLES as f64,
         (GREATEST_STEEPNESS / LEAST_STEEPNESS).ln() / STEEPNESSES as f64,
     ];
+    let mut slopes = problem.on_slopes();
+    slopes.truncate(FOLLOWED);
+    let slopes = slopes.into_iter().map(|(place, _)| {
+        // A part of the slope.
+        problem.follow(place, [0.3 / place[1].exp(), 0.5 * sides[1]])
+    });
     let followed = starts
         .into_iter()
-        .map(|(place, _)| problem.follow(place, sides));
+        .map(|(place, _)| problem.follow(place, sides))
+        .chain(slopes);
     let best = followed.min_by(|a, b| a.1.total_cmp(&b.1));
     // The grid has a least value, so that there is at least one start.
     let place = best.map_or([0.0, 0.0], |(place, _)| place);
@@ -76,12 +85,23 @@ pub(super) fn near<C: Curve>(
     let problem = Projection::new(scores, parameters)?;
     let ratio = start.range[1] / problem.range[1];
     let middle = start.range[0] + start.range[1] * start.place[0];
-    let place = [
-        (middle - problem.range[0]) / problem.range[1],
-        start.place[1] - ratio.ln(),
-    ];
-    let (place, _) = problem.follow(place, [0.05, 0.2]);
-    Ok(problem.fit(place, curve))
+    // On a steep slope, the rounding of another unit would move a score.
+    let place = match start.range == problem.range {
+        true => start.place,
+        false => [
+            (middle - problem.range[0]) / problem.range[1],
+            start.place[1] - ratio.ln(),
+        ],
+    };
+    let (followed, _) = problem.follow(place, [0.05, 0.2]);
+    // On a steep slope the sum of the curve is not quite the one that was followed, by rounding.
+    let fits = [place, followed].map(|place| problem.fit(place, &curve));
+    let [start, found] = fits;
+    Ok(if found.sum_of_squares < start.sum_of_squares {
+        found
+    } else {
+        start
+    })
 }
 
 /// The opinion scores, and the columns on which they depend linearly whatever the logistic function
@@ -172,12 +192,7 @@ impl<'a> Projection<'a> {
     /// sum first.
     fn local_minima(&self) -> Vec<Vertex> {
         let middles = self.middles();
-        let steepnesses: Vec<f64> = (0..STEEPNESSES)
-            .map(|k| {
-                let part = k as f64 / (STEEPNESSES - 1) as f64;
-                (1.0 - part) * LEAST_STEEPNESS.ln() + part * GREATEST_STEEPNESS.ln()
-            })
-            .collect();
+        let steepnesses = steepnesses();
         let sums: Vec<Vec<f64>> = middles
             .iter()
             .map(|m| {
@@ -207,7 +222,37 @@ impl<'a> Projection<'a> {
         minima
     }
 
-    /// Evenly spaced middles, and the places between two neighbouring scores, where a step may be.
+    /// Places where a score lies on the slope of the logistic function, the least sum first: for
+    /// each score, those whose sum is no greater than at the next steepnesses. They are too narrow
+    /// for the grid where the function is steep.
+    fn on_slopes(&self) -> Vec<Vertex> {
+        let steepnesses = steepnesses();
+        let mut sorted = self.objective.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted.dedup();
+        let every = sorted.len().div_ceil(200);
+        let mut minima = Vec::new();
+        for score in sorted.iter().step_by(every) {
+            let best = |steepness: &f64| {
+                let places = ON_SLOPE.map(|part| [score + part / steepness.exp(), *steepness]);
+                let sums = places.map(|place| (place, self.sum_of_squares(place)));
+                let least = sums.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+                least.unwrap_or(([*score, *steepness], f64::INFINITY))
+            };
+            let row: Vec<Vertex> = steepnesses.iter().map(best).collect();
+            for (k, vertex) in row.iter().enumerate() {
+                let around = &row[k.saturating_sub(1)..(k + 2).min(row.len())];
+                if around.iter().all(|other| other.1 >= vertex.1) {
+                    minima.push(*vertex);
+                }
+            }
+        }
+        minima.sort_by(|a, b| a.1.total_cmp(&b.1));
+        minima
+    }
+
+    /// Evenly spaced middles, the scores, and places between two neighbouring ones, where a step
+    /// may be.
     fn middles(&self) -> Vec<f64> {
         let even =
             (0..MIDDLES).map(|k| FARTHEST_MIDDLE * (2.0 * k as f64 / (MIDDLES - 1) as f64 - 1.0));
@@ -215,8 +260,11 @@ impl<'a> Projection<'a> {
         sorted.sort_by(f64::total_cmp);
         sorted.dedup();
         let every = sorted.len().div_ceil(200);
-        let between = sorted.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-        let mut middles: Vec<f64> = even.chain(between.step_by(every)).collect();
+        // A step may also lie so near a score that this one is on its slope.
+        let between = sorted.windows(2).step_by(every).flat_map(|pair| {
+            [0.0, 0.25, 0.5, 0.75].map(|part| pair[0] + part * (pair[1] - pair[0]))
+        });
+        let mut middles: Vec<f64> = even.chain(between).chain(sorted.last().copied()).collect();
         middles.sort_by(f64::total_cmp);
         middles
     }
@@ -268,6 +316,16 @@ impl<'a> Projection<'a> {
             range: self.range,
         }
     }
+}
+
+/// The logarithms of the steepnesses of the grid.
+fn steepnesses() -> Vec<f64> {
+    (0..STEEPNESSES)
+        .map(|k| {
+            let part = k as f64 / (STEEPNESSES - 1) as f64;
+            (1.0 - part) * LEAST_STEEPNESS.ln() + part * GREATEST_STEEPNESS.ln()
+        })
+        .collect()
 }
 
 /// Takes away the part in the span of an orthonormal basis, twice for the sake of rounding.

@@ -83,7 +83,7 @@ fn walk(random: &mut Random, steps: usize) -> Vec<[f64; 2]> {
 fn delays_of_moving_pictures_are_found() {
     let (mut measured, mut all) = (0, 0);
     for delay in -3..=3 {
-        let mut random = Random(40 + delay as u64);
+        let mut random = Random((40 + delay) as u64);
         let path = walk(&mut random, 60);
         let differences = Differences::random(&mut random);
         let cut = random.between(10.0, 30.0) as i32;
