@@ -85,7 +85,7 @@ fn number(value: Option<f64>) -> Value {
     value.map_or(Value::Null, |value| (value + 0.0).into())
 }
 
-/// The names of the columns of [`csv`].
+/// The names of the columns of [`csv()`].
 pub(super) fn csv_header() -> Result<String> {
     let mut names = vec!["frame".to_owned(), "time_seconds".to_owned()];
     for dimension in Dimension::ALL {
