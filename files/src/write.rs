@@ -6,7 +6,7 @@ use std::fs::Permissions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, NamedTempFile};
+use tempfile::{Builder, TempPath};
 
 /// A file that could not be written. An earlier file of its name is unchanged.
 #[derive(Debug, thiserror::Error)]
@@ -62,8 +62,100 @@ pub fn write(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> 
 pub fn write_together<'a, P: AsRef<Path> + 'a>(
     files: impl IntoIterator<Item = (P, &'a [u8])>,
 ) -> Result<(), WriteError> {
-    let mut created = Vec::new();
-    write_all_or_none(files, &mut created).inspect_err(|_| remove_empty(&created))
+    let mut staged = Staged::default();
+    for (path, contents) in files {
+        staged.add(path, contents)?;
+    }
+    staged.finish()
+}
+
+/// Files that are written one after the other, of which none takes its name before all are
+/// complete: as [`write_together`], for files that are not in memory at the same time.
+///
+/// Where it is dropped without [`finish`](Self::finish), all earlier files stay as they were, and
+/// folders that were created are removed.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let mut files = ga_files::Staged::default();
+/// for number in 0..3 {
+///     files.add(folder.path().join(format!("frames/{number}.txt")), b"contents")?;
+/// }
+/// assert!(!folder.path().join("frames/0.txt").exists());
+/// files.finish()?;
+/// assert!(folder.path().join("frames/0.txt").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Staged {
+    ready: Vec<Ready>,
+    /// By the path with its folder resolved, however it was written.
+    numbers: HashMap<PathBuf, usize>,
+    created: Vec<PathBuf>,
+}
+
+/// A file that is complete beside its place.
+#[derive(Debug)]
+struct Ready {
+    path: PathBuf,
+    temporary: TempPath,
+}
+
+impl Staged {
+    /// Writes a file beside its place, and creates missing parent folders.
+    ///
+    /// # Errors
+    ///
+    /// [`WriteError`] with the path: a file that cannot be written, a folder in its place, and a
+    /// path that was added with other contents.
+    pub fn add(&mut self, path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> {
+        let path = path.as_ref().to_path_buf();
+        match self.staged(&path, contents) {
+            Ok(()) => Ok(()),
+            Err(source) => Err(WriteError { path, source }),
+        }
+    }
+
+    fn staged(&mut self, path: &Path, contents: &[u8]) -> io::Result<()> {
+        let (place, temporary) = staged(path, contents, &mut self.created)?;
+        if let Some(&number) = self.numbers.get(&place) {
+            if std::fs::read(&self.ready[number].temporary)? == contents {
+                return Ok(());
+            }
+            let reason = "another output has the same path";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+        }
+        self.numbers.insert(place, self.ready.len());
+        self.ready.push(Ready {
+            path: path.to_path_buf(),
+            temporary,
+        });
+        Ok(())
+    }
+
+    /// Gives all files their names.
+    ///
+    /// # Errors
+    ///
+    /// [`WriteError`] with the file that cannot take its name.
+    pub fn finish(mut self) -> Result<(), WriteError> {
+        for Ready { path, temporary } in self.ready.drain(..) {
+            if let Err(error) = temporary.persist(&path) {
+                let source = error.error;
+                return Err(WriteError { path, source });
+            }
+        }
+        self.created.clear();
+        Ok(())
+    }
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        // Temporary files are removed first, so that folders are empty.
+        self.ready.clear();
+        remove_empty(&self.created);
+    }
 }
 
 /// Creates a folder and those above it that are missing, and adds these to a list, each after the
@@ -84,56 +176,12 @@ pub(crate) fn remove_empty(created: &[PathBuf]) {
     }
 }
 
-/// A file that is complete beside its place.
-struct Ready<'a> {
-    path: PathBuf,
-    contents: &'a [u8],
-    file: NamedTempFile,
-}
-
-fn write_all_or_none<'a, P: AsRef<Path>>(
-    files: impl IntoIterator<Item = (P, &'a [u8])>,
-    created: &mut Vec<PathBuf>,
-) -> Result<(), WriteError> {
-    let mut ready: Vec<Ready<'a>> = Vec::new();
-    // By the path with its folder resolved, however it was written.
-    let mut numbers: HashMap<PathBuf, usize> = HashMap::new();
-    for (path, contents) in files {
-        let path = path.as_ref().to_path_buf();
-        let error = |source| WriteError {
-            path: path.clone(),
-            source,
-        };
-        let (place, file) = staged(&path, contents, created).map_err(error)?;
-        match numbers.get(&place) {
-            Some(&number) if ready[number].contents == contents => continue,
-            Some(_) => {
-                let reason = "another output has the same path";
-                return Err(error(io::Error::new(io::ErrorKind::InvalidInput, reason)));
-            }
-            None => numbers.insert(place, ready.len()),
-        };
-        ready.push(Ready {
-            path,
-            contents,
-            file,
-        });
-    }
-    for Ready { path, file, .. } in ready {
-        if let Err(error) = file.persist(&path) {
-            let source = error.error;
-            return Err(WriteError { path, source });
-        }
-    }
-    Ok(())
-}
-
 /// The place of a file, and its contents in a complete temporary file in the same folder.
 fn staged(
     path: &Path,
     contents: &[u8],
     created: &mut Vec<PathBuf>,
-) -> io::Result<(PathBuf, NamedTempFile)> {
+) -> io::Result<(PathBuf, TempPath)> {
     if path.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
     }
@@ -158,7 +206,8 @@ fn staged(
     file.write_all(contents)?;
     // Without this a power cut after the rename can leave the new name on an empty file.
     file.as_file().sync_all()?;
-    Ok((place, file))
+    // Closed, since many files may wait for their names.
+    Ok((place, file.into_temp_path()))
 }
 
 /// Temporary files are private to their owner by default; an output file follows the umask like any
@@ -233,6 +282,35 @@ mod tests {
         std::fs::create_dir(&second).unwrap();
         write_together([(&first, &b"new"[..]), (&second, b"new")]).unwrap_err();
         assert_eq!(names(folder.path()), ["taken"]);
+    }
+
+    #[test]
+    fn files_that_are_not_finished_leave_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("kept"), b"kept").unwrap();
+        let mut files = Staged::default();
+        files.add(folder.path().join("new/deep/a"), b"a").unwrap();
+        files.add(folder.path().join("kept"), b"other").unwrap();
+        drop(files);
+        assert_eq!(names(folder.path()), ["kept"]);
+        let kept = std::fs::read(folder.path().join("kept")).unwrap();
+        assert_eq!(kept, b"kept");
+    }
+
+    /// More than the files that a process may have open by default.
+    #[test]
+    fn many_files_are_not_open_at_the_same_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |number: usize| folder.path().join(format!("{number}.txt"));
+        let mut files = Staged::default();
+        for number in 0..1100 {
+            files
+                .add(path(number), number.to_string().as_bytes())
+                .unwrap();
+        }
+        files.finish().unwrap();
+        assert_eq!(names(folder.path()).len(), 1100);
+        assert_eq!(std::fs::read(path(1099)).unwrap(), b"1099");
     }
 
     #[test]

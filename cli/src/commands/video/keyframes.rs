@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
+use ga_files::Staged;
 use ga_image::png;
 use ga_vision::keyframe::{Options, scenes};
 
@@ -86,8 +87,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let report = Report::new(&analysed.analysis);
     if analysed.failure.is_none() {
         progress.step("writing");
-        let files = arguments.files(&analysed, &report, spool.as_mut())?;
-        ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+        arguments.write(&analysed, &report, spool.as_mut())?;
     }
     drop(progress);
     if arguments.json {
@@ -137,14 +137,9 @@ impl Arguments {
         })
     }
 
-    /// The files that were asked for.
-    fn files(
-        &self,
-        analysed: &Analysed,
-        report: &Report,
-        spool: Option<&mut Spool>,
-    ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
-        let mut files = Vec::new();
+    /// Writes the files that were asked for, all of them or none.
+    fn write(&self, analysed: &Analysed, report: &Report, spool: Option<&mut Spool>) -> Result<()> {
+        let mut files = Staged::default();
         let title = self.title();
         for path in &self.scenes {
             let shots = &analysed.analysis.shots;
@@ -152,20 +147,19 @@ impl Arguments {
                 true => scenes::edl(shots, analysed.rate(), &title),
                 false => scenes::csv(shots, analysed.rate()),
             };
-            files.push((path.clone(), text.into_bytes()));
+            files.add(path, text.as_bytes())?;
         }
         if let Some(path) = &self.plot {
             let svg = plot::svg(&analysed.analysis, &title)?;
-            files.push((path.clone(), svg.into_bytes()));
+            files.add(path, svg.as_bytes())?;
         }
         let Some(spool) = spool else {
-            return Ok(files);
+            return Ok(files.finish()?);
         };
         if let Some(folder) = &self.out {
             for key in &report.key_frames {
-                if let Some(picture) = spool.picture(key.index)? {
-                    let bytes = png::encode(&picture).context("cannot encode a key frame")?;
-                    files.push((key_path(folder, key.index), bytes));
+                if let Some(bytes) = spool.png(key.index)? {
+                    files.add(key_path(folder, key.index), &bytes)?;
                 }
             }
         }
@@ -174,13 +168,13 @@ impl Arguments {
             let bytes = png::encode(&sheet).context("cannot encode the contact sheet")?;
             if let Some(path) = &self.report {
                 let page = page::html(analysed, report, &bytes, &title)?;
-                files.push((path.clone(), page.into_bytes()));
+                files.add(path, page.as_bytes())?;
             }
             if let Some(path) = &self.contact_sheet {
-                files.push((path.clone(), bytes));
+                files.add(path, &bytes)?;
             }
         }
-        Ok(files)
+        Ok(files.finish()?)
     }
 }
 

@@ -6,7 +6,7 @@ use ga_image::resample::{Method, resize};
 use ga_render::text::{self, Weight};
 use image::{Rgb, RgbImage};
 
-use super::report::Report;
+use super::report::{KeyFrameReport, Report};
 use super::spool::Spool;
 
 const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
@@ -20,27 +20,19 @@ const SPACE: usize = 12;
 const TITLE: usize = 40;
 const CAPTION: usize = 44;
 /// More pictures would make a sheet that viewers refuse.
-const MOST: usize = 400;
+const MOST: usize = 200;
 
 /// The key frames in rows, each with its number, time, reason and score.
 pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Plane<[u8; 3]>> {
-    let mut pictures = Vec::new();
-    for key in report.key_frames.iter().take(MOST) {
-        let Some(picture) = spool.picture(key.index)? else {
-            continue;
-        };
-        let height = (WIDTH * picture.height())
-            .div_ceil(picture.width().max(1))
-            .clamp(1, 640);
-        let method = match picture.width() < WIDTH {
-            true => Method::Bilinear,
-            false => Method::Area,
-        };
-        pictures.push((key, resize(&picture, WIDTH, height, method)?));
-    }
-    let picture_height = pictures.first().map_or(0, |(_, picture)| picture.height());
-    let columns = pictures.len().clamp(1, COLUMNS);
-    let rows = pictures.len().div_ceil(columns);
+    let keys = &report.key_frames[..report.key_frames.len().min(MOST)];
+    let mut small = |key: &KeyFrameReport| {
+        let picture = spool.picture(key.index)?;
+        picture.map(|picture| reduced(&picture)).transpose()
+    };
+    let first = keys.first().map(&mut small).transpose()?.flatten();
+    let picture_height = first.map_or(0, |picture| picture.height());
+    let columns = keys.len().clamp(1, COLUMNS);
+    let rows = keys.len().div_ceil(columns);
     let width = SPACE + columns * (WIDTH + SPACE);
     let height = TITLE + rows * (picture_height + CAPTION) + SPACE;
     let mut sheet = RgbImage::from_pixel(width as u32, height as u32, PAPER);
@@ -48,7 +40,10 @@ pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Pl
     let place = [SPACE as u32, 12];
     let room = (width - 2 * SPACE) as u32;
     text::write(&mut sheet, place, room, &heading, Weight::Bold, INK);
-    for (position, (key, picture)) in pictures.iter().enumerate() {
+    for (position, key) in keys.iter().enumerate() {
+        let Some(picture) = small(key)? else {
+            continue;
+        };
         let left = SPACE + position % columns * (WIDTH + SPACE);
         let top = TITLE + position / columns * (picture_height + CAPTION);
         for (row, pixels) in picture.rows().enumerate() {
@@ -80,4 +75,16 @@ pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Pl
     }
     let pixels = sheet.into_raw().as_chunks::<3>().0.to_vec();
     Plane::from_values(width, height, pixels).context("cannot make the contact sheet")
+}
+
+/// A picture with the width of the sheet's pictures.
+fn reduced(picture: &Plane<[u8; 3]>) -> Result<Plane<[u8; 3]>> {
+    let height = (WIDTH * picture.height())
+        .div_ceil(picture.width().max(1))
+        .clamp(1, 640);
+    let method = match picture.width() < WIDTH {
+        true => Method::Bilinear,
+        false => Method::Area,
+    };
+    Ok(resize(picture, WIDTH, height, method)?)
 }
