@@ -59,7 +59,7 @@ fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQualit
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
-    // Where nothing differs in any frame, there is no line to make room for.
+    // Without a difference in any frame, a line is not drawn and needs no room.
     let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
     let margin = (0.06 * (high - low)).max(1e-3 * high.abs()).max(1e-6);
     let first = frames.first().map_or(0.0, |frame| frame.time_seconds);
