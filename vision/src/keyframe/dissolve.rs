@@ -229,7 +229,6 @@ impl Contrast {
         };
         let [mean, deviation] = moments(signature, part);
         let whole = Rectangle::of(signature);
-        // The boxes beside a bar contain a part of it.
         let mut cells = [0.0; CELL_COUNT];
         for (index, variance) in cells.iter_mut().enumerate() {
             let [_, deviation] = moments(signature, cell(whole, index));
