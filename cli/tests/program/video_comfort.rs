@@ -152,6 +152,30 @@ fn two_files_are_the_same_as_two_halves() {
     assert_eq!(pair.stdout, whole.stdout);
 }
 
+/// Two pictures are one frame, whatever other numbered pictures lie beside them.
+#[test]
+fn two_pictures_are_one_frame() {
+    let folder = tempdir().unwrap();
+    for number in 3..6 {
+        for (side, lower) in [("L", 0), ("R", 2)] {
+            let name = folder.path().join(format!("c{number}_{side}.png"));
+            ga_image::file::write(name, &view(number, lower, 0)).unwrap();
+        }
+    }
+    let measured = |left: &str, right: &str| {
+        let arguments = ["video", "comfort", left, right, "--json"];
+        let output = nullcone(folder.path(), arguments);
+        assert_success(&output);
+        lines(&output.stdout)
+    };
+    let found = measured("c3_L.png", "c3_R.png");
+    assert_eq!(found.len(), 1);
+    let shift = &found[0]["rows"]["vertical"]["shift_px"];
+    assert!((shift.as_f64().unwrap() - 2.0).abs() < 0.1, "{shift}");
+    // A pattern is a row of pictures.
+    assert_eq!(measured("c%d_L.png", "c%d_R.png").len(), 3);
+}
+
 #[test]
 fn bad_input_is_named() {
     let folder = tempdir().unwrap();

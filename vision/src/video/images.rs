@@ -81,8 +81,41 @@ impl ImageSource {
                 });
             }
         }
-        let picture = file::read(name.file(digits))
-            .map_err(|problem| VideoError::Picture { frame: 0, problem })?;
+        let first = name.file(digits);
+        Self::of_row(name, numbers, &first, rate)
+    }
+
+    /// A picture as a video of one frame. A number in its name has no meaning.
+    ///
+    /// # Errors
+    ///
+    /// [`VideoError::Picture`] when it cannot be read, [`VideoError::Pattern`] for a path without a
+    /// name of a file.
+    pub fn still(path: impl AsRef<Path>) -> Result<Self, VideoError> {
+        let path = path.as_ref();
+        let whole = path.file_name().and_then(|name| name.to_str());
+        let name = Name {
+            folder: path.parent().map(Path::to_path_buf).unwrap_or_default(),
+            before: whole
+                .ok_or_else(|| VideoError::Pattern {
+                    file: path.into(),
+                    problem: "the picture has no name in UTF-8",
+                })?
+                .into(),
+            after: String::new(),
+        };
+        Self::of_row(name, BTreeMap::from([(0, String::new())]), path, None)
+    }
+
+    /// A row whose first picture is in this file.
+    fn of_row(
+        name: Name,
+        numbers: BTreeMap<u64, String>,
+        first: &Path,
+        rate: Option<[u32; 2]>,
+    ) -> Result<Self, VideoError> {
+        let picture =
+            file::read(first).map_err(|problem| VideoError::Picture { frame: 0, problem })?;
         let properties = Properties {
             size: [picture.width(), picture.height()],
             sampling: Sampling::Full,

@@ -18,4 +18,4 @@ pub mod y4m;
 
 pub use error::VideoError;
 pub use frame::{Frame, Planes, Properties, Samples};
-pub use source::{Source, open};
+pub use source::{Source, open, open_with_stills};

@@ -65,7 +65,24 @@ impl<S: Source + ?Sized> Source for Box<S> {
 /// [`VideoError::Open`] when it cannot be read, [`VideoError::Empty`] for a file without bytes,
 /// [`VideoError::UnknownFormat`] when it is of another kind, and those of its format.
 pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError> {
-    let path = path.as_ref();
+    open_as(path.as_ref(), |path| ImageSource::new(path, None))
+}
+
+/// Opens a video as [`open`] does, except that a file with a picture is a video of one frame: two
+/// such files, or one with both views, are a stereoscopic picture. Folders and patterns are still
+/// rows of pictures.
+///
+/// # Errors
+///
+/// As [`open`].
+pub fn open_with_stills(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError> {
+    open_as(path.as_ref(), |path| ImageSource::still(path))
+}
+
+fn open_as(
+    path: &Path,
+    picture: impl Fn(&Path) -> Result<ImageSource, VideoError>,
+) -> Result<Box<dyn Source + Send>, VideoError> {
     if path.as_os_str() == "-" {
         let source = Y4mSource::new(io::stdin(), "standard input")?;
         return Ok(Box::new(source));
@@ -84,7 +101,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError
             source.expect_length(length.map(|file| file.len()));
             Ok(Box::new(source))
         }
-        Some(Kind::Picture) => Ok(Box::new(ImageSource::new(path, None)?)),
+        Some(Kind::Picture) => Ok(Box::new(picture(path)?)),
         #[cfg(feature = "mp4")]
         Some(Kind::Mp4) => Ok(Box::new(super::mp4::Mp4Source::open(path)?)),
         #[cfg(not(feature = "mp4"))]

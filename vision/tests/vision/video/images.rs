@@ -6,7 +6,7 @@ use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_vision::video::images::ImageSource;
-use ga_vision::video::{Source, VideoError, open};
+use ga_vision::video::{Source, VideoError, open, open_with_stills};
 use tempfile::TempDir;
 
 use super::frames;
@@ -68,6 +68,25 @@ fn a_folder_a_pattern_and_a_first_picture_are_one_row() {
     // From the second picture on.
     let mut source = open(folder.path().join("shot2_0010.png")).unwrap();
     assert_eq!(frames(&mut *source).0.len(), 2);
+}
+
+#[test]
+fn a_picture_alone_can_be_a_video_of_one_frame() {
+    let folder = row(&["left.png", "c3_L.png", "c4_L.png"]);
+    for name in ["left.png", "c3_L.png"] {
+        let mut source = open_with_stills(folder.path().join(name)).unwrap();
+        assert_eq!(source.properties().frame_count, Some(1));
+        let (found, end) = frames(&mut *source);
+        assert_eq!((found.len(), end.is_ok()), (1, true), "{name}");
+    }
+    // The rows are still there.
+    let row = open_with_stills(folder.path().join("c%d_L.png")).unwrap();
+    assert_eq!(row.properties().frame_count, Some(2));
+    std::fs::write(folder.path().join("left.png"), "\u{89}PNG and no more").unwrap();
+    let found = open_with_stills(folder.path().join("left.png"))
+        .err()
+        .unwrap();
+    assert!(found.to_string().contains("left.png"), "{found}");
 }
 
 #[test]

@@ -43,10 +43,10 @@ pub(super) fn open(
     right: Option<&Path>,
     layout: LayoutName,
 ) -> Result<StereoSource, VideoError> {
-    let first = video::open(first)?;
+    let first = video::open_with_stills(first)?;
     match (halves(layout), right) {
         (Some(layout), _) => StereoSource::halves(first, layout),
-        (None, Some(right)) => StereoSource::pair(first, video::open(right)?),
+        (None, Some(right)) => StereoSource::pair(first, video::open_with_stills(right)?),
         (None, None) => StereoSource::halves(first, Layout::SideBySide),
     }
 }
