@@ -119,7 +119,7 @@ impl FrameMeasures {
 pub struct FrameMeter {
     colours: YCbCr,
     matcher: Matcher,
-    agrees: Vec<bool>,
+    distances: Vec<f64>,
     windows: Colours,
     numbers: Vec<f64>,
     measures: FrameMeasures,
@@ -133,7 +133,7 @@ impl FrameMeter {
         Self {
             colours,
             matcher: Matcher::new(size),
-            agrees: Vec::new(),
+            distances: Vec::new(),
             windows: Colours::default(),
             numbers: Vec::new(),
             measures: FrameMeasures::default(),
@@ -164,17 +164,20 @@ impl FrameMeter {
         let mut matches = std::mem::take(&mut self.measures.matches);
         matches.clear();
         self.measures = FrameMeasures {
-            geometry: geometry::fit(all, size, &mut self.agrees),
+            geometry: geometry::fit(all, size, &mut self.distances),
             ..FrameMeasures::default()
         };
         if self.measures.geometry.is_some() {
-            let agreeing = all.iter().zip(&self.agrees).filter(|(_, agrees)| **agrees);
+            let pairs = all.iter().zip(&self.distances);
+            let agreeing = pairs.filter(|(_, distance)| distance.is_finite());
             matches.extend(agreeing.map(|(found, _)| *found));
+            self.distances.retain(|distance| distance.is_finite());
             let views = [&*left, &*right];
             let lumas = views.map(|view| &view.luma);
             self.measures.photometry = self.windows.measure(views, self.colours, &matches);
             self.measures.sharpness_log2 = sharpness::measure(lumas, &matches, &mut self.numbers);
-            self.measures.parallax = Parallax::new(&matches, size[0], &mut self.numbers);
+            self.measures.parallax =
+                Parallax::new(&matches, &self.distances, size[0], &mut self.numbers);
         }
         self.measures.matches = matches;
         Ok(&self.measures)

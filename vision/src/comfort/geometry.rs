@@ -41,10 +41,15 @@ pub struct Geometry {
     pub agreeing: usize,
 }
 
-/// The geometry of matches of views of this size, and which of the matches agree with it.
-pub(super) fn fit(matches: &[Match], size: [usize; 2], agrees: &mut Vec<bool>) -> Option<Geometry> {
-    agrees.clear();
-    agrees.resize(matches.len(), false);
+/// The geometry of matches of views of this size, and how many pixels the row of each match is from
+/// what it says: infinitely many where the match does not agree with it.
+pub(super) fn fit(
+    matches: &[Match],
+    size: [usize; 2],
+    distances: &mut Vec<f64>,
+) -> Option<Geometry> {
+    distances.clear();
+    distances.resize(matches.len(), f64::INFINITY);
     let pairs: Vec<PixelPair> = matches
         .iter()
         .map(|found| PixelPair {
@@ -72,16 +77,16 @@ pub(super) fn fit(matches: &[Match], size: [usize; 2], agrees: &mut Vec<bool>) -
         model = fit.refined(model, near)?;
     }
     let mut differences = Vec::new();
-    for (index, agrees) in agrees.iter_mut().enumerate() {
+    for (index, distance) in distances.iter_mut().enumerate() {
         let more = second
             .as_ref()
             .map_or(0.0, |second| second.at(&matches[index]));
-        let residual = fit.rows.residual(&model, index);
-        *agrees = (residual + more).abs() < near;
-        if *agrees {
+        let residual = fit.rows.residual(&model, index) + more;
+        if residual.abs() < near {
+            *distance = residual.abs();
             // The residual is the row of the model in the left view less the measured one.
             let [left, right] = [matches[index].left[1], matches[index].right[1]];
-            differences.push((right - left - residual - more).abs());
+            differences.push((right - left - residual).abs());
         }
     }
     if differences.len() < fit.enough {
@@ -213,7 +218,7 @@ impl SecondDegree {
 }
 
 /// The standard deviation of errors, from the median of their absolute values.
-fn median_deviation(mut absolute: Vec<f64>) -> f64 {
+pub(super) fn median_deviation(mut absolute: Vec<f64>) -> f64 {
     const LEAST: f64 = 0.02;
     absolute.sort_unstable_by(f64::total_cmp);
     (1.4826 * percentile(&absolute, 0.5)).max(LEAST)

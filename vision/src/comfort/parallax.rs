@@ -1,5 +1,6 @@
 //! How far in front of the screen and behind it points appear.
 
+use super::geometry::median_deviation;
 use super::matching::Match;
 use super::viewing::Viewing;
 use crate::quality::percentile;
@@ -21,9 +22,22 @@ pub struct Parallax {
 }
 
 impl Parallax {
-    pub(super) fn new(matches: &[Match], width: usize, memory: &mut Vec<f64>) -> Option<Self> {
+    /// The parallax of matches whose rows are so many pixels from what they should be. Matches that
+    /// are clearly farther than others are confused points: they count elsewhere, but the nearest
+    /// and the farthest points are few.
+    pub(super) fn new(
+        matches: &[Match],
+        distances: &[f64],
+        width: usize,
+        memory: &mut Vec<f64>,
+    ) -> Option<Self> {
+        const DEVIATIONS: f64 = 5.0;
+        const LEAST_DEVIATION: f64 = 0.05;
+        let deviation = median_deviation(distances.to_vec()).max(LEAST_DEVIATION);
+        let pairs = matches.iter().zip(distances);
+        let clear = pairs.filter(|(_, distance)| **distance <= DEVIATIONS * deviation);
         memory.clear();
-        memory.extend(matches.iter().map(|found| found.right[0] - found.left[0]));
+        memory.extend(clear.map(|(found, _)| found.right[0] - found.left[0]));
         memory.sort_unstable_by(f64::total_cmp);
         if memory.is_empty() || width == 0 {
             return None;

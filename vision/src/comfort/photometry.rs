@@ -85,36 +85,40 @@ impl Colours {
     /// The length of the median (Δa*, Δb*) with the right view changed.
     fn colour_difference(&mut self, change: impl Fn(f64) -> f64) -> f64 {
         let [a, b] = [0, 1].map(|axis| {
-            self.median(|[left, right]| {
+            self.uncut_median(&[0, 1, 2], |[left, right]| {
                 chromaticness(right.map(&change))[axis] - chromaticness(left)[axis]
             })
         });
         a.hypot(b)
     }
 
-    /// The median of a number for the left and the right value of a channel. Surroundings in which
-    /// pixels may have been cut off at black or white are left out, unless few others remain.
+    /// The median of a number for the left and the right value of a channel.
     fn channel_median(&mut self, channel: usize, number: impl Fn(f64, f64) -> f64) -> f64 {
-        const UNCUT: std::ops::RangeInclusive<f64> = 32.0..=223.0;
-        const LEAST: usize = 12;
-        self.numbers.clear();
-        for pair in &self.pairs {
-            let [left, right] = pair.map(|codes| codes[channel]);
-            if UNCUT.contains(&left) && UNCUT.contains(&right) {
-                self.numbers.push(number(left, right));
-            }
-        }
-        if self.numbers.len() >= LEAST.max(self.pairs.len() / 4) {
-            self.numbers.sort_unstable_by(f64::total_cmp);
-            return percentile(&self.numbers, 0.5);
-        }
-        self.median(|[left, right]| number(left[channel], right[channel]))
+        self.uncut_median(&[channel], |[left, right]| {
+            number(left[channel], right[channel])
+        })
     }
 
-    fn median(&mut self, number: impl Fn([[f64; 3]; 2]) -> f64) -> f64 {
+    /// The median of a number for surroundings in the left and in the right view. Those in which
+    /// pixels may have been cut off at black or white in these channels are left out, unless few
+    /// others remain.
+    fn uncut_median(&mut self, channels: &[usize], number: impl Fn([[f64; 3]; 2]) -> f64) -> f64 {
+        const UNCUT: std::ops::RangeInclusive<f64> = 32.0..=223.0;
+        const LEAST: usize = 12;
+        let is_uncut = |pair: &&[[f64; 3]; 2]| {
+            let mut codes = pair
+                .iter()
+                .flat_map(|codes| channels.iter().map(|&k| codes[k]));
+            codes.all(|code| UNCUT.contains(&code))
+        };
         self.numbers.clear();
-        self.numbers
-            .extend(self.pairs.iter().map(|pair| number(*pair)));
+        let uncut = self.pairs.iter().filter(is_uncut);
+        self.numbers.extend(uncut.map(|pair| number(*pair)));
+        if self.numbers.len() < LEAST.max(self.pairs.len() / 4) {
+            self.numbers.clear();
+            self.numbers
+                .extend(self.pairs.iter().map(|pair| number(*pair)));
+        }
         self.numbers.sort_unstable_by(f64::total_cmp);
         percentile(&self.numbers, 0.5)
     }
