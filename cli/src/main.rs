@@ -21,6 +21,7 @@ mod rotation;
 mod sheet;
 mod storyboard;
 mod summary;
+mod svg;
 mod two_views;
 mod view;
 mod view_files;

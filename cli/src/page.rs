@@ -11,7 +11,12 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     td:first-child,th:first-child{text-align:left;white-space:normal}\
     h1{overflow-wrap:anywhere}.wide{overflow-x:auto}\
     .warning{background:#fdf0d5;border-left:4px solid #d55e00;padding:.5em 1em}\
-    svg,img{max-width:100%;height:auto}";
+    svg,img{max-width:100%;height:auto}.wide svg{min-width:760px}\
+    figure{margin:1.2em 0 2em}figcaption{font-size:.95em;margin-top:.3em}\
+    pre{background:#eef0f4;padding:.6em 1em;overflow-x:auto}\
+    .green{background:#d3efe3}.orange{background:#ffd27a}.red{background:#a3261b;color:#fff}\
+    .text td,.text th{text-align:left;white-space:normal;vertical-align:top}\
+    .none{background:#ececf0;color:#555}";
 
 /// A page to which parts are added from the top to the bottom. Text may have any characters.
 pub(crate) struct Page {
@@ -29,6 +34,11 @@ impl Page {
                  <style>{STYLE}</style></head><body>\n<h1>{title}</h1>\n"
             ),
         }
+    }
+
+    /// A heading below those of [`heading`](Self::heading).
+    pub(crate) fn subheading(&mut self, text: &str) {
+        self.add(format_args!("<h3>{}</h3>\n", escaped(text)));
     }
 
     pub(crate) fn paragraph(&mut self, text: &str) {
@@ -49,6 +59,34 @@ impl Page {
         self.add(format_args!("{}\n", svg.trim_end()));
     }
 
+    /// A chart that keeps its size in narrow windows, where it can be moved to the side, with what
+    /// it shows in words below it.
+    pub(crate) fn wide_svg(&mut self, svg: &str, caption: &str) {
+        self.add(format_args!(
+            "<figure><div class=\"wide\">{}</div><figcaption>{}</figcaption></figure>\n",
+            svg.trim_end(),
+            escaped(caption)
+        ));
+    }
+
+    /// Text for a terminal.
+    pub(crate) fn code(&mut self, text: &str) {
+        self.add(format_args!("<pre><code>{}</code></pre>\n", escaped(text)));
+    }
+
+    /// Paragraphs with numbers from 1; each begins with a few important words.
+    pub(crate) fn numbered(&mut self, items: impl IntoIterator<Item = (String, String)>) {
+        self.html += "<ol>\n";
+        for (start, text) in items {
+            self.add(format_args!(
+                "<li><b>{}</b> {}</li>\n",
+                escaped(&start),
+                escaped(&text)
+            ));
+        }
+        self.html += "</ol>\n";
+    }
+
     /// A picture, with what it shows in words.
     pub(crate) fn png(&mut self, words: &str, png: &[u8]) {
         self.add(format_args!(
@@ -64,25 +102,52 @@ impl Page {
         names: [&str; N],
         rows: impl IntoIterator<Item = [String; N]>,
     ) {
-        self.add(format_args!("<div class=\"wide\"><table>\n"));
-        self.row("th", &names);
-        for row in rows {
-            self.row("td", &row.each_ref().map(String::as_str));
+        let plain = |text| Cell { text, tint: None };
+        self.tinted_table(names, rows.into_iter().map(|row| row.map(plain)));
+    }
+
+    /// A [`table`](Self::table) of cells that may have colours.
+    pub(crate) fn tinted_table<const N: usize>(
+        &mut self,
+        names: [&str; N],
+        rows: impl IntoIterator<Item = [Cell; N]>,
+    ) {
+        self.html += "<div class=\"wide\"><table>\n<tr>";
+        for name in names {
+            self.add(format_args!("<th>{}</th>", escaped(name)));
         }
-        self.add(format_args!("</table></div>\n"));
+        self.html += "</tr>\n";
+        for row in rows {
+            self.html += "<tr>";
+            for Cell { text, tint } in row {
+                let class = match tint {
+                    Some(Tint::Green) => " class=\"green\"",
+                    Some(Tint::Orange) => " class=\"orange\"",
+                    Some(Tint::Red) => " class=\"red\"",
+                    Some(Tint::Grey) => " class=\"none\"",
+                    None => "",
+                };
+                self.add(format_args!("<td{class}>{}</td>", escaped(&text)));
+            }
+            self.html += "</tr>\n";
+        }
+        self.html += "</table></div>\n";
+    }
+
+    /// A table of sentences, which are aligned to the left and may take several lines.
+    pub(crate) fn text_table<const N: usize>(
+        &mut self,
+        names: [&str; N],
+        rows: impl IntoIterator<Item = [String; N]>,
+    ) {
+        self.html += "<div class=\"text\">";
+        self.table(names, rows);
+        self.html += "</div>\n";
     }
 
     pub(crate) fn into_html(mut self) -> String {
         self.html += "</body></html>\n";
         self.html
-    }
-
-    fn row(&mut self, element: &str, fields: &[&str]) {
-        self.html += "<tr>";
-        for field in fields {
-            self.add(format_args!("<{element}>{}</{element}>", escaped(field)));
-        }
-        self.html += "</tr>\n";
     }
 
     fn add(&mut self, html: std::fmt::Arguments<'_>) {
@@ -91,7 +156,23 @@ impl Page {
     }
 }
 
-fn escaped(text: &str) -> String {
+/// A cell of a table.
+pub(crate) struct Cell {
+    pub(crate) text: String,
+    pub(crate) tint: Option<Tint>,
+}
+
+/// A colour of cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tint {
+    Green,
+    Orange,
+    Red,
+    Grey,
+}
+
+/// Text as HTML and SVG have it.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -13,7 +13,7 @@ use crate::{jpeg, pfm, png, pnm, y4m};
 pub enum Format {
     /// Portable Network Graphics.
     Png,
-    /// JPEG. It is read, not written.
+    /// JPEG. It is read; [`write()`] does not write it, since colours change.
     Jpeg,
     /// Portable grey map and portable pixel map, PGM and PPM.
     Pnm,
@@ -127,6 +127,9 @@ pub enum EncodeError {
     /// The PNG encoder failed.
     #[error("PNG: {0}")]
     Png(#[from] ::png::EncodingError),
+    /// The JPEG encoder failed.
+    #[error("JPEG: {0}")]
+    Jpeg(#[from] image::ImageError),
 }
 
 /// A picture that could not be written to a file.

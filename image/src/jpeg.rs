@@ -1,13 +1,15 @@
-//! JPEG files, read by the crate `zune-jpeg`.
+//! JPEG files, read by the crate `zune-jpeg` and written by the crate `image`.
 
+use image::ExtendedColorType;
+use image::codecs::jpeg::JpegEncoder;
 use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-use crate::file::{DecodeError, Format, check_claim};
+use crate::file::{DecodeError, EncodeError, Format, check_claim, size_for};
 use crate::picture::Picture;
-use crate::plane::Plane;
+use crate::plane::{Plane, PlaneView};
 
 /// A block of 8 × 8 pixels takes at least one bit, in a progressive picture whose blocks are all
 /// alike.
@@ -59,4 +61,47 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         offset: 0,
         problem: "the decoded pixels do not fill the picture",
     })
+}
+
+/// The bytes of a baseline JPEG file. The quality, from 1 to 100, is that of the tables of the
+/// Independent JPEG Group. Colours change, so that this is for pictures that people look at.
+///
+/// ```
+/// use ga_image::jpeg;
+/// use ga_image::plane::Plane;
+///
+/// let even = Plane::filled(20, 10, [200u8, 100, 50]);
+/// let read = jpeg::decode(&jpeg::encode(&even, 90)?)?.to_rgb::<u8>();
+/// let close = |[a, b]: [u8; 2]| a.abs_diff(b) <= 3;
+/// let pixels = read.values().iter().zip(even.values());
+/// assert!(pixels.flat_map(|(a, b)| [0, 1, 2].map(|k| [a[k], b[k]])).all(close));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// [`EncodeError::Size`] when there are no pixels, or more than 65535 columns or rows.
+pub fn encode<'a>(
+    picture: impl Into<PlaneView<'a, [u8; 3]>>,
+    quality: u8,
+) -> Result<Vec<u8>, EncodeError> {
+    let picture = picture.into();
+    let [width, height] = [picture.width(), picture.height()];
+    if width.max(height) > usize::from(u16::MAX) {
+        return Err(EncodeError::Size {
+            format: Format::Jpeg,
+            width,
+            height,
+        });
+    }
+    let [width, height] = size_for(Format::Jpeg, [width, height])?;
+    let pixels = picture.to_plane();
+    let mut bytes = Vec::new();
+    JpegEncoder::new_with_quality(&mut bytes, quality.clamp(1, 100)).encode(
+        pixels.values().as_flattened(),
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+    )?;
+    Ok(bytes)
 }

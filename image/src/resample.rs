@@ -58,6 +58,49 @@ pub fn resize<'a, P: Pixel>(
     })
 }
 
+/// The means of squares of `factor` × `factor` pixels, rounded; of fewer pixels at the right and at
+/// the lower border where the sides are not multiples of the factor. As [`Method::Area`] for
+/// factors that divide the sides, and several times as fast. A factor of 0 counts as 1.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_image::resample::box_means;
+///
+/// let plane = Plane::from_fn(5, 3, |column, row| (10 * row + column) as u8);
+/// let means = box_means(&plane, 2);
+/// assert_eq!(means.row(0), [6, 8, 9]);
+/// assert_eq!(means.row(1), [21, 23, 24]);
+/// ```
+#[must_use]
+pub fn box_means<'a>(picture: impl Into<PlaneView<'a, u8>>, factor: usize) -> Plane<u8> {
+    let picture = picture.into();
+    let factor = factor.max(1);
+    let (width, height) = (
+        picture.width().div_ceil(factor),
+        picture.height().div_ceil(factor),
+    );
+    let mut result = Plane::filled(width, height, 0);
+    if result.is_empty() {
+        return result;
+    }
+    let mut sums = vec![0_u32; picture.width()];
+    for row in 0..height {
+        sums.fill(0);
+        let rows = row * factor..((row + 1) * factor).min(picture.height());
+        let count = rows.len() as u32;
+        for source in rows {
+            for (sum, value) in sums.iter_mut().zip(picture.row(source)) {
+                *sum += u32::from(*value);
+            }
+        }
+        for (target, sums) in result.row_mut(row).iter_mut().zip(sums.chunks(factor)) {
+            let pixels = count * sums.len() as u32;
+            *target = ((sums.iter().sum::<u32>() + pixels / 2) / pixels) as u8;
+        }
+    }
+    result
+}
+
 fn nearest<P: Pixel>(picture: PlaneView<'_, P>, width: usize, height: usize) -> Plane<P> {
     // (i + ½) · old / new, rounded down, in integers.
     let index = |i: usize, new: usize, old: usize| {

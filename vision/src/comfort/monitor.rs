@@ -8,6 +8,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::asynchrony::{Asynchrony, AsynchronyMeter};
 use super::change::{Change, ChangeDetector};
 use super::deviation::DeviationMeter;
+use super::observer::{Each, Observer};
 use super::record::Known;
 use super::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
 use super::{ComfortError, FrameMeasures, FrameMeter, Record, Viewing};
@@ -49,7 +50,20 @@ const CONTINUES: f64 = 2.0;
 pub fn analyse(
     source: &mut StereoSource,
     options: Options,
-    mut each: impl FnMut(Record),
+    each: impl FnMut(Record),
+) -> Result<(), ComfortError> {
+    observe(source, options, &mut Each(each))
+}
+
+/// Analyses the whole of a video as [`analyse`] does, and tells an observer.
+///
+/// # Errors
+///
+/// [`ComfortError`]. The records of all frames before an error have been handed over.
+pub fn observe(
+    source: &mut StereoSource,
+    options: Options,
+    observer: &mut impl Observer,
 ) -> Result<(), ComfortError> {
     let mut monitor = Monitor::new(source.properties(), options)?;
     let mut batch: Vec<[Frame; 2]> = vec![Default::default(); BATCH];
@@ -66,9 +80,9 @@ pub fn analyse(
                 }
             }
         }
-        let pushed = monitor.push(&batch[..count], &mut each);
+        let pushed = monitor.push_observed(&batch[..count], observer);
         if count < BATCH || pushed.is_err() {
-            monitor.finish(&mut each);
+            monitor.finish_observed(observer);
         }
         pushed?;
         if let Some(failure) = failure {
@@ -138,11 +152,19 @@ impl Monitor {
         frames: &[[Frame; 2]],
         each: &mut impl FnMut(Record),
     ) -> Result<(), ComfortError> {
+        self.push_observed(frames, &mut Each(each))
+    }
+
+    fn push_observed(
+        &mut self,
+        frames: &[[Frame; 2]],
+        observer: &mut impl Observer,
+    ) -> Result<(), ComfortError> {
         let size = self.properties.size;
         let fits = |views: &&[Frame; 2]| views.iter().all(|view| view.samples.size() == size);
         let count = frames.iter().take_while(fits).count();
         for batch in frames[..count].chunks(BATCH) {
-            self.push_batch(batch, each)?;
+            self.push_batch(batch, observer)?;
         }
         let other = frames.get(count).and_then(|views| {
             let mut sizes = views.iter().map(|view| (view.index, view.samples.size()));
@@ -163,7 +185,7 @@ impl Monitor {
     fn push_batch(
         &mut self,
         batch: &[[Frame; 2]],
-        each: &mut impl FnMut(Record),
+        observer: &mut impl Observer,
     ) -> Result<(), ComfortError> {
         let Self {
             threads,
@@ -196,9 +218,10 @@ impl Monitor {
         for ((views, measures), (delay, changes)) in together {
             let frame = views[0].index;
             let measures = measures.map_err(|source| ComfortError::Size { frame, source })?;
+            observer.measured(views, &measures);
             self.take(views, measures, changes)?;
             if let Some(delay) = delay {
-                self.emit(delay, each);
+                self.emit(delay, observer);
             }
         }
         Ok(())
@@ -243,12 +266,16 @@ impl Monitor {
 
     /// Hands over the records of the frames that are left.
     pub fn finish(&mut self, each: &mut impl FnMut(Record)) {
+        self.finish_observed(&mut Each(each));
+    }
+
+    fn finish_observed(&mut self, observer: &mut impl Observer) {
         for delay in self.asynchrony.finish() {
-            self.emit(delay, each);
+            self.emit(delay, observer);
         }
     }
 
-    fn emit(&mut self, asynchrony: Asynchrony, each: &mut impl FnMut(Record)) {
+    fn emit(&mut self, asynchrony: Asynchrony, observer: &mut impl Observer) {
         let Some(pending) = self.pending.pop_front() else {
             return;
         };
@@ -263,7 +290,7 @@ impl Monitor {
             stereoscopy,
             evidence,
         };
-        each(Record::new(known, &self.options.viewing));
+        observer.complete(Record::new(known, &self.options.viewing));
     }
 
     /// Whether the picture continues from one view to the other.

@@ -1,7 +1,7 @@
 //! What is said of a whole video.
 
 use super::stereoscopy::Stereoscopy;
-use super::{Dimension, Level, Record};
+use super::{Dimension, Level, Missing, Record, Row};
 
 /// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only,
 /// so that a video may be of any length.
@@ -23,6 +23,12 @@ pub struct RowSummary {
     pub levels: [usize; 3],
     /// The greatest score, and the first frame that has it.
     pub worst: Option<(u8, usize)>,
+    /// The least and the greatest raw number of frames with a score.
+    pub raw_range: Option<[f64; 2]>,
+    /// Frames that do not show what is needed: [`Missing::NotMeasurable`].
+    pub not_measurable: usize,
+    /// Frames for which the answer is not certain enough: [`Missing::Unknown`].
+    pub unknown: usize,
     sum: f64,
     raw_sum: f64,
 }
@@ -39,6 +45,57 @@ impl RowSummary {
     pub fn mean_raw(&self) -> Option<f64> {
         (self.scored > 0).then(|| self.raw_sum / self.scored as f64)
     }
+
+    fn add(&mut self, row: &Row, frame: usize) {
+        let score = match row.score {
+            Ok(score) => score,
+            Err(Missing::NotMeasurable) => {
+                self.not_measurable += 1;
+                return;
+            }
+            Err(Missing::Unknown) => {
+                self.unknown += 1;
+                return;
+            }
+        };
+        let raw = row.raw.unwrap_or(0.0);
+        let mut levels = [0; 3];
+        levels[match score.level() {
+            Level::Green => 0,
+            Level::Orange => 1,
+            Level::Red => 2,
+        }] = 1;
+        self.merge(&Self {
+            scored: 1,
+            levels,
+            worst: Some((score.number(), frame)),
+            raw_range: Some([raw, raw]),
+            not_measurable: 0,
+            unknown: 0,
+            sum: f64::from(score.number()),
+            raw_sum: raw,
+        });
+    }
+
+    /// Adds later frames.
+    fn merge(&mut self, later: &Self) {
+        self.scored += later.scored;
+        for (count, more) in self.levels.iter_mut().zip(later.levels) {
+            *count += more;
+        }
+        self.worst = match (self.worst, later.worst) {
+            (Some(worst), Some(other)) if other.0 > worst.0 => Some(other),
+            (worst, other) => worst.or(other),
+        };
+        self.raw_range = match (self.raw_range, later.raw_range) {
+            (Some([low, high]), Some(other)) => Some([low.min(other[0]), high.max(other[1])]),
+            (range, other) => range.or(other),
+        };
+        self.not_measurable += later.not_measurable;
+        self.unknown += later.unknown;
+        self.sum += later.sum;
+        self.raw_sum += later.raw_sum;
+    }
 }
 
 impl Summary {
@@ -47,18 +104,16 @@ impl Summary {
         self.frames += 1;
         self.shots += usize::from(record.begins_shot);
         for (summary, row) in self.rows.iter_mut().zip(&record.rows) {
-            let Ok(score) = row.score else { continue };
-            summary.scored += 1;
-            summary.sum += f64::from(score.number());
-            summary.raw_sum += row.raw.unwrap_or(0.0);
-            summary.levels[match score.level() {
-                Level::Green => 0,
-                Level::Orange => 1,
-                Level::Red => 2,
-            }] += 1;
-            if summary.worst.is_none_or(|worst| score.number() > worst.0) {
-                summary.worst = Some((score.number(), record.frame));
-            }
+            summary.add(row, record.frame);
+        }
+    }
+
+    /// Adds a summary of later frames.
+    pub fn merge(&mut self, later: &Self) {
+        self.frames += later.frames;
+        self.shots += later.shots;
+        for (row, more) in self.rows.iter_mut().zip(&later.rows) {
+            row.merge(more);
         }
     }
 

@@ -42,17 +42,22 @@ pub(super) struct Analysed {
 impl Analysed {
     /// Frames in a second: as stated, or from the times of the frames.
     pub(super) fn rate(&self) -> [u32; 2] {
-        self.properties.frames_per_second.unwrap_or_else(|| {
-            let frames = &self.analysis.frames;
-            let seconds = frames.last().map_or(0.0, |frame| frame.time_seconds);
-            let rate = (frames.len().saturating_sub(1)) as f64 / seconds;
-            // A cast from float saturates.
-            match rate.is_finite() && rate > 0.0 {
-                true => [(1000.0 * rate).round() as u32, 1000],
-                false => [25, 1],
-            }
-        })
+        let frames = &self.analysis.frames;
+        let seconds = frames.last().map_or(0.0, |frame| frame.time_seconds);
+        rate(&self.properties, frames.len(), seconds)
     }
+}
+
+/// Frames in a second: as stated, or from the number of frames and the time of the last one.
+pub(super) fn rate(properties: &Properties, frames: usize, last_seconds: f64) -> [u32; 2] {
+    properties.frames_per_second.unwrap_or_else(|| {
+        let rate = frames.saturating_sub(1) as f64 / last_seconds;
+        // A cast from float saturates.
+        match rate.is_finite() && rate > 0.0 {
+            true => [(1000.0 * rate).round() as u32, 1000],
+            false => [25, 1],
+        }
+    })
 }
 
 /// Analyses a video; `-` is Y4M from standard input. Pictures of frames that may become key frames

@@ -4,3 +4,4 @@ mod asynchrony;
 mod monitor;
 mod scene;
 mod stereoscopy;
+mod timeline;

@@ -3,17 +3,21 @@
 pub(super) mod align;
 mod input;
 mod line;
+mod report;
 mod table;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 use clap::ValueEnum;
-use ga_vision::comfort::monitor::{Options, analyse};
-use ga_vision::comfort::{Summary, Viewing};
+use ga_files::write_together;
+use ga_vision::comfort::monitor::{Options, observe};
+use ga_vision::comfort::{FrameMeasures, Observer, Record, Summary, Viewing};
+use ga_vision::video::{Frame, Properties};
 
 use crate::output;
 use crate::progress::Progress;
+use report::{About, Report};
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
 ///
@@ -32,8 +36,14 @@ use crate::progress::Progress;
 /// lower by shift_px, rotated counter-clockwise, larger by zoom_percent, and late by frames.
 /// median_px is the median of x_L − x_R, positive in front of the screen.
 ///
+/// --out writes a page that shows the same to those who make the video: what is good and what to
+/// mend first, all scores over time, the depth budget, and the worst moments as pictures with what
+/// is wrong drawn into them. It needs no other file and no network. If the video breaks off, the
+/// page is about the frames before that.
+///
 /// For instance
 ///
+///   nullcone video comfort film.y4m --layout side-by-side --out report.html
 ///   nullcone video comfort film.y4m --layout side-by-side --json
 ///   nullcone video comfort left.y4m right.y4m --layout two-files --csv > comfort.csv
 #[derive(Clone, Debug, clap::Args)]
@@ -60,6 +70,9 @@ pub(in crate::commands::video) struct Arguments {
     /// Print a table with a line for each frame.
     #[arg(long)]
     csv: bool,
+    /// Write a page with a verdict, charts and the worst moments; it needs no other file.
+    #[arg(long, value_name = "FILE.html")]
+    out: Option<PathBuf>,
     /// Write the summary as JSON.
     #[arg(long, value_name = "FILE.json")]
     summary: Option<PathBuf>,
@@ -85,10 +98,11 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
         "--threads {}: it must be 1 or 2",
         arguments.threads
     );
+    arguments.check_out()?;
     let viewing = Viewing::of_screen(arguments.screen_inches, arguments.distance_metres)?;
     let layout = input::layout(arguments.layout, arguments.right.as_deref())?;
     let mut source = input::open(&arguments.video, arguments.right.as_deref(), layout)?;
-    let count = source.properties().frame_count.map(|count| count as u64);
+    let properties = *source.properties();
     let options = Options {
         viewing,
         layout: input::halves(layout),
@@ -96,35 +110,143 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
     };
     let progress = Progress::new(1, quiet);
     progress.step("analysing");
-    let mut summary = Summary::default();
-    let mut printed = match arguments.csv {
-        true => output::print(&line::csv_header()?),
-        false => Ok(()),
+    let page = arguments.out.as_ref();
+    let mut watcher = Watcher {
+        arguments,
+        progress: &progress,
+        count: properties.frame_count.map(|count| count as u64),
+        summary: Summary::default(),
+        printed: match arguments.csv {
+            true => output::print(&line::csv_header()?),
+            false => Ok(()),
+        },
+        report: page.map(|_| Report::new(arguments.about(properties, viewing, layout))),
     };
-    let result = analyse(&mut source, options, |record| {
-        summary.add(&record);
-        let frames = summary.frames as u64;
-        if frames.is_multiple_of(8) {
-            progress.at(frames, count.unwrap_or(2 * frames));
-        }
-        if printed.is_ok() {
-            let text = match (arguments.json, arguments.csv) {
-                (true, _) => line::json(&record),
-                (_, true) => line::csv(&record),
-                (false, false) => return,
-            };
-            printed = text.and_then(|text| output::print(&text));
-        }
-    });
+    let result = observe(&mut source, options, &mut watcher);
+    let Watcher {
+        summary,
+        printed,
+        report,
+        ..
+    } = watcher;
     drop(progress);
     printed?;
+    let mut files = Vec::new();
+    if let (Some(path), Some(report), true) = (page, &report, summary.frames > 0) {
+        // What was analysed before an error is reported.
+        let failure = result.as_ref().err().map(ToString::to_string);
+        let html = report.html(&summary, failure.as_deref())?;
+        files.push((path.as_path(), html.into_bytes()));
+    }
     if let Some(path) = arguments.summary.as_ref().filter(|_| result.is_ok()) {
         let text = serde_json::to_string_pretty(&table::json(&summary, &viewing))? + "\n";
-        ga_files::write(path, text.as_bytes())?;
+        files.push((path, text.into_bytes()));
     }
+    write_together(files.iter().map(|(path, bytes)| (*path, &bytes[..])))?;
     if !arguments.json && !arguments.csv && !quiet && summary.frames > 0 {
         output::print(&table::text(&summary, &viewing))?;
     }
-    // What was analysed before an error is reported.
     Ok(result?)
+}
+
+impl Arguments {
+    /// Fails before the work begins where the page could not be written after it.
+    fn check_out(&self) -> Result<()> {
+        let Some(path) = &self.out else {
+            return Ok(());
+        };
+        ensure!(
+            path.extension().is_some_and(|ending| ending == "html"),
+            "--out {}: its name must end in .html",
+            path.display()
+        );
+        let folder = path
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        ensure!(
+            folder.is_none_or(Path::is_dir),
+            "--out {}: there is no such folder",
+            path.display()
+        );
+        ensure!(
+            !path.is_dir(),
+            "--out {}: a folder of that name is in its place",
+            path.display()
+        );
+        Ok(())
+    }
+
+    fn about(&self, properties: Properties, viewing: Viewing, layout: LayoutName) -> About {
+        let paths = || std::iter::once(&self.video).chain(&self.right);
+        let is_stream = |path: &PathBuf| path.as_os_str() == "-";
+        let names = paths().map(|path| match path.file_name() {
+            Some(name) if !is_stream(path) => name.to_string_lossy().into_owned(),
+            _ => "standard input".into(),
+        });
+        let names: Vec<String> = names.collect();
+        let quoted: Vec<String> = paths().map(|path| quoted(path)).collect();
+        let layout = layout.to_possible_value();
+        let layout = layout.map_or_else(String::new, |value| value.get_name().to_owned());
+        About {
+            title: names.join(" and "),
+            align: (!paths().any(is_stream)).then(|| {
+                format!(
+                    "nullcone video align {} --layout {layout} --out aligned.y4m",
+                    quoted.join(" ")
+                )
+            }),
+            properties,
+            viewing,
+        }
+    }
+}
+
+/// A path as a shell reads it.
+fn quoted(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/+:,@".contains(c);
+    match !text.is_empty() && text.chars().all(is_plain) {
+        true => text.into_owned(),
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
+
+/// Prints what is known of each frame, and gathers what is written at the end.
+struct Watcher<'a> {
+    arguments: &'a Arguments,
+    progress: &'a Progress,
+    /// The number of frames, where it is known.
+    count: Option<u64>,
+    summary: Summary,
+    printed: Result<()>,
+    report: Option<Report>,
+}
+
+impl Observer for Watcher<'_> {
+    fn measured(&mut self, views: &[Frame; 2], measures: &FrameMeasures) {
+        if let Some(report) = &mut self.report {
+            report.measured(views, measures);
+        }
+    }
+
+    fn complete(&mut self, record: Record) {
+        self.summary.add(&record);
+        let frames = self.summary.frames as u64;
+        if frames.is_multiple_of(8) {
+            self.progress.at(frames, self.count.unwrap_or(2 * frames));
+        }
+        if self.printed.is_ok() {
+            let text = match (self.arguments.json, self.arguments.csv) {
+                (true, _) => Some(line::json(&record)),
+                (_, true) => Some(line::csv(&record)),
+                (false, false) => None,
+            };
+            if let Some(text) = text {
+                self.printed = text.and_then(|text| output::print(&text));
+            }
+        }
+        if let Some(report) = &mut self.report {
+            report.complete(record);
+        }
+    }
 }

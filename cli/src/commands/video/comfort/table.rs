@@ -43,7 +43,7 @@ pub(super) fn text(summary: &Summary, viewing: &Viewing) -> String {
 }
 
 /// The colour of a mean.
-fn level(mean: f64) -> Level {
+pub(super) fn level(mean: f64) -> Level {
     // A cast from float saturates.
     Score::new(mean.round() as u8).level()
 }

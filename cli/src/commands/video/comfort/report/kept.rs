@@ -1,0 +1,157 @@
+//! What is kept of the pictures of a frame until it is known whether they are shown.
+
+use ga_image::plane::Plane;
+use ga_image::resample::box_means;
+use ga_image::ycbcr::YCbCr;
+use ga_vision::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
+use ga_vision::video::{Frame, Planes, Samples};
+
+/// Views are reduced to at most so many columns.
+const WIDEST: usize = 480;
+
+/// Columns and rows of the parts that are kept at full size.
+const DETAIL: [usize; 2] = [160, 120];
+
+/// The views of a frame, reduced.
+#[derive(Debug)]
+pub(super) struct Kept {
+    pub(super) frame: usize,
+    /// Columns and rows of a view at full size.
+    pub(super) size: [usize; 2],
+    /// Columns, and rows, of a view for each of the reduced one.
+    factor: usize,
+    views: [Frame; 2],
+    /// A place that both views show, where one of them is less sharp.
+    detail: Option<Detail>,
+}
+
+/// The surroundings of a point in both views, at full size.
+#[derive(Debug)]
+struct Detail {
+    /// The pixel of the left view in their middle.
+    place: [f64; 2],
+    views: [Frame; 2],
+}
+
+impl Kept {
+    pub(super) fn new(views: &[Frame; 2], measures: &FrameMeasures, viewing: &Viewing) -> Self {
+        let size = views[0].samples.size();
+        let factor = size[0].div_ceil(WIDEST).max(1);
+        let gap = measures.row(Dimension::FocalGap, viewing);
+        let gap = gap.and_then(|row| row.score.ok());
+        let has_gap = gap.is_some_and(|score| score.level() != Level::Green);
+        Self {
+            frame: views[0].index,
+            size,
+            factor,
+            views: views.each_ref().map(|view| {
+                let samples = view.samples.eight_bits();
+                frame(Planes {
+                    luma: box_means(&samples.luma, factor),
+                    differences: samples
+                        .differences
+                        .each_ref()
+                        .map(|plane| box_means(plane, factor)),
+                })
+            }),
+            detail: has_gap.then(|| Detail::new(views, measures)).flatten(),
+        }
+    }
+
+    /// The reduced views in red, green and blue.
+    pub(super) fn views(&self, colours: YCbCr) -> [Plane<[u8; 3]>; 2] {
+        self.views.each_ref().map(|view| view.to_rgb(colours))
+    }
+
+    /// Where a pixel of a view is shown, where the reduced view is shown `width` wide with its top
+    /// left corner at the origin.
+    pub(super) fn place(&self, pixel: [f64; 2], width: f64) -> [f64; 2] {
+        pixel.map(|x| (x + 0.5) * self.scale(width))
+    }
+
+    /// The shown length of a pixel of a view, where the reduced view is shown `width` wide.
+    pub(super) fn scale(&self, width: f64) -> f64 {
+        width / (self.size[0].div_ceil(self.factor) * self.factor) as f64
+    }
+
+    /// How high the reduced view is shown where it is `width` wide.
+    pub(super) fn height(&self, width: f64) -> f64 {
+        let [columns, rows] = self.size.map(|side| side.div_ceil(self.factor) as f64);
+        width * rows / columns
+    }
+
+    /// The surroundings of a point in both views at full size, and the point in the left view.
+    pub(super) fn detail(&self, colours: YCbCr) -> Option<([f64; 2], [Plane<[u8; 3]>; 2])> {
+        let detail = self.detail.as_ref()?;
+        let views = detail.views.each_ref().map(|view| view.to_rgb(colours));
+        Some((detail.place, views))
+    }
+}
+
+impl Detail {
+    /// The surroundings of the point whose place is most certain: slopes are steep there, and blur
+    /// shows well.
+    fn new(views: &[Frame; 2], measures: &FrameMeasures) -> Option<Self> {
+        let views = views.each_ref().map(|view| view.samples.eight_bits());
+        let [width, height] = [views[0].luma.width(), views[0].luma.height()];
+        let size = [DETAIL[0].min(width), DETAIL[1].min(height)];
+        let start = |place: [f64; 2]| -> [usize; 2] {
+            // An even pixel, at which a stored colour difference begins.
+            std::array::from_fn(|axis| {
+                let most = [width, height][axis] - size[axis];
+                // A cast from float saturates.
+                let start = (place[axis] - 0.5 * size[axis] as f64).max(0.0) as usize;
+                start.min(most) / 2 * 2
+            })
+        };
+        let inside = |found: &&Match| {
+            [found.left, found.right].into_iter().all(|place| {
+                (0..2).all(|axis| {
+                    let half = 0.5 * size[axis] as f64;
+                    (half..=[width, height][axis] as f64 - half).contains(&place[axis])
+                })
+            })
+        };
+        let uncertainty = |found: &Match| found.deviation[0].hypot(found.deviation[1]);
+        let certain = |a: &&Match, b: &&Match| uncertainty(a).total_cmp(&uncertainty(b));
+        let best = measures.matches.iter().filter(inside).min_by(certain)?;
+        let parts = [(best.left, &views[0]), (best.right, &views[1])];
+        Some(Self {
+            place: best.left,
+            views: parts.map(|(place, view)| frame(part(view, start(place), size))),
+        })
+    }
+}
+
+fn frame(planes: Planes<u8>) -> Frame {
+    Frame {
+        samples: Samples::Eight(planes),
+        ..Frame::default()
+    }
+}
+
+/// A rectangle of a view, which begins at even pixels.
+fn part(view: &Planes<u8>, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Planes<u8> {
+    let cut = |plane: &Plane<u8>| {
+        if plane.is_empty() {
+            return Plane::default();
+        }
+        // 1 or 2 pixels for each stored number.
+        let [across, down] = [
+            view.luma.width().div_ceil(plane.width()),
+            view.luma.height().div_ceil(plane.height()),
+        ];
+        Plane::from_fn(
+            width.div_ceil(across),
+            height.div_ceil(down),
+            |column, row| {
+                let row = (top / down + row).min(plane.height() - 1);
+                plane.row(row)[(left / across + column).min(plane.width() - 1)]
+            },
+        )
+    };
+    Planes {
+        luma: cut(&view.luma),
+        differences: view.differences.each_ref().map(cut),
+    }
+}

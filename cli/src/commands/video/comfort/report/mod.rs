@@ -1,0 +1,69 @@
+//! The report of the comfort of a video as a page that needs no other file.
+
+mod axis;
+mod depth;
+mod heat;
+mod kept;
+mod moments;
+mod page;
+mod raw;
+mod thumbnail;
+mod verdict;
+mod words;
+
+use anyhow::Result;
+use ga_vision::comfort::{FrameMeasures, Record, Summary, Timeline, Viewing};
+use ga_vision::video::{Frame, Properties};
+
+use crate::commands::video::input::rate;
+use moments::Moments;
+
+/// What the page says of the video besides measurements.
+pub(super) struct About {
+    /// The names of the files.
+    pub(super) title: String,
+    /// The command that removes what can be removed; `None` for standard input.
+    pub(super) align: Option<String>,
+    /// Of each view.
+    pub(super) properties: Properties,
+    pub(super) viewing: Viewing,
+}
+
+/// What is gathered while a video is read. Memory does not depend on its length.
+pub(super) struct Report {
+    about: About,
+    timeline: Timeline,
+    moments: Moments,
+    last_seconds: f64,
+}
+
+impl Report {
+    pub(super) fn new(about: About) -> Self {
+        Self {
+            timeline: Timeline::default(),
+            moments: Moments::new(about.viewing),
+            about,
+            last_seconds: 0.0,
+        }
+    }
+
+    pub(super) fn measured(&mut self, views: &[Frame; 2], measures: &FrameMeasures) {
+        self.moments.measured(views, measures);
+    }
+
+    pub(super) fn complete(&mut self, record: Record) {
+        self.timeline.add(&record);
+        self.last_seconds = record.time_seconds;
+        self.moments.complete(record);
+    }
+
+    /// The page. `failure` says why the video could not be read further.
+    pub(super) fn html(&self, summary: &Summary, failure: Option<&str>) -> Result<String> {
+        page::html(self, summary, failure)
+    }
+
+    /// Frames in a second.
+    fn rate(&self, frames: usize) -> [u32; 2] {
+        rate(&self.about.properties, frames, self.last_seconds)
+    }
+}

@@ -1,0 +1,329 @@
+//! The page.
+
+use anyhow::Result;
+use ga_vision::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
+use ga_vision::keyframe::scenes::timecode;
+
+use super::thumbnail::{self, Video};
+use super::verdict::{self, Problem, listed};
+use super::{About, Report, axis, depth, heat, raw, words};
+use crate::commands::video::comfort::table;
+use crate::page::{Cell, Page, Tint};
+
+/// The page of a report; `failure` says why the video could not be read further.
+pub(super) fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<String> {
+    let about = &report.about;
+    let viewing = &about.viewing;
+    let rate = report.rate(summary.frames);
+    let place = |frame: usize| format!("at {} (frame {frame})", timecode(frame, rate));
+    let problems = verdict::problems(summary, &report.moments);
+    let mut page = Page::new(&format!("Viewing comfort of {}", about.title));
+    if let Some(failure) = failure {
+        page.warning(&format!(
+            "The video could not be read to its end: {failure}. This page is about the {} frames \
+             before that.",
+            summary.frames
+        ));
+    }
+    page.heading("In short");
+    page.paragraph(&verdict::sentences(summary, &problems, viewing, place).join(" "));
+    add_command(&mut page, about, &problems);
+    page.paragraph(&conditions(report, summary, rate));
+
+    page.heading("All checks");
+    page.paragraph(
+        "Each frame has a score from 0 to 15 in each check: up to 7 is comfortable (green), up to \
+         13 strains after a while (orange), above that is severe (red).",
+    );
+    add_table(&mut page, summary, &problems, rate);
+
+    page.heading("Scores over time");
+    let axis = axis::TimeAxis::new(&report.timeline);
+    let many = match report.timeline.seconds() {
+        Some(_) => {
+            " Colours and numbers are the mean of an interval; where its worst frame is \
+                     worse, a strip above has the colour of that one."
+        }
+        None => "",
+    };
+    let caption = format!(
+        "Each column is {}.{many} Grey: the frames do not show what is needed, such as motion for \
+         the delay of one eye.",
+        axis.unit()
+    );
+    page.wide_svg(&heat::svg(&report.timeline), &caption);
+
+    page.heading("Depth budget");
+    let caption = "The darker, the more points have this parallax: the horizontal distance of a \
+                   point in the right view from that in the left one. At 0 it appears on the \
+                   screen, above behind it, below in front of it. Between the limits of comfort \
+                   the eyes converge at most one degree more or less than on the screen; outside \
+                   of the dashed lines, broadcasters allow depth for short moments only (BSkyB: −1 \
+                   to +2 %).";
+    page.wide_svg(&depth::svg(&report.timeline, viewing)?, caption);
+
+    if !problems.is_empty() {
+        add_problems(&mut page, report, &problems, rate)?;
+    }
+    page.heading("What the checks mean");
+    let rows = Dimension::ALL.map(|dimension| {
+        [
+            words::name(dimension).to_owned(),
+            dimension.name().to_owned(),
+            words::explanation(dimension).to_owned(),
+            words::limits(dimension, viewing),
+        ]
+    });
+    page.text_table(["check", "name in files", "what it says", "limits"], rows);
+    page.paragraph(
+        "′ is an arc minute, the sixtieth part of a degree, at the eye of the viewer. Times are \
+         hours:minutes:seconds:frames; frames are counted from 0.",
+    );
+    Ok(page.into_html())
+}
+
+/// The command that removes what can be removed.
+fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
+    let names: Vec<String> = problems
+        .iter()
+        .filter(|problem| {
+            words::can_align(&problem.worst().record, problem.dimension, &about.viewing)
+        })
+        .map(|problem| match problem.dimension {
+            Dimension::Stereoscopy => "exchanged views".into(),
+            dimension => words::name(dimension).to_lowercase(),
+        })
+        .collect();
+    if names.is_empty() {
+        return;
+    }
+    match &about.align {
+        Some(command) => {
+            page.paragraph(&format!(
+                "This command writes the video without {}; measure it again afterwards:",
+                listed(&names)
+            ));
+            page.code(command);
+        }
+        None => page.paragraph(&format!(
+            "“nullcone video align” removes {}, if the video is in a file.",
+            listed(&names)
+        )),
+    }
+}
+
+/// The video and the eyes before it, in a sentence or two.
+fn conditions(report: &Report, summary: &Summary, rate: [u32; 2]) -> String {
+    let About {
+        properties,
+        viewing,
+        ..
+    } = &report.about;
+    let [width, height] = properties.size;
+    let seconds = summary.frames as f64 * f64::from(rate[1]) / f64::from(rate[0].max(1));
+    let length = match seconds < 60.0 {
+        true => format!("{seconds:.1} seconds"),
+        false => format!("{} minutes:seconds", axis::clock(seconds)),
+    };
+    let shots = match summary.shots {
+        1 => "one shot".into(),
+        count => format!("{count} shots"),
+    };
+    format!(
+        "The video has {} frames of {width} × {height} pixels for each eye, {shots}, {length}. It \
+         is judged for a screen {:.2} m wide, seen from {:.2} m by eyes {:.0} mm apart: there, 1 % \
+         of the picture's width is an angle of {:.0}′, and the eyes look parallel at {:+.1} %. On \
+         a larger screen the same video has more depth: --screen-inches and --distance-metres \
+         state another one.",
+        summary.frames,
+        viewing.width(),
+        viewing.distance(),
+        1000.0 * viewing.interocular(),
+        60.0 * viewing.degrees_of_parallax(1.0),
+        viewing.parallel_percent(),
+    )
+}
+
+/// The table in the shape of Cui's table 6.
+fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate: [u32; 2]) {
+    let plain = |text: String| Cell { text, tint: None };
+    let rows = Dimension::ALL.map(|dimension| {
+        let row = summary.row(dimension);
+        let problem = problems
+            .iter()
+            .find(|problem| problem.dimension == dimension);
+        // The frame whose picture is shown is the worst one among equal scores.
+        let worst_frame = match (problem, row.worst) {
+            (Some(problem), _) => Some(problem.worst().record.frame),
+            (None, worst) => worst.map(|(_, frame)| frame),
+        };
+        let [green, orange, red] = row.levels.map(|count| share(count, summary.frames));
+        let missing = |count: usize| match count {
+            0 => plain(String::new()),
+            _ => Cell {
+                text: share(count, summary.frames),
+                tint: Some(Tint::Grey),
+            },
+        };
+        let tinted = |text: String, count: usize, tint: Tint| Cell {
+            text,
+            tint: (count > 0).then_some(tint),
+        };
+        [
+            plain(words::name(dimension).into()),
+            mean(row),
+            worst(row),
+            plain(worst_frame.map_or(String::new(), |frame| {
+                format!("{} ({frame})", timecode(frame, rate))
+            })),
+            tinted(green, row.levels[0], Tint::Green),
+            tinted(orange, row.levels[1], Tint::Orange),
+            tinted(red, row.levels[2], Tint::Red),
+            plain(
+                row.mean_raw()
+                    .map_or(String::new(), |raw| words::amount(dimension, raw)),
+            ),
+            missing(row.not_measurable),
+            missing(row.unknown),
+        ]
+    });
+    let names = [
+        "check",
+        "mean score",
+        "worst",
+        "at (frame)",
+        "green",
+        "orange",
+        "red",
+        "mean measured",
+        "not measurable",
+        "unknown",
+    ];
+    page.tinted_table(names, rows);
+}
+
+fn mean(row: &RowSummary) -> Cell {
+    match row.mean_score() {
+        Some(mean) => Cell {
+            text: format!("{mean:.1}"),
+            tint: Some(heat::tint(table::level(mean))),
+        },
+        None => none(),
+    }
+}
+
+fn worst(row: &RowSummary) -> Cell {
+    match row.worst {
+        Some((score, _)) => Cell {
+            text: score.to_string(),
+            tint: Some(heat::tint(Score::new(score).level())),
+        },
+        None => none(),
+    }
+}
+
+fn none() -> Cell {
+    Cell {
+        text: "–".into(),
+        tint: Some(Tint::Grey),
+    }
+}
+
+/// A number of frames in per cent of all; empty for none.
+fn share(count: usize, all: usize) -> String {
+    let percent = 100.0 * count as f64 / all.max(1) as f64;
+    match count {
+        0 => String::new(),
+        _ if percent < 0.5 => "< 1 %".into(),
+        _ if percent > 99.5 && count < all => "> 99 %".into(),
+        _ => format!("{percent:.0} %"),
+    }
+}
+
+/// What to mend in which order, the measured numbers over time, and the worst moments.
+fn add_problems(
+    page: &mut Page,
+    report: &Report,
+    problems: &[Problem<'_>],
+    rate: [u32; 2],
+) -> Result<()> {
+    let viewing = &report.about.viewing;
+    page.heading("What to mend, in this order");
+    page.numbered(problems.iter().map(|problem| {
+        let record = &problem.worst().record;
+        let text = format!(
+            "in {} frames. At {} (frame {}), {}. {}",
+            problem.frames(),
+            timecode(record.frame, rate),
+            record.frame,
+            words::finding(record, problem.dimension, viewing),
+            words::advice(record, problem.dimension, viewing)
+        );
+        let level = if problem.is_red() {
+            "severe"
+        } else {
+            "strains"
+        };
+        (
+            format!("{}, {level},", words::name(problem.dimension)),
+            text,
+        )
+    }));
+    let charted = |problem: &&Problem<'_>| Scale::of(problem.dimension, viewing).is_some();
+    if problems.iter().any(|problem| charted(&problem)) {
+        page.heading("Measured numbers over time");
+        for problem in problems.iter().filter(charted) {
+            let svg = raw::svg(&report.timeline, problem.dimension, viewing);
+            page.wide_svg(&svg, "");
+        }
+    }
+    page.heading("The worst moments");
+    let video = Video {
+        viewing,
+        colours: report.about.properties.colours,
+    };
+    for problem in problems {
+        for moment in problem.moments {
+            add_moment(page, problem.dimension, moment, video, rate)?;
+        }
+    }
+    Ok(())
+}
+
+fn add_moment(
+    page: &mut Page,
+    dimension: Dimension,
+    moment: &super::moments::Moment,
+    video: Video<'_>,
+    rate: [u32; 2],
+) -> Result<()> {
+    let record = &moment.record;
+    let score = record.row(dimension).score.unwrap_or_default();
+    page.subheading(&format!(
+        "{}: {} (frame {}), score {score}, {}",
+        words::name(dimension),
+        timecode(record.frame, rate),
+        record.frame,
+        score.level().name()
+    ));
+    let drawn = thumbnail::draw(moment, dimension, video)?;
+    let finding = words::finding(record, dimension, video.viewing);
+    page.wide_svg(
+        &drawn.svg,
+        &caption(&finding, dimension, video.viewing, &drawn.words),
+    );
+    Ok(())
+}
+
+fn caption(finding: &str, dimension: Dimension, viewing: &Viewing, seen: &str) -> String {
+    let mut characters = finding.chars();
+    let first = characters
+        .next()
+        .map(|first| first.to_uppercase().to_string());
+    let finding = first.unwrap_or_default() + characters.as_str();
+    let limits = match Scale::of(dimension, viewing) {
+        Some(_) => format!(" ({})", words::limits(dimension, viewing)),
+        None => String::new(),
+    };
+    format!("{finding}{limits}. {seen}")
+}

@@ -1,0 +1,146 @@
+//! What to make of the rows: what is good, and what to mend first.
+
+use ga_vision::comfort::stereoscopy::Stereoscopy;
+use ga_vision::comfort::{Dimension, RowSummary, Summary};
+
+use super::moments::{Moment, Moments};
+use super::words;
+
+/// A row that is orange or red in some frames.
+pub(super) struct Problem<'a> {
+    pub(super) dimension: Dimension,
+    pub(super) row: &'a RowSummary,
+    /// The worst frames, from the worst one; there is one at least.
+    pub(super) moments: &'a [Moment],
+}
+
+/// The rows with problems, from the one to be mended first.
+pub(super) fn problems<'a>(summary: &'a Summary, moments: &'a Moments) -> Vec<Problem<'a>> {
+    let all = Dimension::ALL.into_iter().map(|dimension| Problem {
+        dimension,
+        row: summary.row(dimension),
+        moments: moments.row(dimension),
+    });
+    let mut problems: Vec<Problem> = all.filter(|problem| !problem.moments.is_empty()).collect();
+    // The sort is stable: equal ones stay in the order of the table.
+    problems.sort_by(|a, b| b.weight().total_cmp(&a.weight()));
+    problems
+}
+
+impl Problem<'_> {
+    /// The worst frame.
+    pub(super) fn worst(&self) -> &Moment {
+        &self.moments[0]
+    }
+
+    /// Orange and red frames.
+    pub(super) fn frames(&self) -> usize {
+        self.row.levels[1] + self.row.levels[2]
+    }
+
+    pub(super) fn is_red(&self) -> bool {
+        self.row.levels[2] > 0
+    }
+
+    /// How much it matters: red frames count twice. The order of the eyes comes first, since depth
+    /// means nothing without it; weak depth comes last, since it strains nobody.
+    fn weight(&self) -> f64 {
+        let [_, orange, red] = self.row.levels.map(|count| count as f64);
+        let factor = match self.dimension {
+            Dimension::Stereoscopy => 1e6,
+            Dimension::WeakDepth => 1e-6,
+            _ => 1.0,
+        };
+        factor * (orange + 2.0 * red)
+    }
+}
+
+/// Two or three sentences; `place` states a frame and its time.
+pub(super) fn sentences(
+    summary: &Summary,
+    problems: &[Problem<'_>],
+    viewing: &ga_vision::comfort::Viewing,
+    place: impl Fn(usize) -> String,
+) -> Vec<String> {
+    let (mut good, mut missing) = (Vec::new(), Vec::new());
+    for dimension in Dimension::ALL {
+        let row = summary.row(dimension);
+        if row.scored == 0 {
+            missing.push(words::name(dimension).to_lowercase());
+        } else if row.levels[0] == row.scored {
+            good.push(words::name(dimension).to_lowercase());
+        }
+    }
+    let mut sentences = Vec::new();
+    let red = problems.iter().filter(|problem| problem.is_red()).count();
+    sentences.push(match (problems.len(), red) {
+        (0, _) if good.is_empty() => "Nothing could be measured in this video.".into(),
+        (0, _) => "This video is comfortable: every check that could be made is green in all \
+                   frames."
+            .into(),
+        (1, 0) => {
+            "This video is nearly comfortable: one of eleven checks strains the eyes in some \
+                   frames, and none is severe."
+                .into()
+        }
+        (count, 0) => format!(
+            "This video is nearly comfortable: {} of eleven checks strain the eyes in some frames, \
+             and none is severe.",
+            number(count)
+        ),
+        (count, red) => format!(
+            "This video is not comfortable: {} of eleven checks {} the eyes in some frames, and {} \
+             of them {} severe.",
+            number(count),
+            if count == 1 { "strains" } else { "strain" },
+            number(red),
+            if red == 1 { "is" } else { "are" }
+        ),
+    });
+    if let Some(first) = problems.first() {
+        let record = &first.worst().record;
+        let mut text = format!(
+            "Mend first: {}, in {} of {} frames. At its worst, {}, {}.",
+            words::name(first.dimension).to_lowercase(),
+            first.frames(),
+            summary.frames,
+            place(record.frame),
+            words::finding(record, first.dimension, viewing)
+        );
+        if record.stereoscopy == Stereoscopy::Exchanged
+            && first.dimension == Dimension::Stereoscopy
+            && problems.len() > 1
+        {
+            text += " Measure again after that, since exchanged views turn depth around.";
+        }
+        sentences.push(text);
+    }
+    let mut text = String::new();
+    if !good.is_empty() && !problems.is_empty() {
+        text = format!("Good in all frames: {}. ", listed(&good));
+    }
+    if !missing.is_empty() && summary.frames > 0 {
+        text += &format!("Not to be measured here: {}.", listed(&missing));
+    }
+    if !text.is_empty() {
+        sentences.push(text.trim_end().into());
+    }
+    sentences
+}
+
+/// "a, b and c".
+pub(super) fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+fn number(count: usize) -> &'static str {
+    const NAMES: [&str; 12] = [
+        "none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+        "all",
+    ];
+    NAMES[count.min(11)]
+}

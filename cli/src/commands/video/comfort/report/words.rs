@@ -1,0 +1,281 @@
+//! The rows of the table in words for those who make a video.
+
+use ga_vision::comfort::stereoscopy::Stereoscopy;
+use ga_vision::comfort::{Dimension, Record, SIZE, Scale, Viewing, meaning};
+
+/// What a row is called.
+pub(super) fn name(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Brightness => "Difference of brightness",
+        Dimension::Colour => "Difference of colour",
+        Dimension::Vertical => "Vertical misalignment",
+        Dimension::Asynchrony => "Delay of one eye",
+        Dimension::ParallaxDeviation => "Jumps of depth",
+        Dimension::Stereoscopy => "Left and right in order",
+        Dimension::WeakDepth => "Too little depth",
+        Dimension::RichDepth => "Too much depth at once",
+        Dimension::OverConvergence => "Too far in front",
+        Dimension::OverDivergence => "Too far behind",
+        Dimension::FocalGap => "Difference of sharpness",
+    }
+}
+
+/// What a row says, in a sentence.
+pub(super) fn explanation(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Brightness => {
+            "One view is brighter than the other: the difference of luminance at mid grey."
+        }
+        Dimension::Colour => {
+            "One view has another tint than the other: the distance of the colours in CIE L*a*b*, \
+             without the difference of brightness."
+        }
+        Dimension::Vertical => {
+            "Points are higher in one view than in the other, since it is shifted, rotated or \
+             enlarged: an angle at the eye."
+        }
+        Dimension::Asynchrony => {
+            "One eye sees the action later than the other. It can be measured where something \
+             moves."
+        }
+        Dimension::ParallaxDeviation => {
+            "The depth of the whole scene leaves that of the shot before it or around it, so that \
+             the eyes have to move: an angle at the eyes."
+        }
+        Dimension::Stereoscopy => {
+            "Each eye has its own view of the same scene. The views can also be exchanged, be the \
+             same picture, or show different scenes."
+        }
+        Dimension::WeakDepth => {
+            "Nearly everything has the same distance, so that the picture looks flat. The range \
+             from the nearest to the farthest points is stated in per cent of the picture's width."
+        }
+        Dimension::RichDepth => {
+            "The nearest and the farthest points are so far apart that they cannot be seen \
+             together without strain: the same range, where too much of it is uncomfortable."
+        }
+        Dimension::OverConvergence => {
+            "Points appear far in front of the screen, so that the eyes squint: the angle by which \
+             they converge more than on the screen."
+        }
+        Dimension::OverDivergence => {
+            "Points appear far behind the screen, so that the eyes look nearly parallel or \
+             diverge: the angle by which they converge less than on the screen."
+        }
+        Dimension::FocalGap => {
+            "One view is less sharp, or is enlarged, as if it were focused elsewhere: 1 is half \
+             the sharpness (a binary logarithm)."
+        }
+    }
+}
+
+/// A raw number with its unit.
+pub(super) fn amount(dimension: Dimension, raw: f64) -> String {
+    // Not −0.
+    let rounded = |decimals: i32| {
+        let power = 10_f64.powi(decimals);
+        (raw * power).round() / power + 0.0
+    };
+    match dimension {
+        Dimension::Brightness => format!("{:.0} %", rounded(0)),
+        Dimension::Colour => format!("{:.1} ΔE(a*b*)", rounded(1)),
+        Dimension::Vertical => format!("{:.1}′", rounded(1)),
+        Dimension::ParallaxDeviation => format!("{:.0}′", rounded(0)),
+        Dimension::Asynchrony => format!("{:.2} frames", rounded(2)),
+        Dimension::Stereoscopy => format!("{:.2}", rounded(2)),
+        Dimension::WeakDepth | Dimension::RichDepth => format!("{:.2} % of width", rounded(2)),
+        Dimension::OverConvergence | Dimension::OverDivergence => format!("{:.2}°", rounded(2)),
+        Dimension::FocalGap => format!("{:.2} (log2)", rounded(2)),
+    }
+}
+
+/// The limits of a row, as "comfortable up to 5.0′, severe above 20.0′".
+pub(super) fn limits(dimension: Dimension, viewing: &Viewing) -> String {
+    let Some(scale) = Scale::of(dimension, viewing) else {
+        return "no limits: it is right or wrong".into();
+    };
+    let [comfortable, limit] =
+        [scale.comfortable(), scale.limit()].map(|raw| amount(dimension, raw));
+    match scale.comfortable() > scale.limit() {
+        true => format!("comfortable from {comfortable}, severe below {limit}"),
+        false => format!("comfortable up to {comfortable}, severe above {limit}"),
+    }
+}
+
+/// Whether the focal gap of a frame is one of size rather than of sharpness.
+pub(super) fn is_gap_of_size(record: &Record, viewing: &Viewing) -> bool {
+    let sharpness = record.measures.sharpness_log2;
+    let sharpness = sharpness.zip(Scale::of(Dimension::FocalGap, viewing));
+    let sharpness = sharpness.map(|(raw, scale)| scale.score(raw));
+    let geometry = record.measures.geometry;
+    let size = geometry.map(|geometry| SIZE.score(geometry.zoom_percent));
+    size > sharpness
+}
+
+/// What is wrong in a frame, in the words of a row.
+pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) -> String {
+    let raw = record.row(dimension).raw.unwrap_or(0.0);
+    let measures = &record.measures;
+    let amount = |raw: f64| amount(dimension, raw);
+    let compared = |raw: f64, [more, less]: [&'static str; 2]| if raw < 0.0 { less } else { more };
+    let percent = |pixels: fn(&ga_vision::comfort::Parallax) -> f64| {
+        let parallax = measures.parallax.as_ref();
+        parallax.map_or(0.0, |found| found.percent(pixels(found)))
+    };
+    match dimension {
+        Dimension::Brightness => {
+            let offset = measures.photometry.map_or(0.0, |found| found.offset_codes);
+            format!(
+                "the right view is {} than the left one by {} ({:.0} of 255 codes)",
+                compared(offset, ["brighter", "darker"]),
+                amount(raw.abs()),
+                offset.abs()
+            )
+        }
+        Dimension::Colour => {
+            let text = format!("the tint of the views differs by {}", amount(raw));
+            let Some(photometry) = &measures.photometry else {
+                return text;
+            };
+            let [red, green, blue] = photometry.channel_ratios.map(|ratio| 100.0 * ratio);
+            format!(
+                "{text}; red, green and blue of the right view are {red:.0} %, {green:.0} % and \
+                 {blue:.0} % of those of the left one"
+            )
+        }
+        Dimension::Vertical => {
+            let Some(geometry) = measures.geometry else {
+                return format!("rows differ by {}", amount(raw));
+            };
+            format!(
+                "points differ in height by up to {:.1} pixels ({}): the right view is {:.1} pixels \
+                 {}, rotated {:.2}° {} and {:.2} % {}",
+                geometry.deviation_px,
+                amount(raw),
+                geometry.shift_px.abs(),
+                compared(geometry.shift_px, ["lower", "higher"]),
+                geometry.rotation_degrees.abs(),
+                compared(
+                    geometry.rotation_degrees,
+                    ["counter-clockwise", "clockwise"]
+                ),
+                geometry.zoom_percent.abs(),
+                compared(geometry.zoom_percent, ["larger", "smaller"]),
+            )
+        }
+        Dimension::Asynchrony => format!(
+            "the right eye is {} by {}",
+            compared(raw, ["late", "early"]),
+            amount(raw.abs())
+        ),
+        Dimension::ParallaxDeviation => {
+            let from = match record.begins_shot {
+                true => "that of the shot before the cut",
+                false => "that of the shot so far",
+            };
+            format!(
+                "the depth of the scene is {} {} {from}",
+                amount(raw.abs()),
+                compared(raw, ["behind", "in front of"]),
+            )
+        }
+        Dimension::Stereoscopy => meaning(record.stereoscopy).into(),
+        Dimension::WeakDepth => format!(
+            "from the nearest to the farthest points there are only {}",
+            amount(raw)
+        ),
+        Dimension::RichDepth => format!(
+            "from the nearest points ({:+.1} %) to the farthest ones ({:+.1} %) there are {}",
+            percent(|found| found.near_px),
+            percent(|found| found.far_px),
+            amount(raw)
+        ),
+        Dimension::OverConvergence => format!(
+            "the nearest points are in front of the screen by {:.1} % of the picture's width \
+             ({}); it is comfortable up to {:.1} %",
+            -percent(|found| found.near_px),
+            amount(raw),
+            -viewing.parallax_of_degrees(-comfortable(dimension, viewing))
+        ),
+        Dimension::OverDivergence => format!(
+            "the farthest points are behind the screen by {:.1} % of the picture's width ({}); it \
+             is comfortable up to {:.1} %",
+            percent(|found| found.far_px),
+            amount(raw),
+            viewing.parallax_of_degrees(comfortable(dimension, viewing))
+        ),
+        Dimension::FocalGap if is_gap_of_size(record, viewing) => {
+            let zoom = measures.geometry.map_or(0.0, |found| found.zoom_percent);
+            format!(
+                "the right view is {:.1} % {} than the left one",
+                zoom.abs(),
+                compared(zoom, ["larger", "smaller"])
+            )
+        }
+        Dimension::FocalGap => {
+            let gap = measures.sharpness_log2.unwrap_or(raw);
+            format!(
+                "the right view is {:.1} times {} the left one",
+                gap.abs().exp2(),
+                compared(gap, ["as sharp as", "less sharp than"])
+            )
+        }
+    }
+}
+
+/// The greatest comfortable amount of a row.
+fn comfortable(dimension: Dimension, viewing: &Viewing) -> f64 {
+    Scale::of(dimension, viewing).map_or(0.0, |scale| scale.comfortable())
+}
+
+/// Whether `nullcone video align` removes what is wrong in a frame.
+pub(super) fn can_align(record: &Record, dimension: Dimension, viewing: &Viewing) -> bool {
+    match dimension {
+        Dimension::Brightness | Dimension::Colour | Dimension::Vertical | Dimension::Asynchrony => {
+            true
+        }
+        Dimension::Stereoscopy => record.stereoscopy == Stereoscopy::Exchanged,
+        Dimension::FocalGap => is_gap_of_size(record, viewing),
+        Dimension::ParallaxDeviation
+        | Dimension::WeakDepth
+        | Dimension::RichDepth
+        | Dimension::OverConvergence
+        | Dimension::OverDivergence => false,
+    }
+}
+
+/// What to do about it.
+pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -> &'static str {
+    if can_align(record, dimension, viewing) {
+        return match dimension {
+            Dimension::Asynchrony => {
+                "“nullcone video align” removes whole frames of delay; parts of a frame remain."
+            }
+            _ => "“nullcone video align” removes it.",
+        };
+    }
+    match dimension {
+        Dimension::ParallaxDeviation => {
+            "Shift the views of one of the shots horizontally, or let the depth change slowly \
+             before the cut."
+        }
+        Dimension::Stereoscopy => "Look for the file of the other view: this one does not fit.",
+        Dimension::WeakDepth => {
+            "It strains nobody, but the video gains little from being stereoscopic: take the \
+             cameras farther apart."
+        }
+        Dimension::RichDepth => {
+            "Take the cameras nearer to each other, or leave out what is nearest or farthest. A \
+             horizontal shift of the views does not help."
+        }
+        Dimension::OverConvergence => {
+            "Shift the views horizontally, the left one to the left and the right one to the \
+             right, which moves everything back, as far as the background allows."
+        }
+        Dimension::OverDivergence => {
+            "Shift the views horizontally, the left one to the right and the right one to the \
+             left, which moves everything forward, as far as the foreground allows."
+        }
+        _ => "Blur cannot be undone: take the sharper view again, or focus both cameras alike.",
+    }
+}
