@@ -9,11 +9,13 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     padding:0 1em;color:#2c3440;background:#fafafc}table{border-collapse:collapse}\
     td,th{padding:.2em .9em;text-align:right;border-bottom:1px solid #dde;white-space:nowrap}\
     td:first-child,th:first-child{text-align:left;white-space:normal}\
+    .narrow td,.narrow th{padding:.2em .5em}.narrow th{white-space:normal;vertical-align:bottom}\
+    .narrow td:first-child{white-space:nowrap}\
     h1{overflow-wrap:anywhere}.wide{overflow-x:auto}\
     .warning{background:#fdf0d5;border-left:4px solid #d55e00;padding:.5em 1em}\
     svg,img{max-width:100%;height:auto}.wide svg{min-width:760px}\
     figure{margin:1.2em 0 2em}figcaption{font-size:.95em;margin-top:.3em}\
-    pre{background:#eef0f4;padding:.6em 1em;overflow-x:auto}\
+    pre{background:#eef0f4;padding:.6em 1em;white-space:pre-wrap;overflow-wrap:anywhere}\
     .green{background:#d3efe3}.orange{background:#ffd27a}.red{background:#a3261b;color:#fff}\
     .text td,.text th{text-align:left;white-space:normal;vertical-align:top}\
     .none{background:#ececf0;color:#555}";
@@ -102,17 +104,29 @@ impl Page {
         names: [&str; N],
         rows: impl IntoIterator<Item = [String; N]>,
     ) {
-        let plain = |text| Cell { text, tint: None };
-        self.tinted_table(names, rows.into_iter().map(|row| row.map(plain)));
+        self.add_table(
+            "wide",
+            names,
+            rows.into_iter().map(|row| row.map(Cell::from)),
+        );
     }
 
-    /// A [`table`](Self::table) of cells that may have colours.
+    /// A [`table`](Self::table) with many columns, whose cells may have colours.
     pub(crate) fn tinted_table<const N: usize>(
         &mut self,
         names: [&str; N],
         rows: impl IntoIterator<Item = [Cell; N]>,
     ) {
-        self.html += "<div class=\"wide\"><table>\n<tr>";
+        self.add_table("wide narrow", names, rows);
+    }
+
+    fn add_table<const N: usize>(
+        &mut self,
+        class: &str,
+        names: [&str; N],
+        rows: impl IntoIterator<Item = [Cell; N]>,
+    ) {
+        self.add(format_args!("<div class=\"{class}\"><table>\n<tr>"));
         for name in names {
             self.add(format_args!("<th>{}</th>", escaped(name)));
         }
@@ -140,9 +154,8 @@ impl Page {
         names: [&str; N],
         rows: impl IntoIterator<Item = [String; N]>,
     ) {
-        self.html += "<div class=\"text\">";
-        self.table(names, rows);
-        self.html += "</div>\n";
+        let rows = rows.into_iter().map(|row| row.map(Cell::from));
+        self.add_table("wide text", names, rows);
     }
 
     pub(crate) fn into_html(mut self) -> String {
@@ -160,6 +173,12 @@ impl Page {
 pub(crate) struct Cell {
     pub(crate) text: String,
     pub(crate) tint: Option<Tint>,
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self { text, tint: None }
+    }
 }
 
 /// A colour of cells.

@@ -32,3 +32,4 @@ mod stereo_pose;
 mod texture;
 mod video;
 mod video_comfort;
+mod video_comfort_report;

@@ -146,6 +146,34 @@ pub(super) fn clock(seconds: f64) -> String {
     }
 }
 
+/// Names beside the right end of lines, moved apart where they would touch.
+pub(super) fn draw_labels(svg: &mut Svg, mut labels: Vec<(f64, &str, &str)>) {
+    const APART: f64 = 14.0;
+    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut places: Vec<f64> = labels.iter().map(|label| label.0).collect();
+    for _ in 0..100 {
+        for k in 1..places.len() {
+            let overlap = APART - (places[k] - places[k - 1]);
+            if overlap > 0.0 {
+                places[k - 1] -= 0.5 * overlap;
+                places[k] += 0.5 * overlap;
+            }
+        }
+    }
+    for ((line, text, colour), place) in labels.into_iter().zip(places) {
+        let style = format!("stroke=\"{colour}\" stroke-width=\"0.8\"");
+        svg.line([RIGHT, line], [RIGHT + 10.0, place], &style);
+        let fill = format!("fill=\"{colour}\"");
+        svg.text(
+            [RIGHT + 13.0, place + 4.0],
+            12.0,
+            Anchor::Start,
+            &fill,
+            text,
+        );
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{clock, times};

@@ -5,7 +5,8 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
 
-use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
+use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
+use super::words::signed_percent;
 use crate::svg::{Anchor, Svg, ticks};
 
 const TOP: f64 = 16.0;
@@ -23,7 +24,7 @@ const LINES: [(&str, &str); 3] = [
 
 /// The picture, and whether all points stay in the budget.
 pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
-    let axis = TimeAxis::new(timeline);
+    let time = TimeAxis::new(timeline);
     let limits = limits(viewing);
     let range = range(timeline, &limits);
     let y = |percent: f64| {
@@ -53,13 +54,11 @@ pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
             [LEFT, place],
             &format!("stroke=\"{INK}\""),
         );
-        // Not −0.
-        let text = format!("{:+} %", percent + 0.0);
-        let text = if percent == 0.0 { "0".into() } else { text };
+        let text = signed_percent(percent);
         svg.text([LEFT - 9.0, place + 4.0], 12.0, Anchor::End, &ink, &text);
     }
-    draw_lines(&mut svg, axis, timeline, &y);
-    axis.draw_cuts(&mut svg, [TOP, BOTTOM]);
+    draw_lines(&mut svg, time, timeline, &y);
+    time.draw_cuts(&mut svg, [TOP, BOTTOM]);
     let mut labels = Vec::new();
     for (percent, text) in &limits {
         let style = "stroke=\"#a3261b\" stroke-width=\"1.2\"";
@@ -81,7 +80,7 @@ pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
         &format!("stroke=\"{INK}\" stroke-width=\"1.6\""),
     );
     labels.push((y(0.0), "the screen", INK));
-    draw_labels(&mut svg, labels);
+    axis::draw_labels(&mut svg, labels);
     for (place, text) in [
         (0.5 * (TOP + y(0.0)), "behind the screen"),
         (0.5 * (BOTTOM + y(0.0)), "in front of the screen"),
@@ -101,7 +100,7 @@ pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
     let text = "parallax in % of the picture's width";
     svg.text([0.0, 0.0], 12.0, Anchor::Middle, &faint, text);
     svg.raw("</g>\n");
-    axis.draw(&mut svg, BOTTOM);
+    time.draw(&mut svg, BOTTOM);
     let mut x = LEFT;
     for (colour, text) in LINES {
         let place = BOTTOM + 52.0;
@@ -197,11 +196,7 @@ fn draw_lines(svg: &mut Svg, axis: TimeAxis<'_>, timeline: &Timeline, y: &impl F
             match interval.depth {
                 Some(depth) => {
                     let (x, height) = (axis.middle(index), y(depth.means()[line]));
-                    if places.is_empty() {
-                        places.push([x - half, height]);
-                    }
-                    places.push([x, height]);
-                    places.push([x + half, height]);
+                    places.extend([[x - half, height], [x + half, height]]);
                 }
                 None if !places.is_empty() => svg.path(places.drain(..), &style),
                 None => {}
@@ -210,33 +205,5 @@ fn draw_lines(svg: &mut Svg, axis: TimeAxis<'_>, timeline: &Timeline, y: &impl F
         if !places.is_empty() {
             svg.path(places, &style);
         }
-    }
-}
-
-/// Names beside the right end of lines, moved apart where they would touch.
-fn draw_labels(svg: &mut Svg, mut labels: Vec<(f64, &str, &str)>) {
-    const APART: f64 = 14.0;
-    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut places: Vec<f64> = labels.iter().map(|label| label.0).collect();
-    for _ in 0..100 {
-        for k in 1..places.len() {
-            let overlap = APART - (places[k] - places[k - 1]);
-            if overlap > 0.0 {
-                places[k - 1] -= 0.5 * overlap;
-                places[k] += 0.5 * overlap;
-            }
-        }
-    }
-    for ((line, text, colour), place) in labels.into_iter().zip(places) {
-        let style = format!("stroke=\"{colour}\" stroke-width=\"0.8\"");
-        svg.line([RIGHT, line], [RIGHT + 10.0, place], &style);
-        let fill = format!("fill=\"{colour}\"");
-        svg.text(
-            [RIGHT + 13.0, place + 4.0],
-            12.0,
-            Anchor::Start,
-            &fill,
-            text,
-        );
     }
 }

@@ -17,7 +17,7 @@ const MOST: usize = 2;
 pub(super) struct Moment {
     pub(super) record: Rc<Record>,
     pub(super) pictures: Rc<Kept>,
-    /// The frame before it with its pictures, where a shot begins.
+    /// The frame before it with its pictures, where the depth changes.
     pub(super) before: Option<(Rc<Record>, Rc<Kept>)>,
     /// The frame whose right view belongs to this left one, where one eye is late.
     pub(super) partner: Option<Rc<Kept>>,
@@ -97,10 +97,8 @@ impl Moments {
                     .checked_add_signed(delay.frames.round() as isize)?;
                 self.kept(frame).filter(|_| frame != record.frame)
             });
-            let before = self
-                .last
-                .clone()
-                .filter(|_| dimension == Dimension::ParallaxDeviation && record.begins_shot);
+            let before = self.last.clone();
+            let before = before.filter(|_| dimension == Dimension::ParallaxDeviation);
             let moment = Moment {
                 record: Rc::clone(&record),
                 pictures: Rc::clone(&pictures),

@@ -63,7 +63,7 @@ pub(super) fn html(report: &Report, summary: &Summary, failure: Option<&str>) ->
     page.wide_svg(&depth::svg(&report.timeline, viewing)?, caption);
 
     if !problems.is_empty() {
-        add_problems(&mut page, report, &problems, rate)?;
+        add_problems(&mut page, report, &problems, (summary.frames, rate))?;
     }
     page.heading("What the checks mean");
     let rows = Dimension::ALL.map(|dimension| {
@@ -89,9 +89,9 @@ fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
         .filter(|problem| {
             words::can_align(&problem.worst().record, problem.dimension, &about.viewing)
         })
-        .map(|problem| match problem.dimension {
-            Dimension::Stereoscopy => "exchanged views".into(),
-            dimension => words::name(dimension).to_lowercase(),
+        .map(|problem| {
+            let record = &problem.worst().record;
+            words::trouble(record, problem.dimension).to_lowercase()
         })
         .collect();
     if names.is_empty() {
@@ -132,7 +132,7 @@ fn conditions(report: &Report, summary: &Summary, rate: [u32; 2]) -> String {
     format!(
         "The video has {} frames of {width} × {height} pixels for each eye, {shots}, {length}. It \
          is judged for a screen {:.2} m wide, seen from {:.2} m by eyes {:.0} mm apart: there, 1 % \
-         of the picture's width is an angle of {:.0}′, and the eyes look parallel at {:+.1} %. On \
+         of the picture's width is an angle of {:.0}′, and the eyes look parallel at {}. On \
          a larger screen the same video has more depth: --screen-inches and --distance-metres \
          state another one.",
         summary.frames,
@@ -140,13 +140,12 @@ fn conditions(report: &Report, summary: &Summary, rate: [u32; 2]) -> String {
         viewing.distance(),
         1000.0 * viewing.interocular(),
         60.0 * viewing.degrees_of_parallax(1.0),
-        viewing.parallel_percent(),
+        words::signed_percent(viewing.parallel_percent()),
     )
 }
 
 /// The table in the shape of Cui's table 6.
 fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate: [u32; 2]) {
-    let plain = |text: String| Cell { text, tint: None };
     let rows = Dimension::ALL.map(|dimension| {
         let row = summary.row(dimension);
         let problem = problems
@@ -159,7 +158,7 @@ fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate:
         };
         let [green, orange, red] = row.levels.map(|count| share(count, summary.frames));
         let missing = |count: usize| match count {
-            0 => plain(String::new()),
+            0 => Cell::from(String::new()),
             _ => Cell {
                 text: share(count, summary.frames),
                 tint: Some(Tint::Grey),
@@ -170,16 +169,16 @@ fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate:
             tint: (count > 0).then_some(tint),
         };
         [
-            plain(words::name(dimension).into()),
+            Cell::from(words::name(dimension).to_owned()),
             mean(row),
             worst(row),
-            plain(worst_frame.map_or(String::new(), |frame| {
+            Cell::from(worst_frame.map_or(String::new(), |frame| {
                 format!("{} ({frame})", timecode(frame, rate))
             })),
             tinted(green, row.levels[0], Tint::Green),
             tinted(orange, row.levels[1], Tint::Orange),
             tinted(red, row.levels[2], Tint::Red),
-            plain(
+            Cell::from(
                 row.mean_raw()
                     .map_or(String::new(), |raw| words::amount(dimension, raw)),
             ),
@@ -245,27 +244,26 @@ fn add_problems(
     page: &mut Page,
     report: &Report,
     problems: &[Problem<'_>],
-    rate: [u32; 2],
+    (frames, rate): (usize, [u32; 2]),
 ) -> Result<()> {
     let viewing = &report.about.viewing;
     page.heading("What to mend, in this order");
     page.numbered(problems.iter().map(|problem| {
         let record = &problem.worst().record;
         let text = format!(
-            "in {} frames. At {} (frame {}), {}. {}",
-            problem.frames(),
+            "{}. At {} (frame {}), {}. {}",
+            verdict::frames(problem.frames(), frames),
             timecode(record.frame, rate),
             record.frame,
             words::finding(record, problem.dimension, viewing),
             words::advice(record, problem.dimension, viewing)
         );
-        let level = if problem.is_red() {
-            "severe"
-        } else {
-            "strains"
+        let level = match problem.is_red() {
+            true => "severe",
+            false => "strains after a while",
         };
         (
-            format!("{}, {level},", words::name(problem.dimension)),
+            format!("{} ({level}),", words::trouble(record, problem.dimension)),
             text,
         )
     }));
@@ -301,7 +299,7 @@ fn add_moment(
     let score = record.row(dimension).score.unwrap_or_default();
     page.subheading(&format!(
         "{}: {} (frame {}), score {score}, {}",
-        words::name(dimension),
+        words::trouble(record, dimension),
         timecode(record.frame, rate),
         record.frame,
         score.level().name()

@@ -2,7 +2,7 @@
 
 use ga_vision::comfort::{Dimension, Scale, Timeline, Viewing};
 
-use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
+use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;
 use crate::svg::{Anchor, Svg, ticks};
 
@@ -11,7 +11,7 @@ const BOTTOM: f64 = 136.0;
 
 /// The chart: the mean of each interval as a line, its range as a band, and the limits.
 pub(super) fn svg(timeline: &Timeline, dimension: Dimension, viewing: &Viewing) -> String {
-    let axis = TimeAxis::new(timeline);
+    let time = TimeAxis::new(timeline);
     let title = format!("{}, measured", words::name(dimension));
     let mut svg = Svg::new([WIDTH, BOTTOM + 38.0], &title);
     let rows = || {
@@ -54,34 +54,31 @@ pub(super) fn svg(timeline: &Timeline, dimension: Dimension, viewing: &Viewing) 
         let text = words::amount(dimension, raw);
         svg.text([LEFT - 8.0, place + 4.0], 12.0, Anchor::End, &ink, &text);
     }
-    let mut bounds = vec![
+    let inside = |raw: &f64| scale.is_some() && (range[0]..=range[1]).contains(raw);
+    let mut labels = Vec::new();
+    for (limit, colour, text) in [
         (limits[0], "#b36a00", "comfortable"),
         (limits[1], "#a3261b", "severe"),
-    ];
-    if is_signed {
-        bounds.extend([
-            (-limits[0], "#b36a00", "comfortable"),
-            (-limits[1], "#a3261b", "severe"),
-        ]);
-    }
-    bounds.retain(|(raw, ..)| scale.is_some() && (range[0]..=range[1]).contains(raw));
-    for (raw, colour, text) in bounds {
-        let place = y(raw);
+    ] {
         let style = format!("stroke=\"{colour}\" stroke-width=\"1.4\" stroke-dasharray=\"7 4\"");
-        svg.line([LEFT, place], [RIGHT, place], &style);
-        let fill = format!("fill=\"{colour}\"");
-        svg.text([RIGHT + 8.0, place + 4.0], 12.0, Anchor::Start, &fill, text);
+        for raw in [limit, -limit].into_iter().filter(inside) {
+            svg.line([LEFT, y(raw)], [RIGHT, y(raw)], &style);
+        }
+        if inside(&limit) {
+            labels.push((y(limit), text, colour));
+        }
     }
+    axis::draw_labels(&mut svg, labels);
     let mut bands = Vec::new();
     let mut line: Vec<[f64; 2]> = Vec::new();
-    let half = 0.5 * axis.step();
+    let half = 0.5 * time.step();
     let mut lines = Vec::new();
     for (index, row) in rows().enumerate() {
         let (Some(mean), Some([low, high])) = (row.mean_raw(), row.raw_range) else {
             lines.push(std::mem::take(&mut line));
             continue;
         };
-        let x = axis.middle(index);
+        let x = time.middle(index);
         if high > low {
             bands.push(([x - half, y(high)], [2.0 * half, y(low) - y(high)]));
         }
@@ -97,8 +94,8 @@ pub(super) fn svg(timeline: &Timeline, dimension: Dimension, viewing: &Viewing) 
             "fill=\"none\" stroke=\"#0072b2\" stroke-width=\"2\" stroke-linejoin=\"round\"",
         );
     }
-    axis.draw_cuts(&mut svg, [TOP, BOTTOM]);
-    axis.draw(&mut svg, BOTTOM);
+    time.draw_cuts(&mut svg, [TOP, BOTTOM]);
+    time.draw(&mut svg, BOTTOM);
     if timeline.seconds().is_some() {
         let text = "line: mean, band: least to greatest";
         svg.text([RIGHT, TOP - 10.0], 12.0, Anchor::End, &faint, text);

@@ -100,10 +100,9 @@ pub(super) fn sentences(
     if let Some(first) = problems.first() {
         let record = &first.worst().record;
         let mut text = format!(
-            "Mend first: {}, in {} of {} frames. At its worst, {}, {}.",
-            words::name(first.dimension).to_lowercase(),
-            first.frames(),
-            summary.frames,
+            "Mend first: {}, {}. At its worst, {}, {}.",
+            words::trouble(record, first.dimension).to_lowercase(),
+            frames(first.frames(), summary.frames),
             place(record.frame),
             words::finding(record, first.dimension, viewing)
         );
@@ -126,6 +125,14 @@ pub(super) fn sentences(
         sentences.push(text.trim_end().into());
     }
     sentences
+}
+
+/// "in 3 of 48 frames".
+pub(super) fn frames(count: usize, all: usize) -> String {
+    match count == all {
+        true => format!("in all {all} frames"),
+        false => format!("in {count} of {all} frames"),
+    }
 }
 
 /// "a, b and c".

@@ -20,6 +20,37 @@ pub(super) fn name(dimension: Dimension) -> &'static str {
     }
 }
 
+/// What is wrong in a frame, as a name.
+pub(super) fn trouble(record: &Record, dimension: Dimension) -> &'static str {
+    match (dimension, record.stereoscopy) {
+        (Dimension::Stereoscopy, Stereoscopy::Exchanged) => "Exchanged views",
+        (Dimension::Stereoscopy, Stereoscopy::Identical) => "Views that are the same picture",
+        (Dimension::Stereoscopy, Stereoscopy::Unrelated) => "Views of different scenes",
+        _ => name(dimension),
+    }
+}
+
+/// A number with so many decimals and a minus sign, and without −0.
+pub(super) fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.chars().all(|c| matches!(c, '0' | '.')) => zero.to_owned(),
+        Some(positive) => format!("−{positive}"),
+        None => text,
+    }
+}
+
+/// A parallax in per cent with its sign.
+pub(super) fn signed_percent(percent: f64) -> String {
+    let text = number(percent, 1);
+    let sign = if percent > 0.0 && text != "0.0" {
+        "+"
+    } else {
+        ""
+    };
+    format!("{sign}{text} %")
+}
+
 /// What a row says, in a sentence.
 pub(super) fn explanation(dimension: Dimension) -> &'static str {
     match dimension {
@@ -71,22 +102,18 @@ pub(super) fn explanation(dimension: Dimension) -> &'static str {
 
 /// A raw number with its unit.
 pub(super) fn amount(dimension: Dimension, raw: f64) -> String {
-    // Not −0.
-    let rounded = |decimals: i32| {
-        let power = 10_f64.powi(decimals);
-        (raw * power).round() / power + 0.0
+    let (decimals, unit) = match dimension {
+        Dimension::Brightness => (0, " %"),
+        Dimension::Colour => (1, " Δa*b*"),
+        Dimension::Vertical => (1, "′"),
+        Dimension::ParallaxDeviation => (0, "′"),
+        Dimension::Asynchrony => (2, " frames"),
+        Dimension::Stereoscopy => (2, ""),
+        Dimension::WeakDepth | Dimension::RichDepth => (2, " % of width"),
+        Dimension::OverConvergence | Dimension::OverDivergence => (2, "°"),
+        Dimension::FocalGap => (2, " log2"),
     };
-    match dimension {
-        Dimension::Brightness => format!("{:.0} %", rounded(0)),
-        Dimension::Colour => format!("{:.1} ΔE(a*b*)", rounded(1)),
-        Dimension::Vertical => format!("{:.1}′", rounded(1)),
-        Dimension::ParallaxDeviation => format!("{:.0}′", rounded(0)),
-        Dimension::Asynchrony => format!("{:.2} frames", rounded(2)),
-        Dimension::Stereoscopy => format!("{:.2}", rounded(2)),
-        Dimension::WeakDepth | Dimension::RichDepth => format!("{:.2} % of width", rounded(2)),
-        Dimension::OverConvergence | Dimension::OverDivergence => format!("{:.2}°", rounded(2)),
-        Dimension::FocalGap => format!("{:.2} (log2)", rounded(2)),
-    }
+    number(raw, decimals) + unit
 }
 
 /// The limits of a row, as "comfortable up to 5.0′, severe above 20.0′".
@@ -185,9 +212,9 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
             amount(raw)
         ),
         Dimension::RichDepth => format!(
-            "from the nearest points ({:+.1} %) to the farthest ones ({:+.1} %) there are {}",
-            percent(|found| found.near_px),
-            percent(|found| found.far_px),
+            "from the nearest points ({}) to the farthest ones ({}) there are {}",
+            signed_percent(percent(|found| found.near_px)),
+            signed_percent(percent(|found| found.far_px)),
             amount(raw)
         ),
         Dimension::OverConvergence => format!(

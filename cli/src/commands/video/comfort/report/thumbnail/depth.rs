@@ -8,6 +8,7 @@ use super::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
 use crate::commands::video::comfort::report::axis::INK;
 use crate::commands::video::comfort::report::kept::Kept;
 use crate::commands::video::comfort::report::moments::Moment;
+use crate::commands::video::comfort::report::words::signed_percent;
 use crate::svg::{Anchor, Svg, ticks};
 
 /// Room for the scale at the right.
@@ -43,7 +44,7 @@ pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> R
         Some((earlier, kept)) => {
             let wide = HALF - 0.5 * SCALE;
             height = kept.height(wide);
-            svg = Svg::new([WIDTH, TITLE + height], "Depth before and after a cut");
+            svg = Svg::new([WIDTH, TITLE + height], "Depth of two frames");
             for (x, record, kept) in [
                 (0.0, earlier, kept),
                 (wide + GAP, &moment.record, &moment.pictures),
@@ -60,7 +61,7 @@ pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> R
             }
         }
         None => {
-            let wide = 720.0;
+            let wide = 620.0;
             height = moment.pictures.height(wide);
             svg = Svg::new(
                 [WIDTH, TITLE + height],
@@ -73,7 +74,7 @@ pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> R
     }
     let x = match before {
         Some(_) => WIDTH - SCALE + 18.0,
-        None => 740.0,
+        None => 640.0,
     };
     draw_scale(&mut svg, [x, height], most);
     let rings = ringed.map_or(String::new(), |(words, _)| format!(" Ringed: {words}."));
@@ -106,12 +107,18 @@ fn ringed<'a>(
     match dimension {
         Dimension::OverConvergence => {
             let limit = limit(-1.0)?;
-            let words = format!("points in front of the limit of comfort, {limit:+.1} %");
+            let words = format!(
+                "points in front of the limit of comfort, {}",
+                signed_percent(limit)
+            );
             Some((words, Box::new(move |percent| percent < limit)))
         }
         Dimension::OverDivergence => {
             let limit = limit(1.0)?;
-            let words = format!("points behind the limit of comfort, {limit:+.1} %");
+            let words = format!(
+                "points behind the limit of comfort, {}",
+                signed_percent(limit)
+            );
             Some((words, Box::new(move |percent| percent > limit)))
         }
         Dimension::RichDepth => {
@@ -129,7 +136,7 @@ fn ringed<'a>(
 fn median(record: &Record) -> String {
     let parallax = record.measures.parallax.as_ref();
     parallax.map_or("not known".into(), |found| {
-        format!("{:+.1} %", found.percent(found.median_px))
+        signed_percent(found.percent(found.median_px))
     })
 }
 
@@ -197,12 +204,9 @@ fn draw_scale(svg: &mut Svg, [x, height]: [f64; 2], most: f64) {
             [x + WIDE + 4.0, y],
             &format!("stroke=\"{INK}\""),
         );
-        // Not −0, and not the digits that only rounding makes.
-        let percent = (100.0 * percent).round() / 100.0 + 0.0;
-        let text = if percent == 0.0 {
-            "screen".into()
-        } else {
-            format!("{percent:+} %")
+        let text = match percent.abs() < 1e-9 {
+            true => "screen".into(),
+            false => signed_percent(percent),
         };
         svg.text([x + WIDE + 8.0, y + 4.0], 12.0, Anchor::Start, &ink, &text);
     }
