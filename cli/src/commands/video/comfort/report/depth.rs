@@ -6,7 +6,7 @@ use ga_image::png;
 use ga_vision::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
 
 use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
-use super::words::signed_percent;
+use super::words::number;
 use crate::svg::{Anchor, Svg, ticks};
 
 const TOP: f64 = 16.0;
@@ -47,14 +47,17 @@ pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
     }
     let ink = format!("fill=\"{INK}\"");
     let faint = format!("fill=\"{FAINT}\"");
-    for percent in ticks(range, 12) {
+    let marks = ticks(range, 12);
+    let decimals = usize::from(marks.iter().any(|percent| percent.fract() != 0.0));
+    for percent in marks {
         let place = y(percent);
         svg.line(
             [LEFT - 5.0, place],
             [LEFT, place],
             &format!("stroke=\"{INK}\""),
         );
-        let text = signed_percent(percent);
+        let sign = if percent > 0.0 { "+" } else { "" };
+        let text = format!("{sign}{} %", number(percent, decimals));
         svg.text([LEFT - 9.0, place + 4.0], 12.0, Anchor::End, &ink, &text);
     }
     draw_lines(&mut svg, time, timeline, &y);

@@ -9,8 +9,10 @@ use ga_vision::video::{Frame, Planes, Samples};
 /// Views are reduced to at most so many columns.
 const WIDEST: usize = 480;
 
-/// Columns and rows of the parts that are kept at full size.
-const DETAIL: [usize; 2] = [160, 120];
+/// Columns of the parts that are kept at full size: a part of those of the view, and the least and
+/// the greatest number. Their rows are three quarters of that.
+const DETAIL_SHARE: usize = 6;
+const DETAIL: [usize; 2] = [80, 160];
 
 /// The views of a frame, reduced.
 #[derive(Debug)]
@@ -94,7 +96,8 @@ impl Detail {
     fn new(views: &[Frame; 2], measures: &FrameMeasures) -> Option<Self> {
         let views = views.each_ref().map(|view| view.samples.eight_bits());
         let [width, height] = [views[0].luma.width(), views[0].luma.height()];
-        let size = [DETAIL[0].min(width), DETAIL[1].min(height)];
+        let columns = (width / DETAIL_SHARE).clamp(DETAIL[0], DETAIL[1]);
+        let size = [columns.min(width), (columns * 3 / 4).min(height)];
         let start = |place: [f64; 2]| -> [usize; 2] {
             // An even pixel, at which a stored colour difference begins.
             std::array::from_fn(|axis| {

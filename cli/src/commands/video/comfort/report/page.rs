@@ -5,7 +5,7 @@ use ga_vision::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
 use ga_vision::keyframe::scenes::timecode;
 
 use super::thumbnail::{self, Video};
-use super::verdict::{self, Problem, listed};
+use super::verdict::{self, Problem};
 use super::{About, Report, axis, depth, heat, raw, words};
 use crate::commands::video::comfort::table;
 use crate::page::{Cell, Page, Tint};
@@ -19,10 +19,13 @@ pub(super) fn html(report: &Report, summary: &Summary, failure: Option<&str>) ->
     let problems = verdict::problems(summary, &report.moments);
     let mut page = Page::new(&format!("Viewing comfort of {}", about.title));
     if let Some(failure) = failure {
+        let frames = match summary.frames {
+            1 => "frame".into(),
+            count => format!("{count} frames"),
+        };
         page.warning(&format!(
-            "The video could not be read to its end: {failure}. This page is about the {} frames \
-             before that.",
-            summary.frames
+            "The video could not be read to its end: {failure}. This page is about the {frames} \
+             before that."
         ));
     }
     page.heading("In short");
@@ -91,7 +94,7 @@ fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
         })
         .map(|problem| {
             let record = &problem.worst().record;
-            words::trouble(record, problem.dimension).to_lowercase()
+            words::trouble(record, problem.dimension, &about.viewing).to_lowercase()
         })
         .collect();
     if names.is_empty() {
@@ -101,13 +104,13 @@ fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
         Some(command) => {
             page.paragraph(&format!(
                 "This command writes the video without {}; measure it again afterwards:",
-                listed(&names)
+                words::listed(&names)
             ));
             page.code(command);
         }
         None => page.paragraph(&format!(
             "“nullcone video align” removes {}, if the video is in a file.",
-            listed(&names)
+            words::listed(&names)
         )),
     }
 }
@@ -125,17 +128,20 @@ fn conditions(report: &Report, summary: &Summary, rate: [u32; 2]) -> String {
         true => format!("{seconds:.1} seconds"),
         false => format!("{} minutes:seconds", axis::clock(seconds)),
     };
+    let frames = match summary.frames {
+        1 => "one frame".into(),
+        count => format!("{count} frames"),
+    };
     let shots = match summary.shots {
         1 => "one shot".into(),
         count => format!("{count} shots"),
     };
     format!(
-        "The video has {} frames of {width} × {height} pixels for each eye, {shots}, {length}. It \
+        "The video has {frames} of {width} × {height} pixels for each eye, {shots}, {length}. It \
          is judged for a screen {:.2} m wide, seen from {:.2} m by eyes {:.0} mm apart: there, 1 % \
          of the picture's width is an angle of {:.0}′, and the eyes look parallel at {}. On \
          a larger screen the same video has more depth: --screen-inches and --distance-metres \
          state another one.",
-        summary.frames,
         viewing.width(),
         viewing.distance(),
         1000.0 * viewing.interocular(),
@@ -263,7 +269,10 @@ fn add_problems(
             false => "strains after a while",
         };
         (
-            format!("{} ({level}),", words::trouble(record, problem.dimension)),
+            format!(
+                "{} ({level}),",
+                words::trouble(record, problem.dimension, viewing)
+            ),
             text,
         )
     }));
@@ -272,7 +281,14 @@ fn add_problems(
         page.heading("Measured numbers over time");
         for problem in problems.iter().filter(charted) {
             let svg = raw::svg(&report.timeline, problem.dimension, viewing);
-            page.wide_svg(&svg, "");
+            let caption = match problem.dimension {
+                Dimension::FocalGap => {
+                    "This is sharpness only. Where the check is orange or red and this is \
+                     comfortable, the views differ in size."
+                }
+                _ => "",
+            };
+            page.wide_svg(&svg, caption);
         }
     }
     page.heading("The worst moments");
@@ -299,7 +315,7 @@ fn add_moment(
     let score = record.row(dimension).score.unwrap_or_default();
     page.subheading(&format!(
         "{}: {} (frame {}), score {score}, {}",
-        words::trouble(record, dimension),
+        words::trouble(record, dimension, video.viewing),
         timecode(record.frame, rate),
         record.frame,
         score.level().name()
@@ -320,7 +336,7 @@ fn caption(finding: &str, dimension: Dimension, viewing: &Viewing, seen: &str) -
         .map(|first| first.to_uppercase().to_string());
     let finding = first.unwrap_or_default() + characters.as_str();
     let limits = match Scale::of(dimension, viewing) {
-        Some(_) => format!(" ({})", words::limits(dimension, viewing)),
+        Some(_) => format!("; {}", words::limits(dimension, viewing)),
         None => String::new(),
     };
     format!("{finding}{limits}. {seen}")

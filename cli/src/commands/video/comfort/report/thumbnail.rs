@@ -87,7 +87,7 @@ fn some(matches: &[Match], most: usize) -> impl Iterator<Item = &Match> {
 fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
     const POINTS: usize = 30;
     /// The length that the largest differences have in the picture.
-    const LONG: f64 = 34.0;
+    const LONG: f64 = 40.0;
     let kept = &moment.pictures;
     let height = kept.height(HALF);
     let mut svg = Svg::new([WIDTH, TITLE + height], "Both views with matched points");
@@ -132,15 +132,15 @@ fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
         svg: svg.into_text(),
         words: format!(
             "Points of the left view (blue) are joined by level lines to where the right view \
-             should show them. Arrows lead from there to where it does, {factor} times as long as \
-             they are."
+             should show them. Arrows lead from there towards where it does; they are {factor} \
+             times as long as the difference of height."
         ),
     })
 }
 
 /// The factor of a round number by which a length becomes about `long`.
 fn exaggeration(length: f64, long: f64) -> f64 {
-    const FACTORS: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
+    const FACTORS: [f64; 9] = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
     let least = FACTORS
         .into_iter()
         .rev()
@@ -152,6 +152,9 @@ fn exaggeration(length: f64, long: f64) -> f64 {
 fn arrow(svg: &mut Svg, from: [f64; 2], to: [f64; 2]) {
     let down = if to[1] >= from[1] { 1.0 } else { -1.0 };
     let length = (to[1] - from[1]).abs();
+    if length < 2.0 {
+        return;
+    }
     let head = 7.0_f64.min(length);
     let neck = [to[0], to[1] - down * head];
     svg.line(from, neck, "stroke=\"#fff\" stroke-width=\"5\"");
@@ -166,6 +169,8 @@ fn arrow(svg: &mut Svg, from: [f64; 2], to: [f64; 2]) {
 /// Squares of the left and of the right view in turn, in one picture.
 fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
     const ACROSS: usize = 8;
+    /// For what the right view does not show.
+    const HIDDEN: [u8; 3] = [128; 3];
     const WIDE: f64 = 720.0;
     let kept = &moment.pictures;
     let [left, right] = kept.views(video.colours);
@@ -179,8 +184,9 @@ fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
     let mixed = Plane::from_fn(left.width(), left.height(), |column, row| {
         match is_right(column, row) {
             true => {
-                let last = right.width() as i64 - 1;
-                right.row(row)[(column as i64 + moved).clamp(0, last) as usize]
+                let place = usize::try_from(column as i64 + moved).ok();
+                let seen = place.and_then(|place| right.get(place, row));
+                seen.unwrap_or(HIDDEN)
             }
             false => left.row(row)[column],
         }

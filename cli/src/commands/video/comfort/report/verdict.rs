@@ -68,7 +68,7 @@ pub(super) fn sentences(
         if row.scored == 0 {
             missing.push(words::name(dimension).to_lowercase());
         } else if row.levels[0] == row.scored {
-            good.push(words::name(dimension).to_lowercase());
+            good.push(words::merit(dimension).to_owned());
         }
     }
     let mut sentences = Vec::new();
@@ -101,7 +101,7 @@ pub(super) fn sentences(
         let record = &first.worst().record;
         let mut text = format!(
             "Mend first: {}, {}. At its worst, {}, {}.",
-            words::trouble(record, first.dimension).to_lowercase(),
+            words::trouble(record, first.dimension, viewing).to_lowercase(),
             frames(first.frames(), summary.frames),
             place(record.frame),
             words::finding(record, first.dimension, viewing)
@@ -116,10 +116,10 @@ pub(super) fn sentences(
     }
     let mut text = String::new();
     if !good.is_empty() && !problems.is_empty() {
-        text = format!("Good in all frames: {}. ", listed(&good));
+        text = format!("Good in all frames: {}. ", words::listed(&good));
     }
-    if !missing.is_empty() && summary.frames > 0 {
-        text += &format!("Not to be measured here: {}.", listed(&missing));
+    if !missing.is_empty() && missing.len() < Dimension::ALL.len() {
+        text += &format!("Not to be measured here: {}.", words::listed(&missing));
     }
     if !text.is_empty() {
         sentences.push(text.trim_end().into());
@@ -132,15 +132,6 @@ pub(super) fn frames(count: usize, all: usize) -> String {
     match count == all {
         true => format!("in all {all} frames"),
         false => format!("in {count} of {all} frames"),
-    }
-}
-
-/// "a, b and c".
-pub(super) fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 

@@ -21,12 +21,30 @@ pub(super) fn name(dimension: Dimension) -> &'static str {
 }
 
 /// What is wrong in a frame, as a name.
-pub(super) fn trouble(record: &Record, dimension: Dimension) -> &'static str {
+pub(super) fn trouble(record: &Record, dimension: Dimension, viewing: &Viewing) -> &'static str {
     match (dimension, record.stereoscopy) {
         (Dimension::Stereoscopy, Stereoscopy::Exchanged) => "Exchanged views",
         (Dimension::Stereoscopy, Stereoscopy::Identical) => "Views that are the same picture",
         (Dimension::Stereoscopy, Stereoscopy::Unrelated) => "Views of different scenes",
+        (Dimension::FocalGap, _) if is_gap_of_size(record, viewing) => "Difference of size",
         _ => name(dimension),
+    }
+}
+
+/// What is good where a row is green.
+pub(super) fn merit(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Brightness => "equal brightness",
+        Dimension::Colour => "equal colours",
+        Dimension::Vertical => "level views",
+        Dimension::Asynchrony => "both eyes at the same time",
+        Dimension::ParallaxDeviation => "steady depth",
+        Dimension::Stereoscopy => "left and right in order",
+        Dimension::WeakDepth => "enough depth",
+        Dimension::RichDepth => "not too much depth at once",
+        Dimension::OverConvergence => "nothing too far in front",
+        Dimension::OverDivergence => "nothing too far behind",
+        Dimension::FocalGap => "equal sharpness and size",
     }
 }
 
@@ -119,13 +137,46 @@ pub(super) fn amount(dimension: Dimension, raw: f64) -> String {
 /// The limits of a row, as "comfortable up to 5.0′, severe above 20.0′".
 pub(super) fn limits(dimension: Dimension, viewing: &Viewing) -> String {
     let Some(scale) = Scale::of(dimension, viewing) else {
-        return "no limits: it is right or wrong".into();
+        return "it is right or wrong".into();
     };
-    let [comfortable, limit] =
-        [scale.comfortable(), scale.limit()].map(|raw| amount(dimension, raw));
+    let words = |raw: f64| match dimension {
+        Dimension::OverConvergence | Dimension::OverDivergence => {
+            let sign = if dimension == Dimension::OverConvergence {
+                -1.0
+            } else {
+                1.0
+            };
+            let percent = sign * viewing.parallax_of_degrees(sign * raw);
+            format!(
+                "{} ({} % of the width)",
+                amount(dimension, raw),
+                number(percent, 1)
+            )
+        }
+        Dimension::FocalGap => format!("{} times", number(raw.exp2(), 2)),
+        _ => amount(dimension, raw),
+    };
+    let [comfortable, limit] = [scale.comfortable(), scale.limit()].map(words);
+    let size = match dimension {
+        Dimension::FocalGap => format!(
+            "; of size, up to {} % and above {} %",
+            SIZE.comfortable(),
+            SIZE.limit()
+        ),
+        _ => String::new(),
+    };
     match scale.comfortable() > scale.limit() {
         true => format!("comfortable from {comfortable}, severe below {limit}"),
-        false => format!("comfortable up to {comfortable}, severe above {limit}"),
+        false => format!("comfortable up to {comfortable}, severe above {limit}{size}"),
+    }
+}
+
+/// "a, b and c".
+pub(super) fn listed(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 
@@ -174,20 +225,32 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
             let Some(geometry) = measures.geometry else {
                 return format!("rows differ by {}", amount(raw));
             };
-            format!(
-                "points differ in height by up to {:.1} pixels ({}): the right view is {:.1} pixels \
-                 {}, rotated {:.2}° {} and {:.2} % {}",
-                geometry.deviation_px,
-                amount(raw),
-                geometry.shift_px.abs(),
-                compared(geometry.shift_px, ["lower", "higher"]),
-                geometry.rotation_degrees.abs(),
-                compared(
+            let parts = [
+                (geometry.shift_px, 1, " pixels", ["lower", "higher"]),
+                (
                     geometry.rotation_degrees,
-                    ["counter-clockwise", "clockwise"]
+                    2,
+                    "°",
+                    ["rotated counter-clockwise", "rotated clockwise"],
                 ),
-                geometry.zoom_percent.abs(),
-                compared(geometry.zoom_percent, ["larger", "smaller"]),
+                (geometry.zoom_percent, 1, " %", ["larger", "smaller"]),
+            ];
+            let parts = parts
+                .into_iter()
+                .filter_map(|(value, decimals, unit, names)| {
+                    let text = number(value.abs(), decimals);
+                    let is_zero = text.chars().all(|c| matches!(c, '0' | '.'));
+                    (!is_zero).then(|| format!("{text}{unit} {}", compared(value, names)))
+                });
+            let parts = listed(&parts.collect::<Vec<_>>());
+            let parts = match parts.is_empty() {
+                true => String::new(),
+                false => format!(": the right view is {parts}"),
+            };
+            let pixels = number(geometry.deviation_px, 1);
+            format!(
+                "points differ in height by up to {pixels} pixels ({}){parts}",
+                amount(raw)
             )
         }
         Dimension::Asynchrony => format!(
@@ -218,18 +281,14 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
             amount(raw)
         ),
         Dimension::OverConvergence => format!(
-            "the nearest points are in front of the screen by {:.1} % of the picture's width \
-             ({}); it is comfortable up to {:.1} %",
-            -percent(|found| found.near_px),
-            amount(raw),
-            -viewing.parallax_of_degrees(-comfortable(dimension, viewing))
+            "the nearest points are in front of the screen by {} % of the picture's width ({})",
+            number(-percent(|found| found.near_px), 1),
+            amount(raw)
         ),
         Dimension::OverDivergence => format!(
-            "the farthest points are behind the screen by {:.1} % of the picture's width ({}); it \
-             is comfortable up to {:.1} %",
-            percent(|found| found.far_px),
-            amount(raw),
-            viewing.parallax_of_degrees(comfortable(dimension, viewing))
+            "the farthest points are behind the screen by {} % of the picture's width ({})",
+            number(percent(|found| found.far_px), 1),
+            amount(raw)
         ),
         Dimension::FocalGap if is_gap_of_size(record, viewing) => {
             let zoom = measures.geometry.map_or(0.0, |found| found.zoom_percent);
@@ -248,11 +307,6 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
             )
         }
     }
-}
-
-/// The greatest comfortable amount of a row.
-fn comfortable(dimension: Dimension, viewing: &Viewing) -> f64 {
-    Scale::of(dimension, viewing).map_or(0.0, |scale| scale.comfortable())
 }
 
 /// Whether `nullcone video align` removes what is wrong in a frame.
