@@ -73,7 +73,10 @@ pub fn resize<'a, P: Pixel>(
 /// ```
 #[must_use]
 pub fn box_means<'a>(picture: impl Into<PlaneView<'a, u8>>, factor: usize) -> Plane<u8> {
-    let picture = picture.into();
+    means(picture.into(), factor)
+}
+
+fn means(picture: PlaneView<'_, u8>, factor: usize) -> Plane<u8> {
     let factor = factor.max(1);
     let (width, height) = (
         picture.width().div_ceil(factor),

@@ -10,18 +10,25 @@ use super::{Histogram, Parallax, Record, Summary};
 /// most [`MOST`](Self::MOST). Three hours have intervals of 32 seconds.
 ///
 /// ```
-/// use ga_vision::comfort::monitor::{Monitor, Options};
+/// use ga_image::plane::Plane;
+/// use ga_image::y4m::{self, Film};
+/// use ga_vision::comfort::monitor::{Options, analyse};
 /// use ga_vision::comfort::{Timeline, Viewing};
-/// use ga_vision::video::{Frame, Properties};
+/// use ga_vision::video::stereo::{Layout, StereoSource};
+/// use ga_vision::video::y4m::Y4mSource;
 ///
+/// // 600 grey frames: 24 seconds in fifths.
+/// let wide = Plane::filled(8, 4, [128u8; 3]);
+/// let bytes = y4m::encode(vec![&wide; 600], Film::default())?;
+/// let video = Y4mSource::new(std::io::Cursor::new(bytes), "grey.y4m")?;
+/// let mut views = StereoSource::halves(Box::new(video), Layout::SideBySide)?;
+/// let options = Options { viewing: Viewing::default(), layout: None, threads: 1 };
 /// let mut timeline = Timeline::default();
-/// assert!(timeline.intervals().is_empty());
-/// assert_eq!(timeline.seconds(), None);
-/// # let _ = |records: Vec<ga_vision::comfort::Record>, timeline: &mut Timeline| {
-/// for record in &records {
-///     timeline.add(record);
-/// }
-/// # };
+/// analyse(&mut views, options, |record| timeline.add(&record))?;
+/// assert_eq!(timeline.seconds(), Some(0.2));
+/// assert_eq!(timeline.intervals().len(), 120);
+/// assert!(timeline.intervals().iter().all(|found| found.summary.frames == 5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timeline {

@@ -1,6 +1,6 @@
 //! The scores of all rows over time as colours.
 
-use ga_vision::comfort::{Dimension, Level, RowSummary, Score, Timeline};
+use ga_vision::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
 
 use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;
@@ -33,7 +33,7 @@ impl Cell {
 }
 
 /// The picture: a row for each quantity, time to the right.
-pub(super) fn svg(timeline: &Timeline) -> String {
+pub(super) fn svg(timeline: &Timeline, summary: &Summary) -> String {
     let axis = TimeAxis::new(timeline);
     let bottom = TOP + ROW * Dimension::ALL.len() as f64;
     let mut svg = Svg::new([WIDTH, bottom + 84.0], "Scores of all checks over time");
@@ -69,7 +69,7 @@ pub(super) fn svg(timeline: &Timeline) -> String {
             .map(|interval| Cell::of(interval.summary.row(dimension)))
             .collect();
         draw_row(&mut svg, axis, top, &cells);
-        draw_totals(&mut svg, timeline, dimension, middle);
+        draw_totals(&mut svg, summary.row(dimension), middle);
     }
     axis.draw_cuts(&mut svg, [TOP - 8.0, bottom]);
     axis.draw(&mut svg, bottom);
@@ -106,12 +106,7 @@ fn draw_row(svg: &mut Svg, axis: TimeAxis<'_>, top: f64, cells: &[Cell]) {
 }
 
 /// The mean and the worst score of the whole video.
-fn draw_totals(svg: &mut Svg, timeline: &Timeline, dimension: Dimension, y: f64) {
-    let mut total = ga_vision::comfort::Summary::default();
-    for interval in timeline.intervals() {
-        total.merge(&interval.summary);
-    }
-    let row = total.row(dimension);
+fn draw_totals(svg: &mut Svg, row: &RowSummary, y: f64) {
     let mean = row.mean_score();
     let texts = [
         mean.map_or("–".into(), |mean| format!("{mean:.1}")),

@@ -91,7 +91,7 @@ impl Kept {
 }
 
 impl Detail {
-    /// The surroundings of the point whose place is most certain: slopes are steep there, and blur
+    /// The surroundings of the point at which the sharper view has the steepest slopes, so that blur
     /// shows well.
     fn new(views: &[Frame; 2], measures: &FrameMeasures) -> Option<Self> {
         let views = views.each_ref().map(|view| view.samples.eight_bits());
@@ -115,15 +115,39 @@ impl Detail {
                 })
             })
         };
-        let uncertainty = |found: &Match| found.deviation[0].hypot(found.deviation[1]);
-        let certain = |a: &&Match, b: &&Match| uncertainty(a).total_cmp(&uncertainty(b));
-        let best = measures.matches.iter().filter(inside).min_by(certain)?;
+        let sharper = usize::from(measures.sharpness_log2 > Some(0.0));
+        let steepness = |found: &&Match| {
+            let place = [found.left, found.right][sharper];
+            slopes(&views[sharper].luma, place)
+        };
+        let best = measures
+            .matches
+            .iter()
+            .filter(inside)
+            .max_by_key(steepness)?;
         let parts = [(best.left, &views[0]), (best.right, &views[1])];
         Some(Self {
             place: best.left,
             views: parts.map(|(place, view)| frame(part(view, start(place), size))),
         })
     }
+}
+
+/// The sum of squared differences of neighbouring pixels around a place.
+fn slopes(luma: &Plane<u8>, place: [f64; 2]) -> u64 {
+    const RADIUS: usize = 12;
+    // A cast from float saturates.
+    let [column, row] = place.map(|x| x.max(0.0) as usize);
+    let columns = column.saturating_sub(RADIUS)..(column + RADIUS).min(luma.width());
+    let rows = row.saturating_sub(RADIUS)..(row + RADIUS).min(luma.height());
+    let line = |row: usize| {
+        let values = luma.row(row).get(columns.clone()).unwrap_or_default();
+        let squares = values
+            .windows(2)
+            .map(|pair| u64::from(pair[0].abs_diff(pair[1])).pow(2));
+        squares.sum::<u64>()
+    };
+    rows.step_by(2).map(line).sum()
 }
 
 fn frame(planes: Planes<u8>) -> Frame {

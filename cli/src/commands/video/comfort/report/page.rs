@@ -54,16 +54,23 @@ pub(super) fn html(report: &Report, summary: &Summary, failure: Option<&str>) ->
          the delay of one eye.",
         axis.unit()
     );
-    page.wide_svg(&heat::svg(&report.timeline), &caption);
+    page.wide_svg(&heat::svg(&report.timeline, summary), &caption);
 
     page.heading("Depth budget");
-    let caption = "The darker, the more points have this parallax: the horizontal distance of a \
-                   point in the right view from that in the left one. At 0 it appears on the \
-                   screen, above behind it, below in front of it. Between the limits of comfort \
-                   the eyes converge at most one degree more or less than on the screen; outside \
-                   of the dashed lines, broadcasters allow depth for short moments only (BSkyB: −1 \
-                   to +2 %).";
-    page.wide_svg(&depth::svg(&report.timeline, viewing)?, caption);
+    let comfortable = |dimension| {
+        let scale = Scale::of(dimension, viewing);
+        words::number(scale.map_or(0.0, |scale| scale.comfortable()), 1)
+    };
+    let caption = format!(
+        "The darker, the more points have this parallax: the horizontal distance of a point in the \
+         right view from that in the left one. At 0 it appears on the screen, above behind it, \
+         below in front of it. Between the limits of comfort the eyes converge at most {}° more \
+         and {}° less than on the screen; outside of the dashed lines, broadcasters allow depth for \
+         short moments only (BSkyB: −1 to +2 % on screens of 46 to 70 inches).",
+        comfortable(Dimension::OverConvergence),
+        comfortable(Dimension::OverDivergence)
+    );
+    page.wide_svg(&depth::svg(&report.timeline, viewing)?, &caption);
 
     if !problems.is_empty() {
         add_problems(&mut page, report, &problems, (summary.frames, rate))?;

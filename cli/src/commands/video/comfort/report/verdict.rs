@@ -72,30 +72,34 @@ pub(super) fn sentences(
         }
     }
     let mut sentences = Vec::new();
-    let red = problems.iter().filter(|problem| problem.is_red()).count();
-    sentences.push(match (problems.len(), red) {
-        (0, _) if good.is_empty() => "Nothing could be measured in this video.".into(),
-        (0, _) => "This video is comfortable: every check that could be made is green in all \
-                   frames."
-            .into(),
-        (1, 0) => {
-            "This video is nearly comfortable: one of eleven checks strains the eyes in some \
-                   frames, and none is severe."
+    // Too little depth strains nobody.
+    let strains = |problem: &&Problem| problem.dimension != Dimension::WeakDepth;
+    let straining = problems.iter().filter(strains).count();
+    let red = problems.iter().filter(strains);
+    let red = red.filter(|problem| problem.is_red()).count();
+    sentences.push(match (straining, red) {
+        (0, _) if problems.is_empty() && good.is_empty() => {
+            "Nothing could be measured in this video.".into()
+        }
+        (0, _) if problems.is_empty() => {
+            "This video is comfortable: every check that could be made is green in all frames."
                 .into()
         }
-        (count, 0) => format!(
-            "This video is nearly comfortable: {} of eleven checks strain the eyes in some frames, \
-             and none is severe.",
-            number(count)
-        ),
-        (count, red) => format!(
-            "This video is not comfortable: {} of eleven checks {} the eyes in some frames, and {} \
-             of them {} severe.",
-            number(count),
-            if count == 1 { "strains" } else { "strain" },
-            number(red),
-            if red == 1 { "is" } else { "are" }
-        ),
+        (0, _) => "This video is comfortable, but a part of it is flat.".into(),
+        (count, red) => {
+            let strain = match count {
+                1 => "one of eleven checks strains the eyes",
+                _ => &format!("{} of eleven checks strain the eyes", number(count)),
+            };
+            let (nearly, severe) = match red {
+                0 => ("nearly", "none is severe".into()),
+                1 if count == 1 => ("not", "is severe".into()),
+                red if red == count => ("not", "all of them are severe".into()),
+                1 => ("not", "one of them is severe".into()),
+                red => ("not", format!("{} of them are severe", number(red))),
+            };
+            format!("This video is {nearly} comfortable: {strain} in some frames, and {severe}.")
+        }
     });
     if let Some(first) = problems.first() {
         let record = &first.worst().record;

@@ -159,7 +159,7 @@ pub(super) fn limits(dimension: Dimension, viewing: &Viewing) -> String {
     let [comfortable, limit] = [scale.comfortable(), scale.limit()].map(words);
     let size = match dimension {
         Dimension::FocalGap => format!(
-            "; of size, up to {} % and above {} %",
+            "; difference of size: up to {} %, and above {} %",
             SIZE.comfortable(),
             SIZE.limit()
         ),
