@@ -160,11 +160,16 @@ impl FrameMeter {
             }
         }
         let [left, right] = [left.eight_bits(), right.eight_bits()];
-        let all = self.matcher.run([left.luma.view(), right.luma.view()]);
+        let mut all = self.matcher.run([left.luma.view(), right.luma.view()]);
+        let mut geometry = geometry::fit(all, size, &mut self.distances);
+        if geometry.is_none() {
+            all = self.matcher.run_smoothed();
+            geometry = geometry::fit(all, size, &mut self.distances);
+        }
         let mut matches = std::mem::take(&mut self.measures.matches);
         matches.clear();
         self.measures = FrameMeasures {
-            geometry: geometry::fit(all, size, &mut self.distances),
+            geometry,
             ..FrameMeasures::default()
         };
         if self.measures.geometry.is_some() {

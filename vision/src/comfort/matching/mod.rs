@@ -3,7 +3,8 @@
 //! Corners of the left view, one in each cell of a grid, are searched in the right view by the
 //! correlation of their surroundings, in views reduced to at most [`WIDEST`] columns. What is
 //! ambiguous, or does not lead back to the corner, is left out. Then the surroundings are aligned
-//! at full size.
+//! at full size. Where one view is so much less sharp that this fails, both are smoothed, and the
+//! surroundings are aligned in the reduced views alone.
 
 mod alignment;
 mod corner;
@@ -15,7 +16,7 @@ use ga_runtime::batch::{Batch, Work};
 
 use alignment::{Aligned, align};
 use corner::Corners;
-use reduced::{RADIUS, Reduced};
+use reduced::{RADIUS, Reduced, ZERO};
 use search::{Reach, Scores};
 
 /// The views are reduced to at most so many columns for the search.
@@ -90,7 +91,21 @@ impl Matcher {
             for (reduced, view) in self.reduced.iter_mut().zip(views) {
                 reduced.update(view, self.factor);
             }
-            let matcher = self;
+            let (matcher, views) = (self, Some(views));
+            Batch::new().run(Matching { matcher, views });
+            return &matcher.matches;
+        }
+        &self.matches
+    }
+
+    /// The points that the views of the last run show without their details, to a fraction of a
+    /// pixel of the reduced views.
+    pub(super) fn run_smoothed(&mut self) -> &[Match] {
+        self.matches.clear();
+        let [width, height] = self.reduced[0].size();
+        if width.min(height) > 2 * RADIUS + 2 {
+            self.reduced.iter_mut().for_each(Reduced::smooth);
+            let (matcher, views) = (self, None);
             Batch::new().run(Matching { matcher, views });
             return &matcher.matches;
         }
@@ -100,7 +115,8 @@ impl Matcher {
 
 struct Matching<'a> {
     matcher: &'a mut Matcher,
-    views: [PlaneView<'a, u8>; 2],
+    /// The views at full size, where surroundings are aligned in them.
+    views: Option<[PlaneView<'a, u8>; 2]>,
 }
 
 impl Work for Matching<'_> {
@@ -160,19 +176,28 @@ fn search(
 #[inline(always)]
 fn refine(
     reduced: &[Reduced; 2],
-    views: [PlaneView<'_, u8>; 2],
+    views: Option<[PlaneView<'_, u8>; 2]>,
     factor: usize,
     corner: [usize; 2],
     start: [f32; 2],
 ) -> Option<Match> {
     let mut offset = [0, 1].map(|axis| start[axis] - corner[axis] as f32);
-    if factor > 1 {
+    let mut coarse = None;
+    if factor > 1 || views.is_none() {
         let levels = [0, 1].map(|side| reduced[side].levels.view());
-        let aligned: Aligned = align::<f32, { FINE_RADIUS[0] }>(levels, corner, offset, 1.5)?;
-        offset = aligned.offset.map(|x| x * factor as f32);
+        let mut aligned: Aligned = align::<f32, { FINE_RADIUS[0] }>(levels, corner, offset, 1.5)?;
+        let scaled = |lengths: [f32; 2]| lengths.map(|length| length * factor as f32);
+        aligned.offset = scaled(aligned.offset);
+        aligned.deviation = scaled(aligned.deviation);
+        aligned.means = aligned.means.map(|mean| mean + ZERO);
+        offset = aligned.offset;
+        coarse = Some(aligned);
     }
     let pixel = corner.map(|x| x * factor + factor / 2);
-    let aligned = align::<u8, { FINE_RADIUS[1] }>(views, pixel, offset, FARTHEST)?;
+    let aligned = match views {
+        Some(views) => align::<u8, { FINE_RADIUS[1] }>(views, pixel, offset, FARTHEST)?,
+        None => coarse?,
+    };
     (aligned.correlation >= LEAST_CORRELATION[1]).then(|| Match {
         left: pixel.map(|x| x as f64),
         right: [0, 1].map(|axis| pixel[axis] as f64 + f64::from(aligned.offset[axis])),

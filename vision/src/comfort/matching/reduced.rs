@@ -1,5 +1,6 @@
 //! A view of fewer pixels, and the contrast around each.
 
+use ga_image::filter::{Border, Gaussian};
 use ga_image::plane::{Plane, PlaneView};
 use ga_runtime::batch::{Batch, Work};
 
@@ -14,10 +15,13 @@ pub(super) const SIDE: usize = 2 * RADIUS + 1;
 /// Surroundings with a smaller standard deviation, in levels, count as flat.
 const FLAT: f32 = 1.0;
 
+/// What is subtracted from levels: the middle of the codes, which keeps sums small.
+pub(super) const ZERO: f32 = 128.0;
+
 /// A reduced view.
 #[derive(Clone, Debug)]
 pub(super) struct Reduced {
-    /// The means over boxes, less 128.
+    /// The means over boxes, less [`ZERO`].
     pub(super) levels: Plane,
     /// 1 / √Σ (I − mean)² over the surroundings of each pixel that has all of them; 0 elsewhere.
     pub(super) reciprocal_norms: Plane,
@@ -47,9 +51,19 @@ impl Reduced {
         };
         box_means_into(part, &mut self.levels);
         for level in self.levels.values_mut() {
-            *level -= 128.0;
+            *level -= ZERO;
         }
         Batch::new().run(Norms(self));
+    }
+
+    /// Removes details that a blurred view does not have.
+    pub(super) fn smooth(&mut self) {
+        /// The standard deviation in pixels of the reduced view.
+        const SIGMA: f64 = 2.0;
+        if let Ok(gaussian) = Gaussian::new(SIGMA) {
+            self.levels = gaussian.blur(&self.levels, Border::Mirror);
+            Batch::new().run(Norms(self));
+        }
     }
 }
 
