@@ -209,6 +209,20 @@ fn a_long_film_has_a_few_hundred_intervals() {
     assert_eq!(sum, frames);
 }
 
+/// Times that are sums of the time of a frame are a little too short, and mean the same.
+#[test]
+fn rounded_times_belong_to_the_interval_that_they_mean() {
+    let pool = records(600, [25, 1], 4, &[FrameMeasures::default()]);
+    let (mut timeline, mut seconds) = (Timeline::default(), 0.0);
+    for mut record in pool {
+        record.time_seconds = seconds;
+        seconds += 0.04;
+        timeline.add(&record);
+    }
+    let mut frames = timeline.intervals().iter();
+    assert!(frames.all(|found| found.summary.frames == 5));
+}
+
 /// Times that jump, or stand still, lose no frame.
 #[test]
 fn times_need_not_be_regular() {

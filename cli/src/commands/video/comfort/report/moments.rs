@@ -128,3 +128,125 @@ impl Moments {
         self.waiting.get(frame.checked_sub(first)?).map(Rc::clone)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use ga_image::plane::Plane;
+    use ga_vision::comfort::asynchrony::{Asynchrony, Delay};
+    use ga_vision::comfort::stereoscopy::Stereoscopy;
+    use ga_vision::comfort::{Dimension, FrameMeasures, Missing, Record, Row, Score, Viewing};
+    use ga_vision::video::{Frame, Planes, Samples};
+
+    use super::Moments;
+
+    fn views(frame: usize) -> [Frame; 2] {
+        let luma = Plane::filled(8, 4, frame as u8);
+        let differences = Default::default();
+        let view = Frame {
+            index: frame,
+            samples: Samples::Eight(Planes { luma, differences }),
+            ..Frame::default()
+        };
+        [view.clone(), view]
+    }
+
+    /// A record that has these scores and raw numbers; a shot begins at each tenth frame.
+    fn record(frame: usize, rows: &[(Dimension, u8, f64)]) -> Record {
+        Record {
+            frame,
+            time_seconds: frame as f64,
+            begins_shot: frame.is_multiple_of(10),
+            measures: FrameMeasures::default(),
+            asynchrony: Asynchrony::Measured(Delay {
+                frames: -3.1,
+                uncertainty_frames: 0.0,
+            }),
+            stereoscopy: Stereoscopy::Unknown,
+            rows: Dimension::ALL.map(|dimension| {
+                let found = rows.iter().find(|row| row.0 == dimension);
+                match found {
+                    Some((_, score, raw)) => Row {
+                        dimension,
+                        score: Ok(Score::new(*score)),
+                        raw: Some(*raw),
+                    },
+                    None => Row::missing(dimension, Missing::Unknown),
+                }
+            }),
+        }
+    }
+
+    /// Records come 28 frames after the views.
+    fn moments(records: Vec<Record>) -> Moments {
+        let mut moments = Moments::new(Viewing::default());
+        let count = records.len();
+        let mut records = records.into_iter();
+        for frame in 0..count + 28 {
+            if frame < count {
+                moments.measured(&views(frame), &FrameMeasures::default());
+            }
+            if frame >= 28 {
+                moments.complete(records.next().unwrap());
+            }
+        }
+        moments
+    }
+
+    #[test]
+    fn the_worst_frames_of_different_shots_are_kept() {
+        let scores = |frame: usize| {
+            let vertical = match frame {
+                3 => (14, 25.0),
+                7 => (14, 27.0),
+                12 => (9, 6.0),
+                24 => (15, 40.0),
+                25 => (15, -41.0),
+                _ => (3, 1.0),
+            };
+            let weak = if frame == 5 { (15, 0.1) } else { (15, 0.2) };
+            vec![
+                (Dimension::Vertical, vertical.0, vertical.1),
+                (Dimension::WeakDepth, weak.0, weak.1),
+                (Dimension::Colour, 7, 3.0),
+            ]
+        };
+        let records = (0..30).map(|frame| record(frame, &scores(frame)));
+        let moments = moments(records.collect());
+        let frames = |dimension| {
+            let all = moments.row(dimension).iter();
+            all.map(|moment| {
+                assert_eq!(moment.pictures.frame, moment.record.frame);
+                moment.record.frame
+            })
+            .collect::<Vec<_>>()
+        };
+        assert_eq!(frames(Dimension::Vertical), [25, 7]);
+        // Less depth is worse; among equal ones the first frame is kept.
+        assert_eq!(frames(Dimension::WeakDepth), [5, 10]);
+        assert!(frames(Dimension::Colour).is_empty() && frames(Dimension::Brightness).is_empty());
+    }
+
+    #[test]
+    fn a_delay_has_the_frame_that_belongs_to_it() {
+        let late = |frame| record(frame, &[(Dimension::Asynchrony, 15, -3.1)]);
+        let jump = |frame| record(frame, &[(Dimension::ParallaxDeviation, 15, 90.0)]);
+        let moments = moments(
+            (0..40)
+                .map(|k| if k < 35 { late(k) } else { jump(k) })
+                .collect(),
+        );
+        // In the first frame there is none three frames before it.
+        let rows = moments.row(Dimension::Asynchrony);
+        let (first, second) = (&rows[0], &rows[1]);
+        assert_eq!((first.record.frame, first.partner.is_none()), (0, true));
+        let partner = second.partner.as_ref().map(|kept| kept.frame);
+        assert_eq!((second.record.frame, partner), (10, Some(7)));
+        let jump = &moments.row(Dimension::ParallaxDeviation)[0];
+        let before = jump
+            .before
+            .as_ref()
+            .map(|(record, kept)| [record.frame, kept.frame]);
+        assert_eq!((jump.record.frame, before), (35, Some([34, 34])));
+    }
+}

@@ -243,8 +243,8 @@ fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
         svg: svg.into_text(),
         words:
             "Squares come from the left view (L) and from the right one (R) in turn: where they \
-                stand out, brightness or colour differ. At the right, the mean colours of points \
-                that both views show, in codes from 0 to 255."
+             stand out, brightness or colour differ. Grey is what the right view does not show. At \
+             the right, the mean colours of points that both views show, in codes from 0 to 255."
                 .into(),
     })
 }

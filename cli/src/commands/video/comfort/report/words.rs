@@ -360,3 +360,39 @@ pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -
         _ => "Blur cannot be undone: take the sharper view again, or focus both cameras alike.",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_vision::comfort::{Dimension, Viewing};
+
+    use super::{limits, listed, number, signed_percent};
+
+    #[test]
+    fn numbers_have_a_minus_sign_and_no_negative_zero() {
+        assert_eq!(number(-1.25, 2), "−1.25");
+        assert_eq!(number(-0.04, 1), "0.0");
+        assert_eq!(number(-0.4, 0), "0");
+        assert_eq!(signed_percent(2.04), "+2.0 %");
+        assert_eq!(signed_percent(-2.04), "−2.0 %");
+        assert_eq!(signed_percent(0.04), "0.0 %");
+    }
+
+    #[test]
+    fn names_are_joined() {
+        let names = ["a", "b", "c"].map(str::to_owned);
+        let all = (0..=3).map(|count| listed(&names[..count]));
+        assert_eq!(all.collect::<Vec<_>>(), ["", "a", "a and b", "a, b and c"]);
+    }
+
+    /// By the small angle: a degree is 100 · 2055 mm · tan 1° / 1218 mm = 2.9 % of the width.
+    #[test]
+    fn limits_of_depth_are_parts_of_the_width_too() {
+        let text = limits(Dimension::OverConvergence, &Viewing::default());
+        assert!(
+            text.starts_with("comfortable up to 1.00° (2.9 % of the width)"),
+            "{text}"
+        );
+        let text = limits(Dimension::WeakDepth, &Viewing::default());
+        assert!(text.starts_with("comfortable from 0.50 %"), "{text}");
+    }
+}
