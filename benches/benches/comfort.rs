@@ -1,15 +1,23 @@
-//! Comfort of stereoscopic video: all measures of one frame of 1,920 × 1,080 pixels an eye, on one
-//! thread. The matcher of features for any two views and a copy of the luma, in the same run, are
-//! what it compares with: no other library measures stereoscopic frames.
+//! Comfort of stereoscopic video of 1,920 × 1,080 pixels an eye, held in memory.
+//!
+//! `comfort/shot-1080p` analyses a shot of 4 seconds, all rows of all frames, on two threads and on
+//! one; the order of the eyes is examined once. `comfort/frame-1080p` has its parts on one thread:
+//! the measures of a frame, the delay at a frame, and the order of the eyes, which is needed once
+//! a shot. The matcher of features for any two views and a copy of the luma, in the same run, are
+//! what the measures compare with: no other library measures stereoscopic frames.
 
 use std::hint::black_box;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use ga_image::plane::Plane;
+use ga_image::y4m::Sampling;
 use ga_image::ycbcr::YCbCr;
-use ga_vision::comfort::FrameMeter;
+use ga_vision::comfort::asynchrony::AsynchronyMeter;
+use ga_vision::comfort::monitor::{Monitor, Options};
+use ga_vision::comfort::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
+use ga_vision::comfort::{FrameMeter, Viewing};
 use ga_vision::feature::{ViewOptions, match_views};
-use ga_vision::video::{Planes, Samples};
+use ga_vision::video::{Frame, Planes, Properties, Samples};
 use nullcone_benches::comparison;
 
 const SIZE: [usize; 2] = [1920, 1080];
@@ -34,26 +42,103 @@ fn texture(x: f64, y: f64) -> f64 {
     })
 }
 
-/// A view of the texture on a slanted plane, with parallax from 10 to 50 pixels.
-fn view(side: f64) -> Samples {
-    let [width, height] = SIZE;
-    let plane = |width: usize, height: usize, scale: f64| {
-        Plane::from_fn(width, height, |column, row| {
-            let [x, y] = [column, row].map(|x| scale * x as f64);
-            texture(x + side * (10.0 + 40.0 * y / SIZE[1] as f64), y) as u8
-        })
+/// So many frames are held in memory, after which the motion repeats.
+const FRAMES: usize = 24;
+
+/// The frames of a shot.
+const SHOT: usize = 96;
+
+/// Both views of each frame: a slanted background with parallax from 10 to 50 pixels, and squares
+/// before it, which move.
+fn film() -> Vec<[Frame; 2]> {
+    const WORLD: [usize; 2] = [SIZE[0] + 160, SIZE[1] + 80];
+    let world = Plane::from_fn(WORLD[0], WORLD[1], |column, row| {
+        texture(column as f64, row as f64) as u8
+    });
+    let view = |frame: usize, eye: usize| {
+        let angle = frame as f64 / FRAMES as f64 * std::f64::consts::TAU;
+        let moved = [
+            (30.0 + 24.0 * angle.sin()) as usize,
+            (30.0 + 15.0 * angle.cos() + 8.0 * (2.0 * angle).sin()) as usize,
+        ];
+        let plane = |scale: usize| {
+            let [width, height] = SIZE.map(|side| side / scale);
+            Plane::from_fn(width, height, |column, row| {
+                let [x, y] = [scale * column, scale * row];
+                let near = x + eye * 30;
+                let is_near = (near + 2 * moved[0]) % 480 < 220 && (y + moved[1]) % 360 < 170;
+                match is_near {
+                    true => 255 - world.row(y)[near],
+                    false => {
+                        let far = 60 - eye * (10 + 40 * y / SIZE[1]);
+                        world.row(y + moved[1])[x + moved[0] + far]
+                    }
+                }
+            })
+        };
+        Frame {
+            index: frame,
+            time_seconds: frame as f64 / 24.0,
+            samples: Samples::Eight(Planes {
+                luma: plane(1),
+                differences: [plane(2), plane(2)],
+            }),
+        }
     };
-    Samples::Eight(Planes {
-        luma: plane(width, height, 1.0),
-        differences: [0, 1].map(|_| plane(width / 2, height / 2, 2.0)),
-    })
+    (0..FRAMES)
+        .map(|frame| [view(frame, 0), view(frame, 1)])
+        .collect()
+}
+
+fn shots(criterion: &mut Criterion) {
+    let film = film();
+    let properties = Properties {
+        size: SIZE,
+        sampling: Sampling::default(),
+        bit_depth: 8,
+        colours: YCbCr::default(),
+        frames_per_second: Some([24, 1]),
+        frame_count: None,
+    };
+    let mut group = criterion.benchmark_group("comfort/shot-1080p");
+    group.throughput(Throughput::Elements(SHOT as u64));
+    group.sample_size(10);
+    for (name, threads) in [("two threads", 2), ("one thread", 1)] {
+        let options = Options {
+            viewing: Viewing::default(),
+            layout: None,
+            threads,
+        };
+        group.bench_function(name, |bench| {
+            bench.iter_batched(
+                || Monitor::new(&properties, options),
+                |monitor| {
+                    let mut monitor = monitor?;
+                    let mut known = 0;
+                    let mut count = |stereoscopy| {
+                        known += usize::from(stereoscopy != Stereoscopy::Unknown);
+                    };
+                    for _ in 0..SHOT / FRAMES {
+                        monitor.push(black_box(&film), &mut |record| count(record.stereoscopy))?;
+                    }
+                    monitor.finish(&mut |record| count(record.stereoscopy));
+                    // Otherwise the order of the eyes was examined more than once.
+                    assert_eq!(known, SHOT, "frames with a known order of the eyes");
+                    Ok::<_, ga_vision::comfort::ComfortError>(known)
+                },
+                BatchSize::PerIteration,
+            );
+        });
+    }
+    group.finish();
 }
 
 fn frames(criterion: &mut Criterion) {
+    let film = film();
+    let views = film[0].each_ref().map(|view| &view.samples);
     let mut group = criterion.benchmark_group("comfort/frame-1080p");
     group.throughput(Throughput::Elements(1));
-    let views = [0.0, 1.0].map(view);
-    let lumas = views.each_ref().map(|view| view.eight_bits().luma.clone());
+    let lumas = views.map(|view| view.eight_bits().luma.clone());
     let mut copy = lumas[0].clone();
     group.bench_function("copy of the luma", |bench| {
         bench.iter(|| {
@@ -64,11 +149,26 @@ fn frames(criterion: &mut Criterion) {
     let mut meter = FrameMeter::new(SIZE, YCbCr::default());
     group.bench_function("all measures", |bench| {
         bench.iter(|| {
-            let found = meter.measure(black_box(&views[0]), &views[1]);
+            let found = meter.measure(black_box(views[0]), views[1]);
             found.map(|measures| measures.matches.len())
         });
     });
+    let mut asynchrony = AsynchronyMeter::default();
+    let mut next = film.iter().cycle();
+    group.bench_function("delay", |bench| {
+        bench.iter(|| {
+            let [left, right] = next.next()?;
+            asynchrony.push(&left.samples, &right.samples)
+        });
+    });
     group.sample_size(10);
+    group.bench_function("order of the eyes", |bench| {
+        bench.iter(|| {
+            let mut order = StereoscopyMeter::default();
+            let added = order.add(black_box(views[0]), views[1], &Alignment::default());
+            added.map(|()| order.verdict())
+        });
+    });
     group.bench_function("match_views", |bench| {
         bench.iter(|| match_views(black_box(&lumas[0]), &lumas[1], &ViewOptions::default()));
     });
@@ -78,6 +178,6 @@ fn frames(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = frames
+    targets = shots, frames
 }
 criterion_main!(benches);

@@ -32,19 +32,61 @@ pub(super) struct Change {
     pub(super) is_cut: bool,
 }
 
+/// How much less the views of a frame differ from those of the frame before if they are exchanged
+/// than if they are not, at least.
+const EXCHANGED: f32 = 0.5;
+
+/// How both views changed from the frame before.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Changes {
+    pub(super) views: [Change; 2],
+    /// Each view continues what the other one showed. It is examined at cuts only, for which great
+    /// parallax is mistaken.
+    pub(super) is_exchange: bool,
+}
+
+/// Compares both views of each frame with those of the frame before it.
+#[derive(Debug, Default)]
+pub(super) struct PairDetector {
+    views: [ChangeDetector; 2],
+}
+
+impl PairDetector {
+    pub(super) fn push(&mut self, views: [&Samples; 2], colours: YCbCr) -> Changes {
+        let before = self.views.each_ref().map(|view| view.previous.clone());
+        let [left, right] = &mut self.views;
+        let changes = [left.push(views[0], colours), right.push(views[1], colours)];
+        let now = self.views.each_ref().map(|view| view.previous.as_ref());
+        let is_exchange = match (before, now) {
+            ([Some(a), Some(b)], [Some(left), Some(right)])
+                if changes.iter().any(|change| change.is_cut) =>
+            {
+                let change = |a, b| at_rest(a, b, Layout::Five).typical();
+                change(&b, left) < EXCHANGED * change(&a, left)
+                    && change(&a, right) < EXCHANGED * change(&b, right)
+            }
+            _ => false,
+        };
+        Changes {
+            views: changes,
+            is_exchange,
+        }
+    }
+}
+
 /// Compares each frame of one view with the frame before it.
 ///
 /// The differences are those by which [key frames](crate::keyframe) are found. In contrast to cuts
 /// found there, no later frames are needed, so that a flash counts as two cuts.
 #[derive(Debug, Default)]
-pub(super) struct ChangeDetector {
+struct ChangeDetector {
     previous: Option<Plane<f32>>,
     /// Changes at rest and after motion of the last frames.
     usual: VecDeque<[f32; 2]>,
 }
 
 impl ChangeDetector {
-    pub(super) fn push(&mut self, samples: &Samples, colours: YCbCr) -> Change {
+    fn push(&mut self, samples: &Samples, colours: YCbCr) -> Change {
         let now = signature::red(samples, colours);
         let Some(before) = self.previous.replace(now.clone()) else {
             return Change::default();

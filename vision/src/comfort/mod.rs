@@ -9,6 +9,7 @@
 pub mod align;
 pub mod asynchrony;
 mod change;
+mod depth;
 mod deviation;
 mod error;
 mod frame;
@@ -17,6 +18,7 @@ mod jackknife;
 mod matching;
 pub mod monitor;
 mod observer;
+mod order;
 mod parallax;
 mod photometry;
 mod record;

@@ -6,11 +6,13 @@ use ga_image::plane::SizeError;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::asynchrony::{Asynchrony, AsynchronyMeter};
-use super::change::{Change, ChangeDetector};
+use super::change::{Changes, PairDetector};
+use super::depth::Depth;
 use super::deviation::DeviationMeter;
 use super::observer::{Each, Observer};
+use super::order::{Order, Place};
 use super::record::Known;
-use super::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
+use super::stereoscopy::{Alignment, Stereoscopy};
 use super::{ComfortError, FrameMeasures, FrameMeter, Record, Viewing};
 use crate::video::stereo::{Layout, StereoSource};
 use crate::video::{Frame, Properties, Samples};
@@ -29,11 +31,6 @@ pub struct Options {
 
 /// Frames that are measured at the same time.
 const BATCH: usize = 4;
-
-/// The frames of a part of a shot at which the order of the eyes is examined, until it is known,
-/// counted from its first one; then every so many frames.
-const EXAMINED: [usize; 4] = [0, 4, 10, 20];
-const EXAMINED_LATER: usize = 96;
 
 /// A pair of views in which the border of one continues in the other: their difference there is at
 /// most so many times that of neighbouring lines.
@@ -102,7 +99,7 @@ pub struct Monitor {
     threads: ThreadPool,
     meters: Vec<FrameMeter>,
     asynchrony: AsynchronyMeter,
-    changes: [ChangeDetector; 2],
+    changes: PairDetector,
     deviation: DeviationMeter,
     order: Order,
     pending: VecDeque<Pending>,
@@ -116,8 +113,7 @@ struct Pending {
     begins_shot: bool,
     measures: FrameMeasures,
     deviation_arcminutes: Option<f64>,
-    /// The part of the video whose verdict it has.
-    part: usize,
+    place: Place,
 }
 
 impl Monitor {
@@ -208,9 +204,7 @@ impl Monitor {
                 for views in batch {
                     let [left, right] = views.each_ref().map(|view| &view.samples);
                     delays.push(asynchrony.push(left, right));
-                    let [a, b] = &mut *changes;
-                    let colours = properties.colours;
-                    seen.push([a.push(left, colours), b.push(right, colours)]);
+                    seen.push(changes.push([left, right], properties.colours));
                 }
             });
         });
@@ -232,26 +226,32 @@ impl Monitor {
         &mut self,
         views: &[Frame; 2],
         measures: FrameMeasures,
-        changes: [Change; 2],
+        changes: Changes,
     ) -> Result<(), ComfortError> {
         let frame = views[0].index;
-        let begins_shot = self.order.frames == 0 || changes[0].is_cut;
+        let is_cut = changes.views[0].is_cut && !changes.is_exchange;
+        let begins_shot = self.order.is_empty() || is_cut;
         let parallax = measures.parallax.as_ref();
         let median = parallax.map(|parallax| parallax.percent(parallax.median_px));
         let deviation_arcminutes = self
             .deviation
             .push(median, begins_shot, &self.options.viewing);
         let [left, right] = views.each_ref().map(|view| &view.samples);
-        if self.order.begin_frame(changes) {
+        let depth = Depth::of(&measures, self.properties.size);
+        let place = self.order.begin_frame(changes, depth);
+        if place.is_due {
             let alignment = measures.geometry.as_ref().map(Alignment::from);
             let alignment = alignment.unwrap_or_default();
-            let order = &mut self.order.current;
-            let added = self.threads.install(|| order.add(left, right, &alignment));
+            let meter = self.order.meter();
+            let added = self.threads.install(|| meter.add(left, right, &alignment));
             added.map_err(|source| ComfortError::Match { frame, source })?;
-            let verdict = self.order.current.verdict();
+            let verdict = self.order.meter().verdict();
             if verdict == Stereoscopy::Unrelated && self.is_one_picture(left, right) {
                 return Err(ComfortError::Mono { frame });
             }
+        }
+        if place.is_exchange || self.order.begins_opposite() {
+            self.asynchrony.exchange(frame);
         }
         self.pending.push_back(Pending {
             frame,
@@ -259,7 +259,7 @@ impl Monitor {
             begins_shot,
             measures,
             deviation_arcminutes,
-            part: self.order.part,
+            place,
         });
         Ok(())
     }
@@ -279,7 +279,7 @@ impl Monitor {
         let Some(pending) = self.pending.pop_front() else {
             return;
         };
-        let (stereoscopy, evidence) = self.order.verdict(pending.part);
+        let (stereoscopy, evidence) = self.order.verdict(&pending.place);
         let known = Known {
             frame: pending.frame,
             time_seconds: pending.time_seconds,
@@ -326,60 +326,5 @@ impl Monitor {
             inside += 0.5 * ((a - b).abs() + (c - d).abs());
         }
         across <= CONTINUES * inside + 0.5 * length as f64
-    }
-}
-
-/// The order of the eyes, for each part of the video between abrupt changes of the left view.
-#[derive(Debug, Default)]
-struct Order {
-    /// The number of frames so far.
-    frames: usize,
-    /// The number of the current part, and of its frames so far.
-    part: usize,
-    age: usize,
-    current: StereoscopyMeter,
-    /// Verdicts and evidence of the parts before it, from the part `first` on.
-    before: VecDeque<(Stereoscopy, f64)>,
-    first: usize,
-}
-
-/// As many parts are kept as frames can wait for their record.
-const PARTS: usize = 64;
-
-impl Order {
-    /// Whether the order of the eyes has to be examined in the next frame.
-    fn begin_frame(&mut self, changes: [Change; 2]) -> bool {
-        // Exchanged views change the left picture as well as the right one, and so does a cut. What
-        // happens to the right one alone leaves the order as it is.
-        let begins = changes[0].is_abrupt || changes.iter().any(|change| change.is_cut);
-        if begins && self.frames > 0 {
-            let verdict = (self.current.verdict(), self.current.evidence());
-            self.before.push_back(verdict);
-            if self.before.len() > PARTS {
-                self.before.pop_front();
-                self.first += 1;
-            }
-            self.current = StereoscopyMeter::default();
-            self.part += 1;
-            self.age = 0;
-        }
-        let age = self.age;
-        self.frames += 1;
-        self.age += 1;
-        let due = EXAMINED.contains(&age) || (age > 0 && age.is_multiple_of(EXAMINED_LATER));
-        due && matches!(
-            self.current.verdict(),
-            Stereoscopy::Unknown | Stereoscopy::Unrelated
-        )
-    }
-
-    /// The verdict on a part, and the evidence for it.
-    fn verdict(&self, part: usize) -> (Stereoscopy, f64) {
-        let before = part.checked_sub(self.first);
-        let before = before.and_then(|index| self.before.get(index));
-        match before {
-            Some(verdict) => *verdict,
-            None => (self.current.verdict(), self.current.evidence()),
-        }
     }
 }

@@ -1,9 +1,10 @@
 //! The delay that a window of frames shows, if it shows one.
 
 use std::collections::VecDeque;
+use std::ops::{Range, RangeInclusive};
 
 use super::super::jackknife::standard_error;
-use super::products::{BLOCKS, CELLS, Products};
+use super::products::{BLOCKS, Explained, Products};
 use super::{Asynchrony, Delay, LAGS, REACH};
 
 /// The least part of the changes of the right eye that the left one must explain.
@@ -13,6 +14,15 @@ const LEAST_EXPLAINED: f64 = 0.3;
 /// of two frames more or less and beyond.
 const MARGIN: f64 = 0.1;
 const FACTOR: f64 = 1.3;
+
+/// The mean motion from one frame to the next that is not told from parallax, in columns and rows
+/// of the reduced picture.
+const PAN: f32 = 0.5;
+
+/// Where eyes in step explain most, so much must remain unexplained on average at delays that differ by so
+/// many frames.
+const LEAST_BESIDE: f64 = 0.7;
+const BESIDE: RangeInclusive<usize> = 2..=6;
 
 /// The greatest standard error of a delay.
 const LEAST_CERTAINTY_FRAMES: f64 = 0.12;
@@ -33,32 +43,72 @@ const LEAST_ENERGY: f64 = 0.02;
 /// The products of one frame of the right eye with the frames of the left one at all delays.
 pub(super) type Row = [Option<Products>; LAGS];
 
-/// What the products of the frames of a window say; `first` is the number of the first frame.
-pub(super) fn decide<'a>(rows: impl Iterator<Item = (usize, &'a Row)> + Clone) -> Asynchrony {
+/// The frames over which a delay is measured.
+pub(super) struct Window<'a, I> {
+    /// Their numbers and products.
+    pub(super) rows: I,
+    /// The frames that may be compared with them.
+    pub(super) part: Range<usize>,
+    /// How much the eyes change at frames, from `first_energy` on.
+    pub(super) energies: &'a VecDeque<[f32; 2]>,
+    pub(super) first_energy: usize,
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a Row)> + Clone> Window<'a, I> {
+    /// How much an eye changes at a frame.
+    fn energy(&self, frame: usize, eye: usize) -> Option<f32> {
+        let index = frame.checked_sub(self.first_energy)?;
+        self.energies.get(index).map(|energies| energies[eye])
+    }
+
+    /// The factors of the changes of an eye at a frame that bring those above the third quartile
+    /// of the window down to it.
+    fn factor(&self, eye: usize) -> impl Fn(usize) -> Option<f32> {
+        let energies = self.rows.clone().map(|(frame, _)| self.energy(frame, eye));
+        let mut sorted: Vec<f32> = energies.flatten().collect();
+        sorted.sort_unstable_by(f32::total_cmp);
+        let quartile = sorted.get(3 * sorted.len() / 4).copied().unwrap_or(0.0);
+        move |frame| {
+            let energy = self
+                .energy(frame, eye)
+                .filter(|_| self.part.contains(&frame))?;
+            Some(match energy > quartile {
+                true => (quartile / energy).sqrt(),
+                false => 1.0,
+            })
+        }
+    }
+}
+
+/// What the products of the frames of a window say.
+pub(super) fn decide<'a>(
+    window: &Window<'a, impl Iterator<Item = (usize, &'a Row)> + Clone>,
+) -> Asynchrony {
     let mut parts: VecDeque<(usize, Vec<(Products, usize)>)> = VecDeque::new();
     let (mut energies, mut count) = (Vec::new(), 0_usize);
-    for (frame, row) in rows {
+    let (of_left, of_right) = (window.factor(0), window.factor(1));
+    for (frame, row) in window.rows.clone() {
         let number = frame / PART;
         if parts.back().is_none_or(|part| part.0 != number) {
             parts.push_back((number, vec![Default::default(); LAGS]));
         }
-        let Some((_, sums)) = parts.back_mut() else {
+        let (Some((_, sums)), Some(right)) = (parts.back_mut(), of_right(frame)) else {
             continue;
         };
-        for (sum, products) in sums.iter_mut().zip(row) {
-            if let Some(products) = products {
-                sum.0.add(products, 1.0);
+        for (lag, (sum, products)) in sums.iter_mut().zip(row).enumerate() {
+            let left = (frame + REACH).checked_sub(lag).and_then(&of_left);
+            if let (Some(products), Some(left)) = (products, left) {
+                sum.0.add(products, [left, right]);
                 sum.1 += 1;
             }
         }
-        let energy = row[REACH].as_ref().map_or(0.0, Products::energy);
-        energies.push(f64::from(energy));
+        let energy = window.energy(frame, 1).unwrap_or(0.0);
+        energies.push(f64::from(right * right * energy));
         count += 1;
     }
     let total: f64 = energies.iter().sum();
     let squares: f64 = energies.iter().map(|energy| energy * energy).sum();
-    if total < LEAST_ENERGY * CELLS as f64 * count as f64 || total * total < LEAST_MOVING * squares
-    {
+    if total <= LEAST_ENERGY * count as f64 || total * total < LEAST_MOVING * squares {
         return Asynchrony::NoMotion;
     }
     let parts: Vec<_> = parts.into_iter().map(|part| part.1).collect();
@@ -69,14 +119,11 @@ fn combined(parts: &[Vec<(Products, usize)>], count: usize) -> Asynchrony {
     let mut sums: Vec<(Products, usize)> = vec![Default::default(); LAGS];
     for part in parts {
         for (sum, other) in sums.iter_mut().zip(part) {
-            sum.0.add(&other.0, 1.0);
+            sum.0.add(&other.0, [1.0; 2]);
             sum.1 += other.1;
         }
     }
-    let explained = |sums: &[(Products, usize)]| -> Vec<[[f32; 2]; BLOCKS]> {
-        sums.iter().map(|sum| sum.0.explained()).collect()
-    };
-    let all = explained(&sums);
+    let all: Vec<_> = sums.iter().map(|sum| sum.0.explained()).collect();
     // Delays at which less than half of the window has a frame of the left eye do not count.
     let usable: Vec<bool> = sums.iter().map(|sum| 2 * sum.1 > count).collect();
     let curve = unexplained(&all, &usable, None);
@@ -86,16 +133,20 @@ fn combined(parts: &[Vec<(Products, usize)>], count: usize) -> Asynchrony {
     if 1.0 - peak.least < LEAST_EXPLAINED {
         return Asynchrony::Unrelated;
     }
-    if !peak.is_distinct(&curve) || parts.len() < LEAST_PARTS {
+    if parts.len() < LEAST_PARTS
+        || !peak.is_distinct(&curve)
+        || peak.is_pan(&curve, &all)
+        || peak.is_shared_noise(&curve)
+    {
         return Asynchrony::Ambiguous;
     }
     // The jackknife: the delay without one part of the window, and without one block.
     let without_part = parts.iter().map(|part| {
-        let mut rest = sums.clone();
-        for (sum, other) in rest.iter_mut().zip(part) {
-            sum.0.add(&other.0, -1.0);
-        }
-        unexplained(&explained(&rest), &usable, None)
+        let rest = sums.iter().zip(part);
+        let explained: Vec<_> = rest
+            .map(|(sum, part)| sum.0.without(&part.0).explained())
+            .collect();
+        unexplained(&explained, &usable, None)
     });
     let without_block = (0..BLOCKS).map(|block| unexplained(&all, &usable, Some(block)));
     let frames = |curves: Vec<Vec<Option<f64>>>| -> Option<Vec<f64>> {
@@ -125,16 +176,16 @@ fn combined(parts: &[Vec<(Products, usize)>], count: usize) -> Asynchrony {
 
 /// The part of the changes that the left eye leaves unexplained, at each delay where it is known.
 fn unexplained(
-    all: &[[[f32; 2]; BLOCKS]],
+    all: &[[Explained; BLOCKS]],
     usable: &[bool],
     without: Option<usize>,
 ) -> Vec<Option<f64>> {
-    let part = |(blocks, usable): (&[[f32; 2]; BLOCKS], &bool)| {
+    let part = |(blocks, usable): (&[Explained; BLOCKS], &bool)| {
         let (mut size, mut explained) = (0.0, 0.0);
-        for (block, [right, part]) in blocks.iter().enumerate() {
+        for (block, found) in blocks.iter().enumerate() {
             if Some(block) != without {
-                size += f64::from(*right);
-                explained += f64::from(*part);
+                size += f64::from(found.right);
+                explained += f64::from(found.part);
             }
         }
         (*usable && size > 0.0).then(|| 1.0 - explained / size)
@@ -176,9 +227,41 @@ impl Peak {
     /// Whether clearly more remains unexplained beyond one frame more or less, and on one side
     /// already there: the delay itself may lie between two frames.
     fn is_distinct(&self, curve: &[Option<f64>]) -> bool {
-        let least = FACTOR * self.least + MARGIN;
-        let is_greater = |index: usize| curve[index].is_none_or(|value| value >= least);
-        (0..curve.len()).all(|index| index.abs_diff(self.index) < 2 || is_greater(index))
-            && (is_greater(self.index - 1) || is_greater(self.index + 1))
+        (0..curve.len()).all(|index| index.abs_diff(self.index) < 2 || self.exceeds(curve, index))
+            && (self.exceeds(curve, self.index - 1) || self.exceeds(curve, self.index + 1))
+    }
+
+    /// Whether another delay explains nearly as much, with pictures that lie elsewhere: the motion
+    /// is constant, so that it looks like parallax or like a vertical error. Where a delay lies
+    /// between two frames, both explain as much with pictures in about the same place.
+    fn is_pan(&self, curve: &[Option<f64>], all: &[[Explained; BLOCKS]]) -> bool {
+        let beside = [self.index - 1, self.index + 1];
+        beside
+            .into_iter()
+            .filter(|index| !self.exceeds(curve, *index))
+            .any(|index| {
+                let (mut moved, mut total) = (0.0, 0.0);
+                for (here, there) in all[self.index].iter().zip(&all[index]) {
+                    let [x, y] =
+                        [0, 1].map(|axis| here.translation[axis] - there.translation[axis]);
+                    moved += here.right * x.hypot(y);
+                    total += here.right;
+                }
+                moved > PAN * total
+            })
+    }
+
+    /// Whether eyes in step may be an appearance: encoders that treat the frames of both eyes alike
+    /// leave errors that coincide, however late one of them is. They stand out where the motion is
+    /// nearly constant, so that other delays explain much as well.
+    fn is_shared_noise(&self, curve: &[Option<f64>]) -> bool {
+        let beside = (0..curve.len()).filter(|index| BESIDE.contains(&index.abs_diff(self.index)));
+        let known: Vec<f64> = beside.filter_map(|index| curve[index]).collect();
+        self.index == REACH && known.iter().sum::<f64>() < LEAST_BESIDE * known.len() as f64
+    }
+
+    /// Whether clearly more remains unexplained at a delay than at the best one, if it is known.
+    fn exceeds(&self, curve: &[Option<f64>], index: usize) -> bool {
+        curve[index].is_none_or(|value| value >= FACTOR * self.least + MARGIN)
     }
 }

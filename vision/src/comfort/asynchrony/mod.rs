@@ -1,27 +1,30 @@
 //! How many frames one eye is late.
 //!
 //! The change of the right picture from frame to frame is compared with that of the left one up to
-//! 12 frames earlier and later. Both are reduced to 100 × 54 boxes and divided into 6 blocks; in
+//! 12 frames earlier and later. Both are reduced to 100 × 54 numbers and divided into 6 blocks; in
 //! each block the translation of the left picture that explains most of the change is taken, up to
 //! 14 % of the width and 3.7 % of the height, since parallax and vertical errors are not known
-//! here. A motion that is constant and horizontal therefore shows no delay: it cannot be told from
-//! parallax.
+//! here. A motion that is constant therefore shows no delay: it cannot be told from parallax, or
+//! from a vertical error.
 //!
 //! The delay of a frame is measured over the frames up to 16 before and after it, so it is known 28
-//! frames later. It is measured if the left eye explains at least 30 % of the changes, if every
-//! delay that differs by two frames or more explains clearly less, and if the result is certain to
-//! 0.12 frames: the standard error when parts of the window and blocks are left out in turn
-//! (jackknife; Efron and Tibshirani 1993). Measured settings of our own.
+//! frames later. No frame counts more than three quarters of them do: encoders refresh the pictures
+//! of both eyes at the same moments, however late one of them is. The delay is measured if the left
+//! eye explains at least 30 % of the changes, if every delay that differs by two frames or more
+//! explains clearly less, and if the result is certain to 0.12 frames: the standard error when
+//! parts of the window and blocks are left out in turn (jackknife; Efron and Tibshirani 1993).
+//! Measured settings of our own.
 
 mod decision;
 mod products;
+mod reduction;
 
 use std::collections::VecDeque;
 
 use ga_image::plane::Plane;
 
 use crate::video::Samples;
-use decision::Row;
+use decision::{Row, Window};
 use products::{Change, Products};
 
 /// The greatest delay that is tried, in frames either way.
@@ -101,15 +104,24 @@ pub struct AsynchronyMeter {
     rows: VecDeque<Row>,
     /// The number of the frame of the first row.
     first: usize,
+    /// How much the left and the right eye change at the frames from `first_energy` on.
+    energies: VecDeque<[f32; 2]>,
+    first_energy: usize,
     /// The next frame whose delay is not yet given.
     next: usize,
+    /// The frames at which the eyes are exchanged.
+    exchanges: VecDeque<usize>,
 }
+
+/// An exchange of the eyes counts in a decision if it lies at least so many frames before the newest
+/// frame that the decision waits for: [`AsynchronyMeter::exchange`] may be late by as many.
+const LATE: usize = 4;
 
 impl AsynchronyMeter {
     /// Takes the next frame of both eyes. Returns the delay at the frame 28 before it, if there is
     /// one.
     pub fn push(&mut self, left: &Samples, right: &Samples) -> Option<Asynchrony> {
-        let now = [products::reduced(left), products::reduced(right)];
+        let now = [left, right].map(reduction::reduced);
         let before = self.previous.replace(now.clone()).unwrap_or(now.clone());
         for ((changes, before), now) in self.changes.iter_mut().zip(&before).zip(&now) {
             if changes.len() > REACH {
@@ -117,9 +129,21 @@ impl AsynchronyMeter {
             }
             changes.push_back(Change::between(before, now));
         }
+        let energies = self.changes.each_ref().map(|changes| {
+            let newest = changes.back();
+            newest.map_or(0.0, |change| change.energy)
+        });
+        self.energies.push_back(energies);
         self.frames += 1;
         self.compare();
         (self.frames > self.next + HALF_WINDOW + REACH).then(|| self.decide())
+    }
+
+    /// Says that the eyes are exchanged from a frame on: what was late is early then, and the
+    /// frames before it say nothing on those after it. It may be one of the last four frames that
+    /// were taken.
+    pub fn exchange(&mut self, frame: usize) {
+        self.exchanges.push_back(frame);
     }
 
     /// The delays at the frames that were not given yet, in order; for the end of the video.
@@ -148,16 +172,39 @@ impl AsynchronyMeter {
 
     /// The delay at the next frame.
     fn decide(&mut self) -> Asynchrony {
-        let (start, end) = (
-            self.next.saturating_sub(HALF_WINDOW),
-            self.next + HALF_WINDOW + 1,
-        );
+        let frame = self.next;
+        self.next += 1;
+        let mut start = frame.saturating_sub(HALF_WINDOW);
         while self.first < start {
             self.rows.pop_front();
             self.first += 1;
         }
-        self.next += 1;
-        let rows = self.rows.iter().take(end - self.first).enumerate();
-        decision::decide(rows.map(|(index, row)| (self.first + index, row)))
+        while self.first_energy + REACH < start {
+            self.energies.pop_front();
+            self.first_energy += 1;
+        }
+        while self.exchanges.get(1).is_some_and(|next| *next <= frame) {
+            self.exchanges.pop_front();
+        }
+        // The change to exchanged eyes belongs to neither side.
+        let known = frame + HALF_WINDOW + REACH - LATE;
+        let exchanges = self.exchanges.iter().filter(|exchange| **exchange <= known);
+        let mut part = 0..usize::MAX;
+        for exchange in exchanges {
+            match *exchange <= frame {
+                true => part.start = exchange + 1,
+                false => part.end = part.end.min(*exchange),
+            }
+        }
+        start = start.max(part.start).max(self.first);
+        let end = (frame + HALF_WINDOW + 1).min(self.frames).min(part.end);
+        let rows = self.rows.iter().skip(start - self.first);
+        let window = Window {
+            rows: (start..end).zip(rows),
+            part,
+            energies: &self.energies,
+            first_energy: self.first_energy,
+        };
+        decision::decide(&window)
     }
 }

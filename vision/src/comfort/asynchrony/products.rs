@@ -3,11 +3,8 @@
 use ga_image::plane::Plane;
 use ga_runtime::batch::{Batch, Work};
 
-use crate::keyframe::signature::{Sample, box_means};
-use crate::video::Samples;
-
 /// Columns and rows of a reduced picture: the blocks and the reach of the translations.
-const SIZE: [usize; 2] = [
+pub(super) const SIZE: [usize; 2] = [
     BLOCK[0] * BLOCKS_ACROSS + 2 * REACH[0],
     BLOCK[1] * BLOCKS_DOWN + 2 * REACH[1],
 ];
@@ -24,41 +21,11 @@ pub(super) const TRANSLATIONS: usize = ACROSS * DOWN;
 const BLOCK: [usize; 2] = [24, 25];
 const BLOCKS_ACROSS: usize = 3;
 const BLOCKS_DOWN: usize = 2;
-/// Boxes of a frame in all blocks.
-pub(super) const CELLS: usize = BLOCKS * BLOCK[0] * BLOCK[1];
 /// The number of blocks.
 pub(super) const BLOCKS: usize = BLOCKS_ACROSS * BLOCKS_DOWN;
 
 /// A change of this many codes, as root mean square, counts half as much as a great one.
 const FLOOR_CODES: f32 = 0.25;
-
-/// The reduced picture: means of luma over boxes, smoothed.
-pub(super) fn reduced(samples: &Samples) -> Plane<f32> {
-    match samples {
-        Samples::Eight(planes) => smoothed(&means(&planes.luma, 1.0)),
-        Samples::Ten(planes) => smoothed(&means(&planes.luma, 0.25)),
-    }
-}
-
-fn means<S: Sample>(luma: &Plane<S>, to_eight: f32) -> Plane<f32> {
-    let mut means = box_means(luma.view(), SIZE);
-    means.values_mut().iter_mut().for_each(|v| *v *= to_eight);
-    means
-}
-
-/// Weights 1, 2, 1 along rows and along columns. Interpolation between whole translations needs a
-/// picture without the finest detail.
-fn smoothed(plane: &Plane<f32>) -> Plane<f32> {
-    let along = |plane: &Plane<f32>| {
-        Plane::from_fn(plane.width(), plane.height(), |column, row| {
-            let values = plane.row(row);
-            let before = values[column.saturating_sub(1)];
-            let after = values[(column + 1).min(values.len() - 1)];
-            0.25 * (before + after) + 0.5 * values[column]
-        })
-    };
-    along(&along(plane).transposed()).transposed()
-}
 
 /// The change from one frame to the next in one eye, at most of unit size.
 #[derive(Clone, Debug)]
@@ -66,6 +33,8 @@ pub(super) struct Change {
     values: Plane<f32>,
     /// Sums of squares above and to the left of each corner.
     squares: Vec<f64>,
+    /// The mean square, less than 1.
+    pub(super) energy: f32,
 }
 
 impl Change {
@@ -91,11 +60,15 @@ impl Change {
                 squares[place] = squares[place - width] + sum;
             }
         }
-        Self { values, squares }
+        Self {
+            values,
+            squares,
+            energy: mean * scale * scale,
+        }
     }
 
     /// The sum of squares over the block that begins here.
-    fn energy(&self, left: usize, top: usize) -> f32 {
+    fn energy_at(&self, left: usize, top: usize) -> f32 {
         let at = |column: usize, row: usize| self.squares[row * (SIZE[0] + 1) + column];
         let (right, bottom) = (left + BLOCK[0], top + BLOCK[1]);
         let sum = at(right, bottom) - at(left, bottom) - at(right, top) + at(left, top);
@@ -133,65 +106,116 @@ impl Products {
         products
     }
 
-    /// Adds `factor` times the other sums.
-    pub(super) fn add(&mut self, other: &Self, factor: f32) {
-        for (sums, others) in [
-            (&mut self.product[..], &other.product[..]),
-            (&mut self.left, &other.left),
-            (&mut self.right, &other.right),
-        ] {
+    /// Adds what changes have that are multiplied by these factors, of the left and of the right
+    /// eye.
+    pub(super) fn add(&mut self, other: &Self, [left, right]: [f32; 2]) {
+        let add = |sums: &mut [f32], others: &[f32], factor: f32| {
             for (sum, other) in sums.iter_mut().zip(others) {
                 *sum += factor * other;
             }
+        };
+        add(&mut self.product, &other.product, left * right);
+        add(&mut self.left, &other.left, left * left);
+        add(&mut self.right, &other.right, right * right);
+    }
+
+    /// These sums without a part of them.
+    pub(super) fn without(&self, part: &Self) -> Self {
+        let rest = |sums: &[f32], parts: &[f32]| {
+            let each = sums.iter().zip(parts);
+            each.map(|(sum, part)| sum - part).collect()
+        };
+        Self {
+            product: rest(&self.product, &part.product),
+            left: rest(&self.left, &part.left),
+            right: std::array::from_fn(|block| self.right[block] - part.right[block]),
         }
     }
 
-    /// The sum of squares of the changes of the right eye.
-    pub(super) fn energy(&self) -> f32 {
-        self.right.iter().sum()
-    }
-
-    /// For each block the sum of squares of the right eye, and the part of it that the left one
-    /// explains under the translation that explains most, between whole translations by parabolas.
-    pub(super) fn explained(&self) -> [[f32; 2]; BLOCKS] {
-        std::array::from_fn(|block| {
-            let place = block * TRANSLATIONS;
-            let (product, left) = (
-                &self.product[place..place + TRANSLATIONS],
-                &self.left[place..place + TRANSLATIONS],
-            );
-            let right = self.right[block];
-            let correlation = |index: usize| {
-                let size = left[index] * right;
-                match size > 1e-12 {
-                    true => product[index] / size.sqrt(),
-                    false => 0.0,
-                }
-            };
-            let all: [f32; TRANSLATIONS] = std::array::from_fn(correlation);
-            let best = (0..TRANSLATIONS)
-                .reduce(|a, b| if all[b] > all[a] { b } else { a })
-                .unwrap_or(0);
-            let (row, column) = (best / ACROSS, best % ACROSS);
-            let mut top = all[best];
-            if (1..ACROSS - 1).contains(&column) {
-                top += rise([all[best - 1], all[best], all[best + 1]]);
-            }
-            if (1..DOWN - 1).contains(&row) {
-                top += rise([all[best - ACROSS], all[best], all[best + ACROSS]]);
-            }
-            [right, right * top.clamp(0.0, 1.0).powi(2)]
-        })
+    /// What the left eye explains of each block.
+    pub(super) fn explained(&self) -> [Explained; BLOCKS] {
+        let mut explained = [Explained::default(); BLOCKS];
+        Batch::new().run(Best {
+            products: self,
+            explained: &mut explained,
+        });
+        explained
     }
 }
 
-/// How far the parabola through three values at equal distances rises above the middle one, which
-/// is the greatest.
-fn rise([before, middle, after]: [f32; 3]) -> f32 {
+/// What the changes of the left eye explain of those of the right eye in a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Explained {
+    /// The sum of squares of the right eye.
+    pub(super) right: f32,
+    /// The part of it that the left eye explains under the translation that explains most, between
+    /// whole translations by parabolas.
+    pub(super) part: f32,
+    /// This translation of the left picture, in columns and rows of the reduced picture.
+    pub(super) translation: [f32; 2],
+}
+
+struct Best<'a> {
+    products: &'a Products,
+    explained: &'a mut [Explained; BLOCKS],
+}
+
+impl Work for Best<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for (block, explained) in self.explained.iter_mut().enumerate() {
+            let place = block * TRANSLATIONS..(block + 1) * TRANSLATIONS;
+            let products = self.products.product[place.clone()].iter();
+            let right = self.products.right[block];
+            let mut all = [0.0_f32; TRANSLATIONS];
+            for ((correlation, product), left) in
+                all.iter_mut().zip(products).zip(&self.products.left[place])
+            {
+                let size = left * right;
+                let quotient = product / size.max(1e-12).sqrt();
+                *correlation = if size > 1e-12 { quotient } else { 0.0 };
+            }
+            let (mut best, mut greatest) = (0, all[0]);
+            for (index, value) in all.iter().enumerate() {
+                if *value > greatest {
+                    (best, greatest) = (index, *value);
+                }
+            }
+            let (row, column) = (best / ACROSS, best % ACROSS);
+            let mut top = greatest;
+            let mut translation = [
+                column as f32 - REACH[0] as f32,
+                row as f32 - REACH[1] as f32,
+            ];
+            for (axis, step) in [1, ACROSS].into_iter().enumerate() {
+                let (at, count) = [(column, ACROSS), (row, DOWN)][axis];
+                if (1..count - 1).contains(&at) {
+                    let near = [all[best - step], all[best], all[best + step]];
+                    let (rise, offset) = parabola(near);
+                    top += rise;
+                    translation[axis] += offset;
+                }
+            }
+            *explained = Explained {
+                right,
+                part: right * top.clamp(0.0, 1.0).powi(2),
+                translation,
+            };
+        }
+    }
+}
+
+/// How far the parabola through three values at equal distances, of which the middle one is the
+/// greatest, rises above it, and where.
+#[inline(always)]
+fn parabola([before, middle, after]: [f32; 3]) -> (f32, f32) {
     let bend = 2.0 * middle - before - after;
     match bend > 1e-9 {
-        true => (after - before).powi(2) / (8.0 * bend),
-        false => 0.0,
+        true => (
+            (after - before).powi(2) / (8.0 * bend),
+            0.5 * (after - before) / bend,
+        ),
+        false => (0.0, 0.0),
     }
 }
 
@@ -209,43 +233,41 @@ impl Work for Pair<'_> {
                 REACH[0] + BLOCK[0] * (block % BLOCKS_ACROSS),
                 REACH[1] + BLOCK[1] * (block / BLOCKS_ACROSS),
             ];
-            self.products.right[block] = self.right.energy(start[0], start[1]);
+            self.products.right[block] = self.right.energy_at(start[0], start[1]);
             for down in 0..DOWN {
-                for across in 0..ACROSS {
-                    let place = [start[0] + across - REACH[0], start[1] + down - REACH[1]];
-                    let index = block * TRANSLATIONS + down * ACROSS + across;
-                    self.products.left[index] = self.left.energy(place[0], place[1]);
-                    self.products.product[index] =
-                        product(&self.left.values, place, &self.right.values, start);
+                let top = start[1] + down - REACH[1];
+                let first = start[0] - REACH[0];
+                let index = block * TRANSLATIONS + down * ACROSS;
+                let energies = &mut self.products.left[index..index + ACROSS];
+                for (across, energy) in energies.iter_mut().enumerate() {
+                    *energy = self.left.energy_at(first + across, top);
                 }
+                let (left, right) = (&self.left.values, &self.right.values);
+                let sums = product(left, [first, top], right, start);
+                self.products.product[index..index + ACROSS].copy_from_slice(&sums);
             }
         }
     }
 }
 
-/// The sum of products of a block of one plane with a block of another.
+/// The sums of products of a block of one plane with blocks of another, each of which begins a
+/// column after the one before.
 #[inline(always)]
 fn product(
     a: &Plane<f32>,
     [a_left, a_top]: [usize; 2],
     b: &Plane<f32>,
     b_start: [usize; 2],
-) -> f32 {
-    const LANES: usize = 8;
-    let mut sums = [0.0_f32; LANES];
+) -> [f32; ACROSS] {
+    let mut sums = [0.0; ACROSS];
     for row in 0..BLOCK[1] {
-        let a = &a.row(a_top + row)[a_left..a_left + BLOCK[0]];
+        let a = &a.row(a_top + row)[a_left..a_left + BLOCK[0] + ACROSS - 1];
         let b = &b.row(b_start[1] + row)[b_start[0]..b_start[0] + BLOCK[0]];
-        for (a, b) in a
-            .as_chunks::<LANES>()
-            .0
-            .iter()
-            .zip(b.as_chunks::<LANES>().0)
-        {
-            for lane in 0..LANES {
-                sums[lane] += a[lane] * b[lane];
+        for (near, weight) in a.windows(ACROSS).zip(b) {
+            for (sum, value) in sums.iter_mut().zip(near) {
+                *sum += weight * value;
             }
         }
     }
-    sums.iter().sum()
+    sums
 }

@@ -113,7 +113,7 @@ const UNRELATED: f64 = 0.2;
 const RELATED: f64 = 0.35;
 
 /// Views whose disparities are all within this part of the width of zero are identical.
-const IDENTICAL: f64 = 0.0006;
+pub(super) const IDENTICAL: f64 = 0.0006;
 
 /// Collects evidence over frames of one shot.
 ///

@@ -3,7 +3,7 @@
 use ga_vision::comfort::asynchrony::{Asynchrony, AsynchronyMeter};
 use ga_vision::video::{self, Frame, Samples};
 
-use super::scene::{Random, grey, texture};
+use super::scene::{Random, grey, lattice, texture, walk};
 
 const SIZE: [usize; 2] = [200, 112];
 
@@ -64,19 +64,6 @@ fn right(found: &[Asynchrony], delay: i32) -> usize {
         assert!((frames - f64::from(delay)).abs() < 0.3, "{frames} {delay}");
     }
     measured.len()
-}
-
-/// A path of a camera whose velocity changes at random.
-fn walk(random: &mut Random, steps: usize) -> Vec<[f64; 2]> {
-    let (mut place, mut velocity) = ([0.0; 2], [0.0; 2]);
-    let step = |_| {
-        for axis in 0..2 {
-            velocity[axis] = 0.85 * velocity[axis] + random.between(-1.5, 1.5);
-            place[axis] += velocity[axis];
-        }
-        place
-    };
-    (0..steps).map(step).collect()
 }
 
 #[test]
@@ -150,6 +137,37 @@ fn motion_that_shows_no_delay_gives_none() {
             found.iter().all(|found| found.delay().is_none()),
             "{found:?}"
         );
+    }
+}
+
+/// Detail that the reduced pictures cannot show, such as small letters, must not make one delay of
+/// many look best.
+#[test]
+fn constant_motion_of_fine_detail_gives_none() {
+    for (velocity, delay, parallax, vertical) in [
+        ([2.42, 0.0], -2, 19.8, -0.68),
+        ([0.7, 0.0], -1, -4.5, 1.51),
+        ([0.35, 0.0], 3, -22.3, -0.38),
+        ([0.0, 0.35], 3, -22.3, -0.38),
+        ([0.0, 0.9], 1, -0.4, 1.08),
+    ] {
+        let level = |frame: i32, x: f64, y: f64| {
+            let [u, v] = velocity.map(|speed: f64| speed * f64::from(frame));
+            128.0 + 90.0 * lattice(3, x + u, y + v)
+        };
+        let mut meter = AsynchronyMeter::default();
+        let mut found = Vec::new();
+        for frame in 0..36 {
+            // Boxes of this many pixels differ in size.
+            let size = [320, 180];
+            let left = grey(size, |x, y| level(frame, x, y));
+            let right = grey(size, |x, y| {
+                level(frame - delay, x + parallax, y + vertical)
+            });
+            found.extend(meter.push(&left, &right));
+        }
+        found.extend(meter.finish());
+        assert_eq!(right(&found, delay), 0, "{velocity:?} {found:?}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! What needs several frames, or the depth of a shot: delays, the order of the eyes, the monitor.
 
 mod asynchrony;
+mod exchanges;
 mod monitor;
 mod scene;
 mod stereoscopy;

@@ -1,14 +1,16 @@
 //! All rows of videos.
 
 use ga_image::plane::Plane;
-use ga_image::y4m::{self, Film};
-use ga_vision::comfort::monitor::{Options, analyse};
+use ga_image::y4m::{self, Film, Sampling};
+use ga_image::ycbcr::YCbCr;
+use ga_vision::comfort::monitor::{Monitor, Options, analyse};
 use ga_vision::comfort::stereoscopy::Stereoscopy;
 use ga_vision::comfort::{ComfortError, Dimension, Level, Record, Summary, Viewing};
 use ga_vision::video::stereo::{Layout, StereoSource};
 use ga_vision::video::y4m::Y4mSource;
+use ga_vision::video::{Frame, Planes, Properties, Samples};
 
-use super::scene::texture;
+use super::scene::{Random, texture};
 
 fn options(threads: usize) -> Options {
     Options {
@@ -24,6 +26,29 @@ fn records(bytes: Vec<u8>, threads: usize) -> (Vec<Record>, Result<(), ComfortEr
     let mut records = Vec::new();
     let result = analyse(&mut source, options(threads), |record| records.push(record));
     (records, result)
+}
+
+/// The records of views that lie in two videos.
+pub(super) fn of_frames(frames: &[[Frame; 2]]) -> Vec<Record> {
+    let properties = Properties {
+        size: frames[0][0].samples.size(),
+        sampling: Sampling::default(),
+        bit_depth: 8,
+        colours: YCbCr::default(),
+        frames_per_second: Some([24, 1]),
+        frame_count: None,
+    };
+    let options = Options {
+        layout: None,
+        ..options(2)
+    };
+    let mut monitor = Monitor::new(&properties, options).unwrap();
+    let mut records = Vec::new();
+    let mut each = |record| records.push(record);
+    monitor.push(frames, &mut each).unwrap();
+    monitor.finish(&mut each);
+    assert_eq!(records.len(), frames.len());
+    records
 }
 
 /// Frames side by side of a texture that moves; a near square hides a part of it.
@@ -100,6 +125,69 @@ fn a_video_of_one_view_is_named() {
         "{result:?}"
     );
     assert!(records.is_empty());
+}
+
+/// Views of any size, of 8 and of 10 bits, that show little or nothing.
+#[test]
+fn every_row_is_a_number_or_says_why_not() {
+    let mut random = Random(12);
+    for size in [
+        [1, 1],
+        [2, 1],
+        [1, 16],
+        [5, 3],
+        [16, 16],
+        [49, 48],
+        [101, 67],
+    ] {
+        for kind in 0..6 {
+            let level = |frame: usize, eye: usize, column: usize, row: usize, noise: u8| match kind
+            {
+                0 => 16,
+                1 => 255,
+                2 => noise,
+                // One view is black.
+                3 => noise * eye as u8,
+                4 => 255 * ((column + row + frame) % 2) as u8,
+                _ => texture(5, (column + 3 * frame + 2 * eye) as f64, row as f64) as u8,
+            };
+            let mut frame = |index: usize, eye: usize| {
+                let luma = Plane::from_fn(size[0], size[1], |column, row| {
+                    level(index, eye, column, row, random.bits() as u8)
+                });
+                let samples = match kind % 2 {
+                    0 => Samples::Eight(Planes {
+                        luma,
+                        ..Planes::default()
+                    }),
+                    _ => Samples::Ten(Planes {
+                        luma: luma.map(|code| 4 * u16::from(code)),
+                        ..Planes::default()
+                    }),
+                };
+                Frame {
+                    index,
+                    time_seconds: index as f64 / 24.0,
+                    samples,
+                }
+            };
+            // A single frame, and a few of them.
+            for count in [1, 9] {
+                let frames: Vec<_> = (0..count).map(|i| [frame(i, 0), frame(i, 1)]).collect();
+                for record in of_frames(&frames) {
+                    for row in &record.rows {
+                        let finite = row.raw.is_none_or(f64::is_finite);
+                        assert!(finite, "{size:?} {kind} {row:?}");
+                        assert!(
+                            row.raw.is_some() || row.score.is_err(),
+                            "{size:?} {kind} {row:?}"
+                        );
+                    }
+                    assert!(record.asynchrony.delay().is_none(), "{size:?} {kind}");
+                }
+            }
+        }
+    }
 }
 
 /// Each defect of the clip shows in its own row, against the frames without defects.

@@ -20,6 +20,19 @@ impl Random {
     }
 }
 
+/// A path of a camera whose velocity changes at random.
+pub(super) fn walk(random: &mut Random, steps: usize) -> Vec<[f64; 2]> {
+    let (mut place, mut velocity) = ([0.0; 2], [0.0; 2]);
+    let step = |_| {
+        for axis in 0..2 {
+            velocity[axis] = 0.85 * velocity[axis] + random.between(-1.5, 1.5);
+            place[axis] += velocity[axis];
+        }
+        place
+    };
+    (0..steps).map(step).collect()
+}
+
 fn mixed(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
@@ -36,7 +49,8 @@ pub(super) fn texture(seed: u64, x: f64, y: f64) -> f64 {
     128.0 + 70.0 * sum
 }
 
-fn lattice(seed: u64, x: f64, y: f64) -> f64 {
+/// Smooth noise from −1 to 1 with values at whole places.
+pub(super) fn lattice(seed: u64, x: f64, y: f64) -> f64 {
     let (column, row) = (x.floor(), y.floor());
     let smooth = |t: f64| t * t * (3.0 - 2.0 * t);
     let (fx, fy) = (smooth(x - column), smooth(y - row));
