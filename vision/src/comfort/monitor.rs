@@ -113,6 +113,7 @@ struct Pending {
     begins_shot: bool,
     measures: FrameMeasures,
     deviation_arcminutes: Option<f64>,
+    /// Where it is among the parts with one order of the eyes.
     place: Place,
 }
 
@@ -230,7 +231,7 @@ impl Monitor {
     ) -> Result<(), ComfortError> {
         let frame = views[0].index;
         let is_cut = changes.views[0].is_cut && !changes.is_exchange;
-        let begins_shot = self.order.is_empty() || is_cut;
+        let begins_shot = self.order.frames() == 0 || is_cut;
         let parallax = measures.parallax.as_ref();
         let median = parallax.map(|parallax| parallax.percent(parallax.median_px));
         let deviation_arcminutes = self
@@ -251,7 +252,7 @@ impl Monitor {
             }
         }
         if place.is_exchange || self.order.begins_opposite() {
-            self.asynchrony.exchange(frame);
+            self.asynchrony.exchange(self.order.frames() - 1);
         }
         self.pending.push_back(Pending {
             frame,

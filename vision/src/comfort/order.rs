@@ -85,9 +85,9 @@ impl Default for Order {
 }
 
 impl Order {
-    /// Whether no frame was taken yet.
-    pub(super) fn is_empty(&self) -> bool {
-        self.frames == 0
+    /// The number of frames so far.
+    pub(super) fn frames(&self) -> usize {
+        self.frames
     }
 
     /// The meter of the current part.

@@ -140,8 +140,8 @@ impl AsynchronyMeter {
     }
 
     /// Says that the eyes are exchanged from a frame on: what was late is early then, and the
-    /// frames before it say nothing on those after it. It may be one of the last four frames that
-    /// were taken.
+    /// frames before it say nothing on those after it. Frames are counted from 0 in the order in
+    /// which they are taken; it may be one of the last four.
     pub fn exchange(&mut self, frame: usize) {
         self.exchanges.push_back(frame);
     }
