@@ -14,6 +14,9 @@ const WIDEST: usize = 480;
 const DETAIL_SHARE: usize = 6;
 const DETAIL: [usize; 2] = [80, 160];
 
+/// A picture in red, green and blue.
+pub(super) type Picture = Plane<[u8; 3]>;
+
 /// The views of a frame, reduced.
 #[derive(Debug)]
 pub(super) struct Kept {
@@ -61,7 +64,7 @@ impl Kept {
     }
 
     /// The reduced views in red, green and blue.
-    pub(super) fn views(&self, colours: YCbCr) -> [Plane<[u8; 3]>; 2] {
+    pub(super) fn views(&self, colours: YCbCr) -> [Picture; 2] {
         self.views.each_ref().map(|view| view.to_rgb(colours))
     }
 
@@ -83,7 +86,7 @@ impl Kept {
     }
 
     /// The surroundings of a point in both views at full size, and the point in the left view.
-    pub(super) fn detail(&self, colours: YCbCr) -> Option<([f64; 2], [Plane<[u8; 3]>; 2])> {
+    pub(super) fn detail(&self, colours: YCbCr) -> Option<([f64; 2], [Picture; 2])> {
         let detail = self.detail.as_ref()?;
         let views = detail.views.each_ref().map(|view| view.to_rgb(colours));
         Some((detail.place, views))
