@@ -114,7 +114,7 @@ fn made(seed: u64, moved: [f64; 2]) -> [Plane<u8>; 2] {
     [0.0, 1.0].map(|eye| {
         let samples = grey([320, 180], |x, y| {
             let inside = (0..6).find(|square| {
-                let [column, row] = [square % 3, square / 3].map(|place| f64::from(place));
+                let [column, row] = [square % 3, square / 3].map(f64::from);
                 let left = 25.0 + 105.0 * column - (8.0 + 2.0 * row + column) * eye + moved[0];
                 let top = 12.0 + 88.0 * row;
                 (left..left + 60.0).contains(&x) && (top..top + 66.0).contains(&y)
@@ -233,5 +233,6 @@ fn a_delay_changes_its_sign_with_the_exchange() {
             measured += 1;
         }
     }
-    assert!(measured > 20, "{measured}");
+    // Without a division at the exchange, fewer are certain.
+    assert!(measured > 23, "{measured}");
 }
