@@ -38,7 +38,7 @@ impl YCbCr {
     /// Luma and colour differences of red, green and blue.
     #[must_use]
     pub fn from_rgb(self, rgb: [u8; 3]) -> [u8; 3] {
-        self.unrounded(rgb.map(f32::from)).map(rounded)
+        self.encoded(rgb.map(f32::from)).map(rounded)
     }
 
     /// Red, green and blue; what is outside their range becomes the nearest number in it.
@@ -86,8 +86,17 @@ impl YCbCr {
         [red, (y - kr * red - kb * blue) / kg, blue]
     }
 
-    /// As [`from_rgb`](Self::from_rgb), before rounding; red, green and blue are from 0 to 255.
-    pub(crate) fn unrounded(self, rgb: [f32; 3]) -> [f32; 3] {
+    /// Luma and colour differences of red, green and blue, from 0 to 255, that need not be whole:
+    /// without rounding, the inverse of [`decoded`](Self::decoded).
+    ///
+    /// ```
+    /// use ga_image::ycbcr::YCbCr;
+    ///
+    /// let [luma, cb, cr] = YCbCr::default().encoded([127.5; 3]);
+    /// assert!((luma - 125.5).abs() < 1e-4 && (cb - 128.0).abs() < 1e-4 && cb == cr);
+    /// ```
+    #[must_use]
+    pub fn encoded(self, rgb: [f32; 3]) -> [f32; 3] {
         let [kr, kg, kb] = self.luma.weights();
         let ([black, luma_scale], colour_scale) = self.scales();
         let [red, green, blue] = rgb;

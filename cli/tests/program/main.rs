@@ -31,5 +31,6 @@ mod stereo_cameras;
 mod stereo_pose;
 mod texture;
 mod video;
+mod video_align;
 mod video_comfort;
 mod video_comfort_report;

@@ -48,7 +48,7 @@ pub fn encode<F: Borrow<Plane<[u8; 3]>>>(
         }
         if index == 0 {
             size_for(Format::Y4m, size)?;
-            bytes.extend(header(size, film).bytes());
+            bytes.extend(header(size, 8, film).bytes());
         }
         bytes.extend(b"FRAME\n");
         add_frame(&mut bytes, frame, film);
@@ -75,13 +75,18 @@ pub fn write<F: Borrow<Plane<[u8; 3]>>>(
     save(path.as_ref(), encode(frames, film))
 }
 
-fn header([width, height]: [usize; 2], film: Film) -> String {
-    let sampling = match film.sampling {
+/// The first line of a film with numbers of this depth, with its end.
+pub(super) fn header([width, height]: [usize; 2], bit_depth: u32, film: Film) -> String {
+    let sampling = match (film.sampling, bit_depth) {
         // "jpeg" says that the differences lie in the middle of the square.
-        Sampling::Quarter => "420jpeg",
-        Sampling::Half => "422",
-        Sampling::Full => "444",
-        Sampling::Grey => "mono",
+        (Sampling::Quarter, 8) => "420jpeg",
+        (Sampling::Half, 8) => "422",
+        (Sampling::Full, 8) => "444",
+        (Sampling::Grey, 8) => "mono",
+        (Sampling::Quarter, _) => "420p10",
+        (Sampling::Half, _) => "422p10",
+        (Sampling::Full, _) => "444p10",
+        (Sampling::Grey, _) => "mono10",
     };
     let range = match film.colours.range {
         Range::Limited => "LIMITED",
@@ -95,7 +100,7 @@ fn header([width, height]: [usize; 2], film: Film) -> String {
 }
 
 fn add_frame(bytes: &mut Vec<u8>, frame: &Plane<[u8; 3]>, film: Film) {
-    let encoded = frame.map(|rgb| film.colours.unrounded(rgb.map(f32::from)));
+    let encoded = frame.map(|rgb| film.colours.encoded(rgb.map(f32::from)));
     bytes.extend(encoded.values().iter().map(|[y, ..]| rounded(*y)));
     let size = [frame.width(), frame.height()];
     let [width, height] = film.sampling.difference_size(size);

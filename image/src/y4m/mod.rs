@@ -3,7 +3,9 @@
 //! - [`Reader`]: the frames of a film whose bytes are in memory, 8 bits for each number.
 //! - [`Stream`]: the frames of a film that is read as it comes, from a file or a pipe, with 8 or 10
 //!   bits for each number; [`Header`]: what its first line says.
-//! - [`encode`](fn@encode) and [`write`](fn@write): films of 8 bits.
+//! - [`encode`](fn@encode) and [`write`](fn@write): films of 8 bits, of pictures in red, green and
+//!   blue; [`Writer`]: films of 8 or 10 bits that are written as they come, of luma and colour
+//!   differences.
 //!
 //! The reader is our own: the crate `y4m` multiplies the sizes of the header without a check, and
 //! does not read the range of the numbers.
@@ -12,11 +14,13 @@ mod encode;
 mod header;
 mod reader;
 mod stream;
+mod writer;
 
 pub use encode::{encode, write};
 pub use header::{Header, Interlacing};
 pub use reader::{Frame, Reader};
 pub use stream::{MAX_LINE, MAX_SIDE, Number, Stream, StreamError};
+pub use writer::{Writer, WriterError};
 
 pub(crate) use reader::decode_first;
 

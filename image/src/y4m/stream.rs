@@ -334,6 +334,9 @@ mod private {
 
         /// A number that needs more bits than it may have.
         fn too_large(values: &[Self]) -> Option<u16>;
+
+        /// Adds the bytes of numbers, the low one first.
+        fn append(values: &[Self], bytes: &mut Vec<u8>);
     }
 
     impl Sealed for u8 {
@@ -343,6 +346,10 @@ mod private {
 
         fn too_large(_: &[Self]) -> Option<u16> {
             None
+        }
+
+        fn append(values: &[Self], bytes: &mut Vec<u8>) {
+            bytes.extend_from_slice(values);
         }
     }
 
@@ -369,6 +376,10 @@ mod private {
             // A maximum is quicker to find than a first one, as it needs no branches.
             let greatest = values.iter().copied().max();
             greatest.filter(|value| *value > 1023)
+        }
+
+        fn append(values: &[Self], bytes: &mut Vec<u8>) {
+            bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
         }
     }
 }

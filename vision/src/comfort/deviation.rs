@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use super::Viewing;
+use crate::quality::median;
 
 /// The frames of a shot whose median is taken: the last ones.
 const FRAMES: usize = 240;
@@ -37,13 +38,43 @@ impl DeviationMeter {
     }
 
     fn median(&self) -> Option<f64> {
-        let mut sorted: Vec<f64> = self.shot.iter().copied().collect();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let count = sorted.len();
-        let pair = [
-            *sorted.get(count.checked_sub(1)? / 2)?,
-            *sorted.get(count / 2)?,
-        ];
-        Some(0.5 * (pair[0] + pair[1]))
+        let mut angles: Vec<f64> = self.shot.iter().copied().collect();
+        (!angles.is_empty()).then(|| median(&mut angles))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DeviationMeter, FRAMES};
+    use crate::comfort::Viewing;
+
+    #[test]
+    fn frames_are_compared_with_those_before_them() {
+        let viewing = Viewing::default();
+        let angle = |percent: f64| 60.0 * viewing.degrees_of_parallax(percent);
+        let mut meter = DeviationMeter::default();
+        let mut push = |percent, begins| meter.push(percent, begins, &viewing);
+        assert_eq!(push(Some(1.0), true), Some(0.0));
+        assert_eq!(push(Some(2.0), false), Some(angle(2.0) - angle(1.0)));
+        // The median of two numbers lies between them.
+        let middle = 0.5 * (angle(1.0) + angle(2.0));
+        assert_eq!(push(Some(3.0), false), Some(angle(3.0) - middle));
+        assert_eq!(push(None, false), None);
+        // A cut is a jump from the shot before it, which is then forgotten.
+        assert_eq!(push(Some(-1.0), true), Some(angle(-1.0) - angle(2.0)));
+        assert_eq!(push(Some(-1.5), false), Some(angle(-1.5) - angle(-1.0)));
+    }
+
+    #[test]
+    fn early_frames_of_a_long_shot_are_forgotten() {
+        let viewing = Viewing::default();
+        let mut meter = DeviationMeter::default();
+        for _ in 0..2 * FRAMES {
+            meter.push(Some(0.0), false, &viewing);
+        }
+        for _ in 0..FRAMES / 2 + 1 {
+            meter.push(Some(1.0), false, &viewing);
+        }
+        assert_eq!(meter.push(Some(1.0), false, &viewing), Some(0.0));
     }
 }

@@ -37,6 +37,14 @@ pub enum ComfortError {
         /// Why.
         source: MatchError,
     },
+    /// The video has fewer frames than one eye is late.
+    #[error("the video has {frames} frames, and one eye is {delay} frames late")]
+    TooShort {
+        /// The number of frames.
+        frames: usize,
+        /// The delay.
+        delay: u64,
+    },
     /// The threads could not be started.
     #[error("the threads of the analysis cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -51,7 +59,7 @@ impl ComfortError {
             Self::Mono { frame } | Self::Size { frame, .. } | Self::Match { frame, .. } => {
                 Some(*frame)
             }
-            Self::Threads(_) => None,
+            Self::TooShort { .. } | Self::Threads(_) => None,
         }
     }
 }

@@ -5,7 +5,7 @@ use nalgebra_035::{SMatrix, SVector};
 use super::matching::Match;
 use crate::diagnosis::row_model::{RowModel, Rows};
 use crate::feature::PixelPair;
-use crate::quality::percentile;
+use crate::quality::{median, percentile};
 use crate::ransac::Search;
 
 /// The least number of points that agree, and their least share of all.
@@ -220,8 +220,7 @@ impl SecondDegree {
 /// The standard deviation of errors, from the median of their absolute values.
 pub(super) fn median_deviation(mut absolute: Vec<f64>) -> f64 {
     const LEAST: f64 = 0.02;
-    absolute.sort_unstable_by(f64::total_cmp);
-    (1.4826 * percentile(&absolute, 0.5)).max(LEAST)
+    (1.4826 * median(&mut absolute)).max(LEAST)
 }
 
 /// The weight of a match: less for uncertain ones, and for those far from the model (S. Geman and

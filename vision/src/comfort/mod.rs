@@ -28,6 +28,7 @@ mod sharpness;
 pub mod stereoscopy;
 mod summary;
 mod timeline;
+mod tone;
 mod viewing;
 
 pub use error::ComfortError;
@@ -42,4 +43,5 @@ pub use row::{Dimension, Missing, Row, Unit};
 pub use scale::{Level, SIZE, Scale, Score};
 pub use summary::{RowSummary, Summary, meaning};
 pub use timeline::{DepthSummary, Interval, Timeline};
+pub use tone::Tone;
 pub use viewing::{Viewing, ViewingError};

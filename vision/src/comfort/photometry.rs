@@ -5,7 +5,8 @@ use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
 
 use super::matching::Match;
-use crate::quality::percentile;
+use super::tone::{Tone, above_black};
+use crate::quality::median;
 use crate::video::Planes;
 
 /// Colour differences are averaged over so many pixels on either side of a match.
@@ -28,6 +29,9 @@ pub struct Photometry {
     pub channel_offsets: [f64; 3],
     /// The medians of the ratios of red, green and blue.
     pub channel_ratios: [f64; 3],
+    /// The codes of red, green and blue in the left view that stand for those of the right view: an
+    /// offset, a factor or both, whichever explains the differences.
+    pub tones: [Tone; 3],
     /// The length of the median (Δa\*, Δb\*) of CIE 1976 L\*a\*b\*, after the difference in
     /// brightness has been removed: as an offset or as a gain common to all channels, whichever
     /// leaves less.
@@ -64,11 +68,8 @@ impl Colours {
         }
         let channel_offsets =
             [0, 1, 2].map(|channel| self.channel_median(channel, |left, right| right - left));
-        // Half a code keeps black from having no ratio.
-        let channel_ratios = [0, 1, 2].map(|channel| {
-            let code = |value: f64| value.max(0.0) + 0.5;
-            self.channel_median(channel, |left, right| code(right) / code(left))
-        });
+        let of_codes = |left: f64, right: f64| above_black(right) / above_black(left);
+        let channel_ratios = [0, 1, 2].map(|channel| self.channel_median(channel, of_codes));
         let offset_codes = middle(channel_offsets);
         let ratio = middle(channel_ratios);
         let as_offset = self.colour_difference(|code| code - offset_codes);
@@ -78,6 +79,11 @@ impl Colours {
             luminance_percent: luminance_percent(offset_codes),
             channel_offsets,
             channel_ratios,
+            tones: [0, 1, 2].map(|channel| {
+                let codes = |pair: [[f64; 3]; 2]| pair.map(|rgb| rgb[channel]);
+                let pairs: Vec<_> = self.uncut(&[channel]).into_iter().map(codes).collect();
+                Tone::between(&pairs)
+            }),
             colour_difference: as_offset.min(as_gain),
         })
     }
@@ -99,28 +105,28 @@ impl Colours {
         })
     }
 
-    /// The median of a number for surroundings in the left and in the right view. Those in which
-    /// pixels may have been cut off at black or white in these channels are left out, unless few
-    /// others remain.
+    /// The median of a number for [uncut](Self::uncut) surroundings in both views.
     fn uncut_median(&mut self, channels: &[usize], number: impl Fn([[f64; 3]; 2]) -> f64) -> f64 {
+        let pairs = self.uncut(channels);
+        self.numbers.clear();
+        self.numbers.extend(pairs.into_iter().map(number));
+        median(&mut self.numbers)
+    }
+
+    /// Colours of surroundings in the left and in the right view. Those in which pixels may have
+    /// been cut off at black or white in these channels are left out, unless few others remain.
+    fn uncut(&self, channels: &[usize]) -> Vec<[[f64; 3]; 2]> {
         const UNCUT: std::ops::RangeInclusive<f64> = 32.0..=223.0;
         const LEAST: usize = 12;
         let is_uncut = |pair: &&[[f64; 3]; 2]| {
-            let mut codes = pair
-                .iter()
-                .flat_map(|codes| channels.iter().map(|&k| codes[k]));
-            codes.all(|code| UNCUT.contains(&code))
+            let codes = pair.iter().map(|rgb| channels.iter().map(|&k| rgb[k]));
+            codes.flatten().all(|code| UNCUT.contains(&code))
         };
-        self.numbers.clear();
-        let uncut = self.pairs.iter().filter(is_uncut);
-        self.numbers.extend(uncut.map(|pair| number(*pair)));
-        if self.numbers.len() < LEAST.max(self.pairs.len() / 4) {
-            self.numbers.clear();
-            self.numbers
-                .extend(self.pairs.iter().map(|pair| number(*pair)));
+        let uncut: Vec<_> = self.pairs.iter().filter(is_uncut).copied().collect();
+        match uncut.len() >= LEAST.max(self.pairs.len() / 4) {
+            true => uncut,
+            false => self.pairs.clone(),
         }
-        self.numbers.sort_unstable_by(f64::total_cmp);
-        percentile(&self.numbers, 0.5)
     }
 }
 

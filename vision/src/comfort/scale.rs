@@ -78,9 +78,9 @@ impl Level {
 ///
 /// | row | raw number | c | l | source |
 /// | --- | --- | --- | --- | --- |
-/// | brightness | difference of luminance | 20 % | 50 % | see below |
+/// | brightness | difference of luminance | 20 % | 50 % | our choice |
 /// | colour | length of (Δa\*, Δb\*) | 3 | 10 | our choice |
-/// | vertical | 95th percentile of the difference of height | 5′ | 20′ | see below |
+/// | vertical | 95th percentile of the difference of height | 5′ | 20′ | our choice |
 /// | asynchrony | delay of one eye | 0.25 frames | 1 frame | our choice |
 /// | parallax deviation | change of the median parallax | 20′ | 60′ | our choice |
 /// | weak depth | range of parallax | 0.5 % | 0.15 % of the width | our choice |
@@ -88,20 +88,20 @@ impl Level {
 /// | over-convergence | crossed parallax | 1° | 1.84° | c: Lambooij; l: Nagata |
 /// | over-divergence | uncrossed parallax | 1° | 2.04°, or parallel | c: Lambooij; l: Nagata |
 /// | focal gap | difference of sharpness, log2 | 0.2 | 1 | our choice |
-/// | focal gap | difference of size | 1 % | 2.5 % | see below |
+/// | focal gap | difference of size | 1 % | 2.5 % | our choice |
 ///
-/// - BSkyB, "Technical guidelines for the creation and delivery of 3D programmes": a budget of 3 %
-///   of the width, from −1 % to +2 %, on screens of 46 to 70 inches.
+/// - BSkyB, "Technical guidelines for plano stereoscopic (3D) programme content": a depth budget of
+///   3 % of the width for the main subject, from −1 % to +2 %, on screens of 46 to 70 inches.
 /// - M. Lambooij, W. IJsselsteijn and I. Heynderickx, "Visual discomfort in stereoscopic displays:
 ///   a review", Proceedings of SPIE 6490, 2007: conflicts of accommodation and convergence are of
 ///   minor importance up to one degree of disparity.
 /// - S. Nagata, 2002: the 84th percentile of what viewers fuse, crossed and uncrossed. Where the
 ///   parallax at which lines of sight become parallel is a smaller angle, that is the limit l of
 ///   over-divergence, and c is at most three quarters of it, which is our choice.
-/// - F. L. Kooi and A. Toet, "Visual comfort of binocular and 3D displays", Displays 25, 2004,
-///   found that nearly all differences between the views reduce comfort, and give thresholds for
-///   them. The limits of brightness, the difference of size and the vertical deviation are of their
-///   order; the exact numbers are our choice, stricter for the vertical deviation.
+///
+/// F. L. Kooi and A. Toet, "Visual comfort of binocular and 3D displays", Displays 25, 2004, found
+/// that nearly all differences between the views reduce comfort if they are large enough. Where a
+/// limit is our choice, it is not taken from a publication.
 ///
 /// Stereoscopy is not a matter of degree, so that it has no scale.
 ///

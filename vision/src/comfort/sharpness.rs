@@ -6,7 +6,7 @@ use ga_image::plane::{Plane, PlaneView};
 use ga_runtime::batch::{Batch, Work};
 
 use super::matching::Match;
-use crate::quality::percentile;
+use crate::quality::median;
 
 /// Slopes are summed over so many pixels on either side of a match.
 const RADIUS: usize = 7;
@@ -20,8 +20,7 @@ const FLOOR: f64 = 100.0;
 ///
 /// Sharpness is the root mean square of slopes, divided by the contrast. Contrast is how much the
 /// means of luma around the points differ from each other, which blur hardly changes: a view of
-/// less contrast has smaller slopes and is not less sharp. Contrasts that differ by less than 7 %
-/// count as equal.
+/// less contrast has smaller slopes and is not less sharp.
 pub(super) fn measure(
     views: [&Plane<u8>; 2],
     matches: &[Match],
@@ -44,11 +43,6 @@ pub(super) fn measure(
     let [left, right] = [0, 1].map(|side| contrast(matches, side));
     let contrast = (right / left).log2();
     Some(slopes - contrast).filter(|sharpness| sharpness.is_finite())
-}
-
-fn median(numbers: &mut [f64]) -> f64 {
-    numbers.sort_unstable_by(f64::total_cmp);
-    percentile(numbers, 0.5)
 }
 
 /// The mean absolute difference of luma of neighbouring matches; at least one level, below which it

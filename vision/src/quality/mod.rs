@@ -12,5 +12,6 @@ mod pooling;
 mod video;
 
 pub use measures::{Measures, Meter};
+pub(crate) use pooling::median;
 pub use pooling::{PERCENTILES, Pooled, percentile};
 pub use video::{ComparisonError, FrameQuality, VideoComparison};

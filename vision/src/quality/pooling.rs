@@ -47,6 +47,12 @@ impl Pooled {
     }
 }
 
+/// The median, after which the values are sorted; NaN when there are none.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    percentile(values, 0.5)
+}
+
 /// The value below which a share from 0 to 1 of the sorted values lies: linear between the value of
 /// index ⌊h⌋ and the next, for h = (n − 1) share (R. J. Hyndman and Y. Fan, "Sample quantiles in
 /// statistical packages", 1996, type 7). NaN when there are no values.

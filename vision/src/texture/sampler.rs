@@ -1,6 +1,7 @@
 //! Colours between the pixels of a picture.
 
 use ga_image::colour::linear_from_srgb;
+use ga_image::interpolation::cubic_weights;
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
@@ -126,20 +127,13 @@ fn cubic(place: f64, length: usize) -> Taps<4> {
     let last = length - 1;
     let place = place.clamp(0.0, last as f64);
     let first = place.floor();
-    let t = (place - first) as f32;
+    let weights = cubic_weights(place - first).map(|weight| weight as f32);
     let first = first as usize;
     let indices = [
         first.saturating_sub(1),
         first,
         (first + 1).min(last),
         (first + 2).min(last),
-    ];
-    let (t2, t3) = (t * t, t * t * t);
-    let weights = [
-        0.5 * (2.0 * t2 - t3 - t),
-        0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
-        0.5 * (4.0 * t2 - 3.0 * t3 + t),
-        0.5 * (t3 - t2),
     ];
     (indices, weights)
 }

@@ -1,6 +1,6 @@
 //! Videos of two views.
 
-use ga_image::plane::Plane;
+use ga_image::plane::{Plane, SizeError};
 
 use super::{Frame, Planes, Properties, Samples, Source, VideoError};
 
@@ -206,6 +206,93 @@ fn split(whole: &Frame, layout: Layout, size: [usize; 2], halves: &mut [Frame; 2
                 Samples::Ten(part(planes, start, size, half.samples.take_ten()))
             }
         };
+    }
+}
+
+/// Both views in one frame: the inverse of [`StereoSource::halves`]. Where both views store a
+/// colour difference for one pair of pixels, as at an odd number of columns in 4:2:0, it is that of
+/// the left view.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_vision::video::stereo::{Layout, joined};
+/// use ga_vision::video::{Planes, Samples};
+///
+/// let view = |code: u8| {
+///     let luma = Plane::filled(3, 2, code);
+///     Samples::Eight(Planes { luma, ..Planes::default() })
+/// };
+/// let whole = joined([&view(40), &view(90)], Layout::SideBySide)?;
+/// assert_eq!(whole.size(), [6, 2]);
+/// assert_eq!(whole.eight_bits().luma.row(1), [40, 40, 40, 90, 90, 90]);
+/// # Ok::<(), ga_image::plane::SizeError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`SizeError::Differs`] where the views differ in size; also where they differ in depth, with
+/// equal sizes.
+pub fn joined(views: [&Samples; 2], layout: Layout) -> Result<Samples, SizeError> {
+    let [first, second] = views.map(Samples::size);
+    match views {
+        _ if first != second => Err(SizeError::Differs { first, second }),
+        [Samples::Eight(left), Samples::Eight(right)] => {
+            Ok(Samples::Eight(joined_planes([left, right], layout)))
+        }
+        [Samples::Ten(left), Samples::Ten(right)] => {
+            Ok(Samples::Ten(joined_planes([left, right], layout)))
+        }
+        _ => Err(SizeError::Differs { first, second }),
+    }
+}
+
+fn joined_planes<T: Copy + Default>(views: [&Planes<T>; 2], layout: Layout) -> Planes<T> {
+    let lumas = views.map(|view| &view.luma);
+    let size = [lumas[0].width(), lumas[0].height()];
+    let differences = [0, 1].map(|channel| {
+        let planes = views.map(|view| &view.differences[channel]);
+        if planes.iter().any(|plane| plane.is_empty()) {
+            return Plane::default();
+        }
+        // 1 or 2 pixels for each stored number.
+        let pixels = [
+            size[0].div_ceil(planes[0].width()),
+            size[1].div_ceil(planes[0].height()),
+        ];
+        let whole = match layout {
+            Layout::SideBySide => (2 * size[0]).div_ceil(pixels[0]),
+            Layout::TopBottom => (2 * size[1]).div_ceil(pixels[1]),
+        };
+        joined_plane(planes, layout, whole)
+    });
+    let whole = match layout {
+        Layout::SideBySide => 2 * size[0],
+        Layout::TopBottom => 2 * size[1],
+    };
+    Planes {
+        luma: joined_plane(lumas, layout, whole),
+        differences,
+    }
+}
+
+/// Two planes beside each other or one above the other, with so many columns or rows in all; the
+/// second one ends with the last of them.
+fn joined_plane<T: Copy + Default>(
+    [first, second]: [&Plane<T>; 2],
+    layout: Layout,
+    whole: usize,
+) -> Plane<T> {
+    let value = |plane: &Plane<T>, column: usize, row: usize| plane.get(column, row);
+    let (width, height) = (first.width(), first.height());
+    match layout {
+        Layout::SideBySide => Plane::from_fn(whole, height, |column, row| {
+            let later = || value(second, (column + second.width()).checked_sub(whole)?, row);
+            value(first, column, row).or_else(later).unwrap_or_default()
+        }),
+        Layout::TopBottom => Plane::from_fn(width, whole, |column, row| {
+            let later = || value(second, column, (row + second.height()).checked_sub(whole)?);
+            value(first, column, row).or_else(later).unwrap_or_default()
+        }),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The energy that a picture gives to each place.
 
 use ga_image::filter::{Border, Gaussian};
+use ga_image::interpolation::cubic_weights;
 use ga_image::plane::Plane;
 
 use super::{Flow, SnakeError};
@@ -140,12 +141,6 @@ fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 3]) {
     let floor = place.floor();
     let t = place - floor;
     let at = |offset: f64| (floor + offset).clamp(0.0, last) as usize;
-    let weights = [
-        ((2.0 - t) * t - 1.0) * t / 2.0,
-        ((3.0 * t - 5.0) * t * t + 2.0) / 2.0,
-        ((4.0 - 3.0 * t) * t + 1.0) * t / 2.0,
-        (t - 1.0) * t * t / 2.0,
-    ];
     let slopes = [
         ((4.0 - 3.0 * t) * t - 1.0) / 2.0,
         (9.0 * t - 10.0) * t / 2.0,
@@ -154,7 +149,7 @@ fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 3]) {
     ];
     let curvatures = [2.0 - 3.0 * t, 9.0 * t - 5.0, 4.0 - 9.0 * t, 3.0 * t - 1.0];
     let pixels = [at(-1.0), at(0.0), at(1.0), at(2.0)];
-    (pixels, [weights, slopes, curvatures])
+    (pixels, [cubic_weights(t), slopes, curvatures])
 }
 
 /// The length of the slope of a blurred picture, by Sobel's weights, times σ √(2π): 1 at a straight

@@ -1,6 +1,6 @@
 //! Defects of random amounts, injected into real pairs.
 
-use ga_vision::comfort::{Dimension, FrameMeasures, Level};
+use ga_vision::comfort::{Dimension, FrameMeasures, Histogram, Level};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -135,6 +135,39 @@ fn shifts_to_the_side_are_parallax() {
 }
 
 #[test]
+fn parallax_is_counted() {
+    for_each_pair(|name, [left, _], found, _| {
+        let parallax = found.parallax.as_ref().unwrap();
+        let points = found.matches.iter();
+        let all: Vec<f64> = points.map(|point| point.right[0] - point.left[0]).collect();
+        let one = 1.0 / all.len() as f64;
+        for (limit, share) in [
+            (parallax.near_px, 0.02),
+            (parallax.median_px, 0.5),
+            (parallax.far_px, 0.98),
+        ] {
+            let below = one * all.iter().filter(|x| **x < limit).count() as f64;
+            assert!((below - share).abs() <= one, "{name}: {below} {share}");
+        }
+        let mut twice = parallax.histogram.clone();
+        twice.merge(&parallax.histogram);
+        for (index, count) in parallax.histogram.counts().iter().enumerate() {
+            let middle = Histogram::middle_percent(index);
+            let is_inside = |x: &&f64| {
+                let percent = 100.0 * **x / left.width() as f64;
+                (percent - middle).abs() < 0.5 * Histogram::INTERVAL_PERCENT
+            };
+            assert_eq!(
+                *count as usize,
+                all.iter().filter(is_inside).count(),
+                "{name}"
+            );
+            assert_eq!(twice.counts()[index], 2 * count);
+        }
+    });
+}
+
+#[test]
 fn offsets_and_gains_of_one_view_are_measured() {
     for_each_pair(|name, [left, right], before, amounts| {
         let (photometry, sharpness) = (before.photometry.unwrap(), before.sharpness_log2.unwrap());
@@ -149,6 +182,13 @@ fn offsets_and_gains_of_one_view_are_measured() {
         assert!(colour.abs() < 1.0, "{name}, offset {offset}: {colour}");
         let change = found.sharpness_log2.unwrap() - sharpness;
         assert!(change.abs() < 0.1, "{name}, offset {offset}: {change}");
+        // It does not matter which of the views is brighter.
+        let darker = measures(&brighter, left).photometry.unwrap();
+        let [more, less] = [measured, darker].map(|found| found.luminance_percent);
+        assert!(
+            less > 0.0 && (more - less).abs() < 2.0,
+            "{name}, {offset}: {more} {less}"
+        );
 
         let gain = 0.8 + 0.1 * amounts.next();
         let scaled = |red: f64, others: f64| {
@@ -167,6 +207,11 @@ fn offsets_and_gains_of_one_view_are_measured() {
             "{name}, red {gain}"
         );
 
+        let green = right.map(|[r, g, b]| [r, gain as f32 * g, b]);
+        let measured = measures(left, &green).photometry.unwrap();
+        let error = measured.offset_codes - photometry.offset_codes;
+        assert!(error.abs() < 2.0, "{name}, green {gain}: {error}");
+
         // A darker view has another brightness, and neither another colour nor sharpness.
         let found = measures(left, &scaled(gain, gain));
         let colour = found.photometry.unwrap().colour_difference - photometry.colour_difference;
@@ -180,6 +225,25 @@ fn offsets_and_gains_of_one_view_are_measured() {
             );
         }
     });
+}
+
+/// Two thirds of the picture are nearly white, so that they do not show the whole difference.
+#[test]
+fn what_is_cut_off_at_white_does_not_count() {
+    let mut amounts = Amounts::new(77);
+    let mut blocks = vec![0.0_f32; 60 * 40];
+    for (index, block) in blocks.iter_mut().enumerate() {
+        let [usual, most] = if index % 60 < 20 {
+            [90.0, 40.0]
+        } else {
+            [227.0, 27.0]
+        };
+        *block = usual + most * amounts.next() as f32;
+    }
+    let left = Picture::from_fn(480, 320, |u, v| [blocks[u / 8 + 60 * (v / 8)]; 3]);
+    let right = left.map(|codes| codes.map(|code| (code + 30.0).min(255.0)));
+    let found = measures(&left, &right).photometry.unwrap();
+    assert!((found.offset_codes - 30.0).abs() < 2.0, "{found:?}");
 }
 
 #[test]

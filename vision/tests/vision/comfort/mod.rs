@@ -1,5 +1,6 @@
 //! The comfort of stereoscopic video: closed forms, pictures with known defects, and real ones.
 
+mod align;
 mod clip;
 mod defects;
 mod degenerate;

@@ -108,3 +108,11 @@ fn impossible_screens_are_named() {
         );
     }
 }
+
+/// A screen that is twice as wide as far is seen under a right angle.
+#[test]
+fn lengths_on_the_screen_are_seen_under_their_angle() {
+    let viewing = Viewing::new(2.0, 1.0, 0.063).unwrap();
+    assert!((viewing.degrees_of_length(100.0) - 90.0).abs() < 1e-9);
+    assert!((viewing.degrees_of_length(1.0) - 0.02_f64.to_degrees()).abs() < 1e-4);
+}

@@ -1,30 +1,36 @@
 //! Stereoscopic video without the defects that were measured in it.
 
-use std::collections::VecDeque;
+use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use ga_image::plane::Plane;
-use ga_image::y4m::{self, Film};
-use ga_vision::comfort::Viewing;
-use ga_vision::comfort::align::Aligner;
-use ga_vision::comfort::monitor::{Options, analyse};
-use ga_vision::comfort::stereoscopy::Stereoscopy;
-use ga_vision::video::Frame;
-use ga_vision::video::stereo::{Layout, StereoSource};
+use ga_image::y4m::{Film, Writer};
+use ga_vision::comfort::align::Plan;
+use ga_vision::video::stereo::{Layout, StereoSource, joined};
+use ga_vision::video::{Frame, Samples};
 
+use super::super::input::mean_rate;
 use super::{LayoutName, input};
 use crate::output;
 use crate::progress::Progress;
 
 /// Remove differences between the views of stereoscopic video that they should not have.
 ///
-/// What `nullcone video comfort` measures is applied backwards: views that are exchanged, the delay
-/// of one eye in whole frames, vertical shift, rotation and size of the right view, its brightness
-/// and its colours. Parallax and sharpness stay as they are. The video is read twice; the result
-/// has 8 bits and both views in each frame, one above the other if the video has them so, else side
-/// by side.
+/// What `nullcone video comfort` measures is applied backwards: the delay of one eye in whole
+/// frames, views that are exchanged, vertical shift, rotation and size of the right view, its
+/// brightness and its colours. Within a shot the right view is changed by the same amounts in all
+/// frames, unless the defect itself changes. The left view stays as it is; so do parallax and
+/// sharpness. A part of a frame by which an eye is late remains.
+///
+/// Where the right view is moved, what lies outside it is mirrored at its border. Where one eye is
+/// late, frames at both ends have no partner and are left out.
+///
+/// The video is read twice, and up to four times where one eye is late or views are exchanged, so
+/// that it cannot come from standard input. The result keeps the rate of frames (its mean, where
+/// it varies), the depth of 8 or 10 bits and the sampling of colours. It has both views in each
+/// frame, one above the other if IN has them so, else side by side, also for two files. It has no
+/// sound: Y4M cannot hold any.
 ///
 /// For instance
 ///
@@ -47,161 +53,150 @@ pub(in crate::commands::video) struct Arguments {
     out: PathBuf,
 }
 
-/// What is known of a video after it was read once.
-struct Plan {
-    /// Whether the views of each frame are exchanged.
-    exchanged: Vec<bool>,
-    /// By how many frames the right view is late.
-    delay: i64,
-}
-
 pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let out = arguments.out.as_path();
     ensure!(
-        arguments
-            .out
-            .extension()
-            .is_some_and(|ending| ending == "y4m"),
+        out.extension().is_some_and(|ending| ending == "y4m"),
         "--out {}: its name must end in .y4m",
-        arguments.out.display()
+        out.display()
     );
     let right = arguments.right.as_deref();
-    let is_stream = |path: &Path| path.as_os_str() == "-";
-    ensure!(
-        !is_stream(&arguments.video) && !right.is_some_and(is_stream),
-        "the video is read twice, which standard input does not allow: write it to a file first"
-    );
+    for video in [Some(arguments.video.as_path()), right]
+        .into_iter()
+        .flatten()
+    {
+        ensure!(
+            video.as_os_str() != "-",
+            "the video is read twice, which standard input does not allow: write it to a file first"
+        );
+        ensure!(
+            !is_same_file(video, out),
+            "--out {}: it is the video that is read",
+            out.display()
+        );
+    }
     let name = match (arguments.layout, right) {
         (None, None) => Some(LayoutName::SideBySide),
         (name, _) => name,
     };
     let layout = input::layout(name, right)?;
     let open = || input::open(&arguments.video, right, layout);
-    let progress = Progress::new(2, quiet);
-    progress.step("analysing");
-    let plan = Plan::of(&mut open()?, input::halves(layout))?;
-    progress.step("aligning");
     let mut source = open()?;
-    let folder = match arguments.out.parent() {
+    let folder = match out.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let cannot = || format!("cannot write {}", arguments.out.display());
+    let cannot = || format!("cannot write {}", out.display());
+    // It is removed if it does not get its name in the end.
     let mut file = tempfile::NamedTempFile::new_in(folder).with_context(cannot)?;
-    let written = {
-        let mut writer = BufWriter::new(file.as_file_mut());
-        let written = plan.write(&mut source, input::halves(layout), &mut writer)?;
-        writer.flush().with_context(cannot)?;
-        written
-    };
-    file.persist(&arguments.out).with_context(cannot)?;
-    drop(progress);
-    if !quiet {
-        let exchanged = plan
-            .exchanged
-            .iter()
-            .filter(|exchanged| **exchanged)
-            .count();
-        output::print(&format!(
-            "{}: {written} frames; views exchanged in {exchanged}; delay of {} frames removed\n",
-            arguments.out.display(),
-            plan.delay
-        ))?;
-    }
-    Ok(())
-}
-
-impl Plan {
-    fn of(source: &mut StereoSource, layout: Option<Layout>) -> Result<Self> {
-        let options = Options {
-            viewing: Viewing::default(),
-            layout,
-            threads: 2,
-        };
-        let (mut exchanged, mut delays) = (Vec::new(), Vec::new());
-        analyse(source, options, |record| {
-            exchanged.push(record.stereoscopy == Stereoscopy::Exchanged);
-            delays.extend(record.asynchrony.delay().map(|delay| delay.frames));
-        })?;
-        delays.sort_unstable_by(f64::total_cmp);
-        let delay = delays.get(delays.len() / 2).copied().unwrap_or(0.0);
-        Ok(Self {
-            exchanged,
-            delay: delay.round() as i64,
-        })
-    }
-
-    /// Writes the frames, and returns how many.
-    fn write(
-        &self,
-        source: &mut StereoSource,
-        layout: Option<Layout>,
-        writer: &mut impl Write,
-    ) -> Result<usize> {
-        let properties = *source.properties();
-        let film = Film {
-            frames_per_second: properties.frames_per_second.unwrap_or([25, 1]),
-            sampling: properties.sampling,
-            colours: properties.colours,
-        };
-        let mut aligner = Aligner::new(properties.size, properties.colours);
-        // Views that wait for the frame of the other eye.
-        let mut waiting: [VecDeque<Frame>; 2] = Default::default();
-        let mut skip = [(-self.delay).max(0), self.delay.max(0)];
-        let (mut views, mut read, mut written) = (<[Frame; 2]>::default(), 0, 0);
-        while source.read(&mut views)? {
-            if self.exchanged.get(read).copied().unwrap_or(false) {
-                views.swap(0, 1);
-            }
-            read += 1;
-            for (eye, queue) in waiting.iter_mut().enumerate() {
-                match skip[eye] {
-                    0 => queue.push_back(views[eye].clone()),
-                    _ => skip[eye] -= 1,
-                }
-            }
-            let [lefts, rights] = &mut waiting;
-            if let (Some(left), Some(right)) = (lefts.front(), rights.front()) {
-                let aligned = aligner.align(left, right)?;
-                let whole = joined(&left.to_rgb(properties.colours), &aligned, layout);
-                write_frame(writer, &whole, film, written == 0)?;
-                written += 1;
-                lefts.pop_front();
-                rights.pop_front();
-            }
+    let progress = Progress::new(1, quiet);
+    let count = source.properties().frame_count;
+    let show = |frame: usize| {
+        let frame = frame as u64 + 1;
+        if frame.is_multiple_of(8) {
+            progress.at(frame, count.map_or(2 * frame, |count| count as u64));
         }
-        ensure!(written > 0, "the video is shorter than the delay");
-        Ok(written)
-    }
-}
-
-/// Both views as one picture.
-fn joined(left: &Plane<[u8; 3]>, right: &Plane<[u8; 3]>, layout: Option<Layout>) -> Plane<[u8; 3]> {
-    let (width, height) = (left.width(), left.height());
-    match layout {
-        Some(Layout::TopBottom) => Plane::from_fn(width, 2 * height, |column, row| {
-            let view = if row < height { left } else { right };
-            view.row(row % height)[column]
-        }),
-        Some(Layout::SideBySide) | None => Plane::from_fn(2 * width, height, |column, row| {
-            let view = if column < width { left } else { right };
-            view.row(row)[column % width]
-        }),
-    }
-}
-
-/// Writes one frame, and the header of the file before the first one.
-fn write_frame(
-    writer: &mut impl Write,
-    picture: &Plane<[u8; 3]>,
-    film: Film,
-    is_first: bool,
-) -> Result<()> {
-    let bytes = y4m::encode([picture], film)?;
-    let header = bytes.iter().position(|byte| *byte == b'\n');
-    let start = match is_first {
-        true => 0,
-        false => header.map_or(0, |end| end + 1),
     };
-    writer.write_all(&bytes[start..])?;
+    progress.step("measuring");
+    let plan = Plan::of(open, input::halves(layout), 2, |reading, frame| {
+        if reading > 0 && frame == 0 {
+            progress.step("measuring again");
+        }
+        show(frame);
+    })?;
+    progress.step("aligning");
+    let halves = input::halves(layout).unwrap_or(Layout::SideBySide);
+    write(&plan, &mut source, halves, file.as_file_mut(), show).with_context(cannot)?;
+    file.persist(out).with_context(cannot)?;
+    drop(progress);
+    if quiet {
+        return Ok(());
+    }
+    output::print(&said(&plan, out))
+}
+
+/// Whether both names are those of one file that exists.
+fn is_same_file(first: &Path, second: &Path) -> bool {
+    match (first.canonicalize(), second.canonicalize()) {
+        (Ok(first), Ok(second)) => first == second,
+        _ => false,
+    }
+}
+
+/// What was done.
+fn said(plan: &Plan, out: &Path) -> String {
+    let delay = plan.delay();
+    let mut text = format!(
+        "{}: {} frames; views exchanged in {}; ",
+        out.display(),
+        plan.frames(),
+        plan.exchanged_frames()
+    );
+    text += &match delay.measured {
+        0 => "no frame shows a delay".to_owned(),
+        _ if delay.agreeing == 0 => format!(
+            "no delay removed: it is not the same in the {} frames that show one",
+            delay.measured
+        ),
+        measured => {
+            let mut text = format!("delay of {} frames removed", delay.frames);
+            if delay.agreeing < measured {
+                let others = measured - delay.agreeing;
+                text += &format!("; {others} of {measured} frames show another delay");
+            }
+            if delay.rest_frames.abs() >= 0.1 {
+                text += &format!("; {:.1} frames of it remain", delay.rest_frames);
+            }
+            text
+        }
+    };
+    text + "\n"
+}
+
+/// Writes all frames.
+fn write(
+    plan: &Plan,
+    source: &mut StereoSource,
+    layout: Layout,
+    file: &mut File,
+    mut show: impl FnMut(usize),
+) -> Result<()> {
+    let properties = *source.properties();
+    let (frames, last_seconds) = plan.source_frames();
+    let stated = properties.frames_per_second;
+    let film = Film {
+        frames_per_second: stated.unwrap_or_else(|| mean_rate(frames, last_seconds)),
+        sampling: properties.sampling,
+        colours: properties.colours,
+    };
+    let mut size = properties.size;
+    match layout {
+        Layout::SideBySide => size[0] *= 2,
+        Layout::TopBottom => size[1] *= 2,
+    }
+    let mut buffered = BufWriter::new(file);
+    let mut writer = Writer::new(&mut buffered, size, properties.bit_depth, film)?;
+    let mut written = 0;
+    plan.apply(source, |views| {
+        write_frame(&mut writer, views, layout)?;
+        show(written);
+        written += 1;
+        Ok::<(), anyhow::Error>(())
+    })?;
+    Ok(buffered.flush()?)
+}
+
+fn write_frame(writer: &mut Writer<impl Write>, views: [&Frame; 2], layout: Layout) -> Result<()> {
+    let whole = joined(views.map(|view| &view.samples), layout)?;
+    match &whole {
+        Samples::Eight(planes) => {
+            let [cb, cr] = &planes.differences;
+            writer.write([&planes.luma, cb, cr])?;
+        }
+        Samples::Ten(planes) => {
+            let [cb, cr] = &planes.differences;
+            writer.write([&planes.luma, cb, cr])?;
+        }
+    }
     Ok(())
 }

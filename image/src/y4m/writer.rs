@@ -1,0 +1,131 @@
+//! Writing a film as it comes.
+
+use std::io::{self, Write};
+
+use super::encode::header;
+use super::{Film, Number};
+use crate::file::{EncodeError, Format, size_for};
+use crate::plane::Plane;
+
+/// A film that is written frame by frame, of planes as they are stored, with 8 or 10 bits: the
+/// counterpart of [`Stream`](super::Stream).
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_image::y4m::{Film, Stream, Writer};
+///
+/// let (luma, difference) = (Plane::filled(5, 3, 700_u16), Plane::filled(3, 2, 512_u16));
+/// let mut bytes = Vec::new();
+/// let mut writer = Writer::new(&mut bytes, [5, 3], 10, Film::default())?;
+/// writer.write([&luma, &difference, &difference])?;
+/// assert!(bytes.starts_with(b"YUV4MPEG2 W5 H3 F25:1 Ip A1:1 C420p10 XCOLORRANGE=LIMITED\n"));
+///
+/// let mut stream = Stream::new(&bytes[..])?;
+/// let [mut first, mut cb, mut cr] = [(); 3].map(|()| Plane::<u16>::default());
+/// assert!(stream.read([&mut first, &mut cb, &mut cr])?);
+/// assert_eq!(first, luma);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Writer<W> {
+    writer: W,
+    size: [usize; 2],
+    bit_depth: u32,
+    film: Film,
+    /// The number of the next frame.
+    frame: usize,
+    bytes: Vec<u8>,
+}
+
+/// Why a film cannot be written further. Frames are counted from 0.
+#[derive(Debug, thiserror::Error)]
+pub enum WriterError {
+    /// The film or a frame has no form in the format.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// The bytes could not be written.
+    #[error("frame {frame} cannot be written: {source}")]
+    Write {
+        /// The frame.
+        frame: usize,
+        /// What the operating system said.
+        source: io::Error,
+    },
+}
+
+impl<W: Write> Writer<W> {
+    /// Writes the first line, for frames of so many columns and rows with numbers of 8 or 10 bits.
+    ///
+    /// # Errors
+    ///
+    /// [`WriterError::Encode`] for frames without pixels and for other depths.
+    pub fn new(
+        writer: W,
+        size: [usize; 2],
+        bit_depth: u32,
+        film: Film,
+    ) -> Result<Self, WriterError> {
+        size_for(Format::Y4m, size)?;
+        if ![8, 10].contains(&bit_depth) {
+            return Err(depth_error());
+        }
+        let mut film = Self {
+            writer,
+            size,
+            bit_depth,
+            film,
+            frame: 0,
+            bytes: header(size, bit_depth, film).into_bytes(),
+        };
+        film.send()?;
+        Ok(film)
+    }
+
+    /// Writes a frame of luma, Cb and Cr, the latter two as wide and high as the sampling of the
+    /// film says.
+    ///
+    /// # Errors
+    ///
+    /// [`WriterError::Encode`] where the planes have another size or depth than those of the film;
+    /// nothing is written then.
+    pub fn write<T: Number>(&mut self, planes: [&Plane<T>; 3]) -> Result<(), WriterError> {
+        if T::BIT_DEPTH != self.bit_depth {
+            return Err(depth_error());
+        }
+        let differences = self.film.sampling.difference_size(self.size);
+        for (plane, expected) in planes
+            .into_iter()
+            .zip([self.size, differences, differences])
+        {
+            let size = [plane.width(), plane.height()];
+            if size != expected {
+                return Err(WriterError::Encode(EncodeError::FrameSize {
+                    frame: self.frame,
+                    size,
+                    first: expected,
+                }));
+            }
+        }
+        self.bytes.clear();
+        self.bytes.extend(b"FRAME\n");
+        for plane in planes {
+            T::append(plane.values(), &mut self.bytes);
+        }
+        self.send()?;
+        self.frame += 1;
+        Ok(())
+    }
+
+    fn send(&mut self) -> Result<(), WriterError> {
+        let frame = self.frame;
+        let written = self.writer.write_all(&self.bytes);
+        written.map_err(|source| WriterError::Write { frame, source })
+    }
+}
+
+fn depth_error() -> WriterError {
+    WriterError::Encode(EncodeError::Kind {
+        format: Format::Y4m,
+        kind: "numbers of this depth",
+    })
+}
