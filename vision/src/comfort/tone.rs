@@ -139,8 +139,10 @@ mod tests {
     fn pairs(left: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
         let pair = |index: usize| {
             let right = (40 + index) as f64;
-            let error =
-                [0.3, -0.2, 0.1, -0.3, 0.0, 60.0][if index % 17 == 0 { 5 } else { index % 5 }];
+            let error = match index.is_multiple_of(17) {
+                true => 60.0,
+                false => [0.3, -0.2, 0.1, -0.3, 0.0][index % 5],
+            };
             [left(right) + error, right]
         };
         (0..160).map(pair).collect()

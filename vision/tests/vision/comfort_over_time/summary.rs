@@ -37,7 +37,7 @@ fn numbers_of_frames_with_a_score_are_added() {
     {
         let mut record = usual.clone();
         record.frame = frame;
-        record.begins_shot = frame % 3 == 0;
+        record.begins_shot = frame.is_multiple_of(3);
         for row in &mut record.rows {
             *row = Row::missing(row.dimension, Missing::NotMeasurable);
         }
