@@ -61,9 +61,9 @@ pub fn cubic_weights(t: f64) -> [f64; 4] {
     ]
 }
 
-/// The weights of six neighbouring pixels at a part `t` from 0 to 1 of the way from the third to the
-/// fourth, by Keys's cubic convolution of the fourth order, which is exact for polynomials of the
-/// third degree. Their sum is 1. It keeps more of the finest detail than [`cubic_weights`].
+/// The weights of six neighbouring pixels at a part `t` from 0 to 1 of the way from the third to
+/// the fourth, by Keys's cubic convolution of the fourth order, which is exact for polynomials of
+/// the third degree. Their sum is 1. It keeps more of the finest detail than [`cubic_weights`].
 ///
 /// ```
 /// use ga_image::interpolation::six_cubic_weights;
