@@ -39,7 +39,7 @@ fn records(count: usize, rate: [u32; 2], seed: u64, measures: &[FrameMeasures]) 
         .map(|frame| Record {
             frame,
             time_seconds: frame as f64 * f64::from(rate[1]) / f64::from(rate[0]),
-            begins_shot: frame == 0 || random.bits() % 20 == 0,
+            begins_shot: frame == 0 || random.bits().is_multiple_of(20),
             measures: measures[random.bits() as usize % measures.len()].clone(),
             asynchrony: Asynchrony::NoMotion,
             stereoscopy: Stereoscopy::Unknown,
