@@ -113,8 +113,8 @@ pub struct AsynchronyMeter {
     exchanges: VecDeque<usize>,
 }
 
-/// An exchange of the eyes counts in a decision if it lies at least so many frames before the newest
-/// frame that the decision waits for: [`AsynchronyMeter::exchange`] may be late by as many.
+/// An exchange of the eyes counts in a decision if it lies at least so many frames before the
+/// newest frame that the decision waits for: [`AsynchronyMeter::exchange`] may be late by as many.
 const LATE: usize = 4;
 
 impl AsynchronyMeter {

@@ -94,8 +94,8 @@ impl Kept {
 }
 
 impl Detail {
-    /// The surroundings of the point at which the sharper view has the steepest slopes, so that blur
-    /// shows well.
+    /// The surroundings of the point at which the sharper view has the steepest slopes, so that
+    /// blur shows well.
     fn new(views: &[Frame; 2], measures: &FrameMeasures) -> Option<Self> {
         let views = views.each_ref().map(|view| view.samples.eight_bits());
         let [width, height] = [views[0].luma.width(), views[0].luma.height()];
