@@ -271,6 +271,33 @@ fn cases_of_the_oracle_are_mended() {
     }
 }
 
+/// What is changed is the true right view, by its differences from the true left one.
+#[test]
+fn exchanged_views_are_corrected_in_their_order() {
+    let folder = "oracle/vision/seed1";
+    let view = |eye| Some(picture(&shared(&format!("{folder}/c24_{eye}.png"))?));
+    let (Some(left), Some(right)) = (view('L'), view('R')) else {
+        return;
+    };
+    let motion = Motion {
+        down: 5.0,
+        ..Motion::default()
+    };
+    let changed = moved(&right, motion).map(|rgb: [f32; 3]| rgb.map(|code| code + 12.0));
+    let stored = [samples(&changed), samples(&left)];
+    let (plan, views) = aligned(&film(&[stored], Sampling::Full));
+    assert_eq!(plan.exchanged_frames(), 1);
+    assert_eq!(views[0][0], samples(&left));
+    let correction = plan.corrections().next().unwrap();
+    assert!(
+        (correction.alignment.shift_px - 5.0).abs() < 0.1,
+        "{correction:?}"
+    );
+    for tone in &correction.tones {
+        assert!((tone.apply(100.0) - 88.0).abs() < 1.0, "{correction:?}");
+    }
+}
+
 /// Against the rotation, size and shift of a picture by an independent routine.
 #[test]
 fn pixels_are_taken_from_where_the_alignment_says() {
