@@ -140,6 +140,10 @@ fn parallax_is_counted() {
         let parallax = found.parallax.as_ref().unwrap();
         let points = found.matches.iter();
         let all: Vec<f64> = points.map(|point| point.right[0] - point.left[0]).collect();
+        // Points whose row is far from the model are left out; they are few.
+        let counted: u32 = parallax.histogram.counts().iter().sum();
+        let left_out = 1.0 - f64::from(counted) / all.len() as f64;
+        assert!((0.0..0.2).contains(&left_out), "{name}: {left_out}");
         let one = 1.0 / all.len() as f64;
         for (limit, share) in [
             (parallax.near_px, 0.02),
@@ -147,7 +151,10 @@ fn parallax_is_counted() {
             (parallax.far_px, 0.98),
         ] {
             let below = one * all.iter().filter(|x| **x < limit).count() as f64;
-            assert!((below - share).abs() <= one, "{name}: {below} {share}");
+            assert!(
+                (below - share).abs() <= one + left_out,
+                "{name}: {below} {share}"
+            );
         }
         let mut twice = parallax.histogram.clone();
         twice.merge(&parallax.histogram);
@@ -157,10 +164,11 @@ fn parallax_is_counted() {
                 let percent = 100.0 * **x / left.width() as f64;
                 (percent - middle).abs() < 0.5 * Histogram::INTERVAL_PERCENT
             };
-            assert_eq!(
-                *count as usize,
-                all.iter().filter(is_inside).count(),
-                "{name}"
+            let inside = all.iter().filter(is_inside).count();
+            let least = inside as f64 - left_out * all.len() as f64 - 0.5;
+            assert!(
+                (least..=inside as f64).contains(&f64::from(*count)),
+                "{name}: {count} of {inside}"
             );
             assert_eq!(twice.counts()[index], 2 * count);
         }
