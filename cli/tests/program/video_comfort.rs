@@ -176,6 +176,31 @@ fn two_pictures_are_one_frame() {
     assert_eq!(measured("c%d_L.png", "c%d_R.png").len(), 3);
 }
 
+/// A film of one view that begins with black frames: the frames before it is recognised have no
+/// score.
+#[test]
+fn a_film_of_one_view_is_not_scored() {
+    let folder = tempdir().unwrap();
+    write(&folder.path().join("mono.y4m"), 14, |frame| {
+        let share = frame.saturating_sub(4).min(6) as f64 / 6.0;
+        Plane::from_fn(480, 136, |column, row| {
+            [(share * f64::from(smooth(column, row))) as u8; 3]
+        })
+    });
+    let arguments = ["video", "comfort", "mono.y4m", "--layout", "side-by-side"];
+    let output = nullcone(folder.path(), arguments.iter().chain(&["--json"]));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("shows one view"));
+    let found = lines(&output.stdout);
+    assert!(found.len() >= 4, "{}", found.len());
+    for line in &found {
+        for name in ROWS {
+            let row = &line["rows"][name];
+            assert!(row["score"].is_null(), "{name}: {row}");
+        }
+    }
+}
+
 #[test]
 fn bad_input_is_named() {
     let folder = tempdir().unwrap();

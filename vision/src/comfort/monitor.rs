@@ -12,7 +12,7 @@ use super::deviation::DeviationMeter;
 use super::observer::{Each, Observer};
 use super::order::{Order, Place};
 use super::record::Known;
-use super::stereoscopy::{Alignment, Stereoscopy};
+use super::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
 use super::{ComfortError, FrameMeasures, FrameMeter, Record, Viewing};
 use crate::video::stereo::{Layout, StereoSource};
 use crate::video::{Frame, Properties, Samples};
@@ -248,6 +248,8 @@ impl Monitor {
             added.map_err(|source| ComfortError::Match { frame, source })?;
             let verdict = self.order.meter().verdict();
             if verdict == Stereoscopy::Unrelated && self.is_one_picture(left, right) {
+                // Nor do the frames before it show two views of different scenes.
+                *self.order.meter() = StereoscopyMeter::default();
                 return Err(ComfortError::Mono { frame });
             }
         }
