@@ -43,7 +43,7 @@ impl Problem<'_> {
     }
 
     /// How much it matters: red frames count twice. The order of the eyes comes first, since depth
-    /// means nothing without it; weak depth comes last, since it strains nobody.
+    /// means nothing without it; weak depth comes last, since it does not strain the eyes.
     fn weight(&self) -> f64 {
         let [_, orange, red] = self.row.levels.map(|count| count as f64);
         let factor = match self.dimension {
@@ -72,7 +72,7 @@ pub(super) fn sentences(
         }
     }
     let mut sentences = Vec::new();
-    // Too little depth strains nobody.
+    // Too little depth does not strain the eyes.
     let strains = |problem: &&Problem| problem.dimension != Dimension::WeakDepth;
     let straining = problems.iter().filter(strains).count();
     let red = problems.iter().filter(strains);

@@ -342,8 +342,8 @@ pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -
         }
         Dimension::Stereoscopy => "Look for the file of the other view: this one does not fit.",
         Dimension::WeakDepth => {
-            "It strains nobody, but the video gains little from being stereoscopic: take the \
-             cameras farther apart."
+            "It does not strain the eyes, but the video gains little from being stereoscopic: take \
+             the cameras farther apart."
         }
         Dimension::RichDepth => {
             "Take the cameras nearer to each other, or leave out what is nearest or farthest. A \
