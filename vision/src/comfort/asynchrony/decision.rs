@@ -25,7 +25,7 @@ const LEAST_BESIDE: f64 = 0.7;
 const BESIDE: RangeInclusive<usize> = 2..=6;
 
 /// The greatest standard error of a delay.
-const LEAST_CERTAINTY_FRAMES: f64 = 0.12;
+const GREATEST_ERROR_FRAMES: f64 = 0.12;
 
 /// The least number of frames with motion, as the reciprocal of the sum of squares of the parts
 /// that frames have in the energy of all changes.
@@ -165,7 +165,7 @@ fn combined(parts: &[Vec<(Products, usize)>], count: usize) -> Asynchrony {
         return Asynchrony::Ambiguous;
     };
     let uncertainty_frames = standard_error(&without_part).max(standard_error(&without_block));
-    if uncertainty_frames > LEAST_CERTAINTY_FRAMES {
+    if uncertainty_frames > GREATEST_ERROR_FRAMES {
         return Asynchrony::Ambiguous;
     }
     Asynchrony::Measured(Delay {
