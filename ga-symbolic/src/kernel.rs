@@ -3,7 +3,7 @@
 use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
-use crate::ir::{Arena, Node, Outcomes, Residue, Value};
+use crate::ir::{Arena, Node, Number, Outcomes, Residue, Value};
 use crate::lower::Choices;
 use crate::passes::{self, Cost, Stages};
 use crate::program::{Program, StepId, Witness};
@@ -68,19 +68,25 @@ impl Kernel {
         in_graph || self.outputs.iter().any(is_beyond)
     }
 
-    /// The outputs for given inputs over the prime field.
+    /// The outputs for given inputs over the prime field; zero where a root does not exist there.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
-        self.evaluate_with(inputs, &Outcomes::default())
+        let inputs: Vec<Number> = inputs.iter().copied().map(Number::from).collect();
+        let outputs = self
+            .evaluate_with(&inputs, &Outcomes::default())
+            .into_iter();
+        outputs
+            .map(|x| x.residue().unwrap_or(Residue::ZERO))
+            .collect()
     }
 
-    fn evaluate_with(&self, inputs: &[Residue], outcomes: &Outcomes) -> Vec<Residue> {
+    fn evaluate_with(&self, inputs: &[Number], outcomes: &Outcomes) -> Vec<Number> {
         let mut inputs = inputs.to_vec();
-        inputs.extend(self.literals.iter().copied().map(Residue::from_ratio));
+        inputs.extend(self.literals.iter().copied().map(Number::from_ratio));
         let values = self.arena.evaluate_with(&inputs, outcomes);
         self.outputs
             .iter()
-            .map(|output| values[output.node.index()] * Residue::from_ratio(output.factor))
+            .map(|output| values[output.node.index()] * Number::from_ratio(output.factor))
             .collect()
     }
 
@@ -105,15 +111,10 @@ impl Kernel {
             return false;
         };
         let expected = match result {
-            None => vec![
-                meaning
-                    .get(&Blade::SCALAR)
-                    .copied()
-                    .unwrap_or(Residue::ZERO),
-            ],
+            None => vec![meaning.get(&Blade::SCALAR).copied().unwrap_or(Number::ZERO)],
             Some(kind) => verify::stored(kind, &meaning),
         };
-        self.evaluate(&inputs_of(operands, &members)) == expected
+        self.has_outputs(operands, &members, &Outcomes::default(), expected)
     }
 
     /// Whether the graph agrees with the plain meaning of a program at the points of its witness.
@@ -128,23 +129,28 @@ impl Kernel {
             let expected = wanted.iter().flat_map(|(step, blades)| {
                 let value = &values[step.index()];
                 blades.iter().map(|named| {
-                    let found = value.get(&named.blade).copied().unwrap_or(Residue::ZERO);
+                    let found = value.get(&named.blade).copied().unwrap_or(Number::ZERO);
                     if named.is_negative { -found } else { found }
                 })
             });
-            let found = self.evaluate_with(&inputs_of(&program.operands, members), outcomes);
-            found.into_iter().eq(expected)
+            self.has_outputs(&program.operands, members, outcomes, expected)
         })
     }
-}
 
-/// The stored coefficients of some members, one after the other.
-fn inputs_of(operands: &[&TypeDefinition], members: &[verify::Numbers]) -> Vec<Residue> {
-    operands
-        .iter()
-        .zip(members)
-        .flat_map(|(kind, member)| verify::stored(kind, member))
-        .collect()
+    /// Whether the outputs at some members of the operands' types are those that are expected.
+    fn has_outputs(
+        &self,
+        operands: &[&TypeDefinition],
+        members: &[verify::Numbers],
+        outcomes: &Outcomes,
+        expected: impl IntoIterator<Item = Number>,
+    ) -> bool {
+        let stored = operands.iter().zip(members);
+        let stored = stored.flat_map(|(kind, member)| verify::stored(kind, member));
+        let found = self.evaluate_with(&stored.collect::<Vec<_>>(), outcomes);
+        let mut both = found.into_iter().zip(expected);
+        both.all(|(found, expected)| found.stands_for(expected))
+    }
 }
 
 /// The stored blades of a type, or the scalar.

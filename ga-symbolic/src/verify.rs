@@ -1,9 +1,9 @@
 //! Checks of expressions by evaluation over a prime field: what a result is, and that compiled code
 //! agrees with its source.
 //!
-//! An expression is evaluated at random members of its operands' types, in the integers modulo
-//! 2⁶¹ − 1, by its plain meaning: no identity, no fact, no graph. Each equation is tried at two
-//! points.
+//! An expression is evaluated at random members of its operands' types, in the integers modulo a
+//! prime of 61 bits, by its plain meaning: no identity, no fact, no graph. Each equation is tried
+//! at two points.
 
 pub use crate::member::{
     Numbers, Reason, facts_not_implied, from_stored, membership, sample, sequence, stored,
@@ -12,7 +12,6 @@ pub use crate::member::{
 use crate::algebra::{Algebra, Blade};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
-use crate::ir::Residue;
 use crate::member;
 use crate::program::{self, Program};
 
@@ -57,7 +56,7 @@ pub fn result_blades(
     for point in 0..member::points(algebra, operands) {
         let result = at_random(algebra, operands, expression, point).unwrap_or_default();
         for (blade, value) in result {
-            if value != Residue::ZERO && !blades.contains(&blade) {
+            if !value.is_zero() && !blades.contains(&blade) {
                 blades.push(blade);
             }
         }

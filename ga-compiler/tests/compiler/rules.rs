@@ -425,7 +425,10 @@ fn evaluate(case: &Case<'_>, kernel: &Kernel) -> Vec<ga_compiler::ir::Residue> {
         .iter()
         .flat_map(|kind| {
             let member = verify::sample(&case.definition.algebra, kind, &mut sequence);
-            verify::stored(kind, &member.expect("a member"))
+            let stored = verify::stored(kind, &member.expect("a member")).into_iter();
+            stored
+                .map(|x| x.residue().expect("a residue"))
+                .collect::<Vec<_>>()
         })
         .collect();
     kernel.evaluate(&inputs)

@@ -94,6 +94,39 @@ impl Ratio {
         }
     }
 
+    /// The root, where it is a fraction too.
+    #[must_use]
+    pub fn square_root(self) -> Option<Self> {
+        let root = |square: i128| {
+            let root = square.checked_isqrt()?;
+            (root * root == square).then_some(root)
+        };
+        if self.is_out_of_range() {
+            return None;
+        }
+        Self::new(root(self.numerator)?, root(self.denominator)?)
+    }
+
+    /// The largest fraction r that consists of primes up to 83 and whose square divides this: what
+    /// may stand before a root, since those primes are squares among the residues.
+    #[must_use]
+    pub fn root_factor(self) -> Self {
+        let of = |mut rest: i128| {
+            let mut root = 1_i128;
+            for prime in (2..=83_i128).filter(|n| (2..*n).all(|d| n % d != 0)) {
+                while rest != 0 && rest % (prime * prime) == 0 {
+                    rest /= prime * prime;
+                    root *= prime;
+                }
+            }
+            root
+        };
+        if self.is_out_of_range() || self == Self::ONE {
+            return Self::ONE;
+        }
+        Self::new(of(self.numerator), of(self.denominator)).unwrap_or(Self::ONE)
+    }
+
     /// The nearest floating-point number.
     #[must_use]
     pub fn to_f64(self) -> f64 {

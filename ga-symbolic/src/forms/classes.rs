@@ -4,8 +4,8 @@
 //! saturation (Tate et al. 2009; Willsey et al., egg, 2021).
 //!
 //! Two multivectors are taken as equal if they are equal at the random points of the program's
-//! witness. For polynomials and quotients of them an error has a probability below 2⁻⁵⁰, by the
-//! lemma of Schwartz and Zippel. So a rule only proposes an operation: what it gives is computed,
+//! witness, in residues and, where signs matter, in real numbers. For polynomials and quotients of
+//! them an error has a probability below 2⁻⁵⁰, by the lemma of Schwartz and Zippel. So a rule only proposes an operation: what it gives is computed,
 //! and decides the class it joins. A rule that is wrong proposes an operation that joins another
 //! class, and is not used for this one. Only where a rule states a way directly, since it groups
 //! what was there, is nothing computed.
@@ -25,7 +25,7 @@ use rustc_hash::FxHashMap;
 
 use super::FormRule;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
-use crate::ir::{Function, Residue};
+use crate::ir::{Function, Number, Residue};
 use crate::member::{Numbers, numbers};
 
 /// The place of a class.
@@ -111,6 +111,8 @@ pub(super) struct Class {
     pub(super) is_constant: bool,
     /// Whether it depends on uniform operands alone.
     pub(super) is_uniform: bool,
+    /// The operands that it was computed from, in rising order.
+    operands: Vec<usize>,
     is_unit: Option<bool>,
 }
 
@@ -179,10 +181,10 @@ impl<'a> Classes<'a> {
         let Some(first) = values.first() else {
             return Vec::new();
         };
-        let constant = |(blade, number): (&Blade, &Residue)| {
+        let constant = |(blade, number): (&Blade, &Number)| {
             let is_same = values.iter().all(|value| value.get(blade) == Some(number));
-            let factor = fraction(*number).filter(|_| is_same && blade.grade() == 1)?;
-            Some((*blade, factor))
+            let factor = fraction(number.residue()?).filter(|_| is_same && blade.grade() == 1)?;
+            (Number::from_ratio(factor) == *number).then_some((*blade, factor))
         };
         first.iter().filter_map(constant).collect()
     }
@@ -233,7 +235,8 @@ impl<'a> Classes<'a> {
         self.class(id).is_unit == Some(true)
     }
 
-    /// The order of classes that does not depend on how formulas are written: operands first.
+    /// The order of classes that does not depend on how formulas are written: operands first, then by
+    /// the operands that they are computed from, so that images are in the order of what is moved.
     pub(super) fn compare(&self, a: ClassId, b: ClassId) -> Ordering {
         let key = |id: ClassId| {
             let class = self.class(id);
@@ -241,11 +244,12 @@ impl<'a> Classes<'a> {
                 Operation::Operand(number) => Some(number),
                 _ => None,
             });
-            (class.is_constant, operand.unwrap_or(usize::MAX))
+            let operand = operand.unwrap_or(usize::MAX);
+            (class.is_constant, operand, &class.operands)
         };
         let numbers = |id: ClassId| {
             let values = self.class(id).values.iter().flatten();
-            values.map(|(blade, number)| (blade.0, *number))
+            values.map(|(blade, number)| (blade.0, number.residue()))
         };
         let by_value = || numbers(a).cmp(numbers(b));
         key(a).cmp(&key(b)).then_with(by_value)
@@ -266,8 +270,7 @@ impl<'a> Classes<'a> {
     /// The known class of a multivector, if there is one. Quotients and functions in the given
     /// classes limit where it exists.
     pub(super) fn find(&self, values: &[Numbers], from: &[ClassId]) -> Option<Term> {
-        let (key, scale) = normalised(values)?;
-        self.lookup(&key, scale, &self.limits(from)).ok()?
+        self.lookup(values, &normalised(values)?, &self.limits(from))
     }
 
     /// The class of what an operation gives; none if it is zero. `uniform` tells of operands.
@@ -283,10 +286,15 @@ impl<'a> Classes<'a> {
         let values: Vec<Numbers> = values(self).into_iter().map(without_zeros).collect();
         let reads = operation.reads();
         let mut limits = self.limits(&reads);
-        limits.extend(self.own_limit(&operation));
+        let is_constant = reads.iter().all(|id| self.class(*id).is_constant);
+        let mut numbers = values.iter().flat_map(|value| value.values());
+        // A constant that is a real number exists everywhere.
+        if !is_constant || reads.is_empty() || !numbers.all(|x| x.real().is_known()) {
+            limits.extend(self.own_limit(&operation));
+        }
         limits.sort();
         limits.dedup();
-        let Some((key, scale)) = normalised(&values) else {
+        if values.iter().all(Numbers::is_empty) {
             self.has_limited_zero |= !limits.is_empty();
             let zero = Term {
                 class: ClassId(0),
@@ -294,22 +302,37 @@ impl<'a> Classes<'a> {
             };
             self.known.insert(operation, zero);
             return None;
-        };
-        let term = match self.lookup(&key, scale, &limits) {
-            Ok(Some(term)) => term,
-            _ => {
+        }
+        let normalised = normalised(&values);
+        let found = normalised
+            .as_ref()
+            .and_then(|of| self.lookup(&values, of, &limits));
+        let term = match found {
+            Some(term) => term,
+            None => {
                 let class = ClassId(self.classes.len());
                 let all = |test: fn(&Class) -> bool| reads.iter().all(|id| test(self.class(*id)));
                 let is_leaf = matches!(operation, Operation::Operand(_));
+                let of_reads = reads.iter().flat_map(|id| self.class(*id).operands.iter());
+                let mut operands: Vec<usize> = of_reads.copied().collect();
+                if let Operation::Operand(number) = operation {
+                    operands.push(number);
+                }
+                operands.sort_unstable();
+                operands.dedup();
                 self.classes.push(Class {
                     is_constant: !is_leaf && all(|class| class.is_constant),
                     is_uniform: !is_leaf && all(|class| class.is_uniform),
                     values,
                     limits,
                     ways: Vec::new(),
+                    operands,
                     is_unit: None,
                 });
-                self.by_value.entry(key).or_default().push(class);
+                // What cannot be told apart by its residues equals nothing else.
+                if let Some((key, _)) = normalised {
+                    self.by_value.entry(key).or_default().push(class);
+                }
                 Term::of(class)
             }
         };
@@ -373,8 +396,7 @@ impl<'a> Classes<'a> {
                 _,
             ) => None,
             Operation::Function(function, arguments) => {
-                // Stand-ins do not tell the sign of √4, so functions of other numbers have other
-                // limits.
+                // Functions of other multiples of a number have other limits.
                 let factor = arguments[0].factor;
                 Some(Limit(Some(*function), arguments[0].class, Some(factor)))
             }
@@ -382,28 +404,26 @@ impl<'a> Classes<'a> {
         }
     }
 
-    /// The class with a key and limits. An error where its multiple is not a simple fraction.
+    /// The class with the same values up to a simple fraction, in residues and in real numbers, and
+    /// the same limits.
     fn lookup(
         &self,
-        key: &[u64],
-        scale: Residue,
+        values: &[Numbers],
+        (key, scale): &(Vec<u64>, Residue),
         limits: &[Limit],
-    ) -> Result<Option<Term>, NotSimple> {
-        let Some(found) = self.by_value.get(key) else {
-            return Ok(None);
-        };
-        for &class in found {
-            if self.class(class).limits != limits {
-                continue;
-            }
-            let Some((_, own)) = normalised(&self.class(class).values) else {
-                continue;
-            };
-            if let Some(factor) = fraction(scale * own.recip()) {
-                return Ok(Some(Term { class, factor }));
-            }
-        }
-        Err(NotSimple)
+    ) -> Option<Term> {
+        let found = self.by_value.get(key)?.iter().copied();
+        let mut same = found.filter(|class| self.class(*class).limits == limits);
+        same.find_map(|class| {
+            let known = &self.class(class).values;
+            let (_, own) = normalised(known)?;
+            let factor = fraction(*scale * own.recip())?;
+            let scale = Number::from_ratio(factor);
+            let mut pairs = known.iter().zip(values);
+            pairs
+                .all(|(known, value)| numbers::equal(&numbers::scaled(known, scale), value))
+                .then_some(Term { class, factor })
+        })
     }
 
     // What operations give.
@@ -423,22 +443,22 @@ impl<'a> Classes<'a> {
     }
 }
 
-struct NotSimple;
-
 fn without_zeros(mut value: Numbers) -> Numbers {
-    value.retain(|_, number| *number != Residue::ZERO);
+    value.retain(|_, number| !number.is_zero());
     value
 }
 
-/// The values divided by the first coefficient, as a key, and that coefficient; `None` of zero.
+/// The residues of some values divided by the first one, as a key, and that residue. `None` of
+/// zero, and where residues are missing or are zero for what is not.
 fn normalised(values: &[Numbers]) -> Option<(Vec<u64>, Residue)> {
-    let scale = *values.iter().flat_map(|value| value.values()).next()?;
+    let residue = |number: &Number| number.residue().filter(|residue| *residue != Residue::ZERO);
+    let scale = residue(values.iter().flat_map(|value| value.values()).next()?)?;
     let inverse = scale.recip();
     let mut key = Vec::new();
     for value in values {
         for (blade, number) in value {
             key.push(u64::from(blade.0));
-            let number = *number * inverse;
+            let number = residue(number)? * inverse;
             key.push(number.residue());
             if !number.is_real() {
                 // No residue is as large, so that the parts of different numbers are not confused.
@@ -450,28 +470,9 @@ fn normalised(values: &[Numbers]) -> Option<(Vec<u64>, Residue)> {
     Some((key, scale))
 }
 
-/// The fraction of small height that a residue is, by the extended algorithm of Euclid (Wang 1981).
+/// The fraction of small height that a residue is.
 fn fraction(residue: Residue) -> Option<Ratio> {
-    const MODULUS: i128 = (1 << 61) - 1;
-    if !residue.is_real() {
-        return None;
-    }
-    if residue == Residue::ONE {
-        return Some(Ratio::ONE);
-    }
-    if residue == -Residue::ONE {
-        return Some(Ratio::integer(-1));
-    }
-    let largest = i128::from(LARGEST);
-    let (mut a, mut b) = (MODULUS, i128::from(residue.residue()));
-    let (mut s, mut t) = (0_i128, 1_i128);
-    while b > largest {
-        let quotient = a / b;
-        (a, b) = (b, a - quotient * b);
-        (s, t) = (t, s - quotient * t);
-    }
-    if t.abs() > largest {
-        return None;
-    }
-    Ratio::new(b, t)
+    let units = [Ratio::ONE, Ratio::integer(-1)].into_iter();
+    let mut units = units.filter(|unit| Residue::from_ratio(*unit) == residue);
+    units.next().or_else(|| residue.to_ratio(LARGEST))
 }

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use super::classes::{ClassId, Classes, Operation};
 use crate::algebra::{Blade, Product, Unary};
-use crate::ir::{Arena, Facts, Multivector, Residue, Value};
+use crate::ir::{Arena, Facts, Multivector, Number, Value};
 use crate::lower::SandwichRule;
 use crate::passes::{cost, varying_cost};
 
@@ -158,17 +158,15 @@ fn support(classes: &Classes<'_>, id: ClassId) -> Support {
     let class = classes.class(id);
     let constant = |blade: Blade| {
         let mut values = class.values.iter();
-        let of = |number: Residue| values.all(|value| value.get(&blade) == Some(&number));
+        let of = |number: Number| values.all(|value| value.get(&blade) == Some(&number));
         let first = class.values.first()?.get(&blade).copied()?;
         let is_same = { of }(first);
         if !is_same {
             return None;
         }
-        match first {
-            Residue::ONE => Some(false),
-            minus if minus == -Residue::ONE => Some(true),
-            _ => None,
-        }
+        let signs = [(Number::ONE, false), (-Number::ONE, true)];
+        let mut signs = signs.into_iter().filter(|(one, _)| first == *one);
+        signs.next().map(|(_, is_negative)| is_negative)
     };
     let blades = classes.blades(id).into_iter();
     blades.map(|blade| (blade, constant(blade))).collect()

@@ -5,7 +5,7 @@ use super::estimate::Estimates;
 use super::{Form, FormRule, rules};
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Residue};
+use crate::ir::{Facts, Number};
 use crate::member::{membership, numbers};
 use crate::program::{Parity, Program, Step, StepId};
 
@@ -278,20 +278,41 @@ enum State {
 }
 
 impl Selection {
-    /// The operations other than associative products, in the order of their classes.
+    /// The operations in the order of their classes, with all factors of associative products
+    /// together, however they are grouped.
     fn operations(&self, classes: &Classes<'_>) -> Vec<Operation> {
         let mut order = self.order.clone();
         order.sort_unstable();
-        let operations = order
-            .iter()
-            .map(|id| &classes.class(*id).ways[self.ways[id.index()]].operation);
+        let operation = |id: ClassId| &classes.class(id).ways[self.ways[id.index()]].operation;
+        let associative = |id: ClassId| match operation(id) {
+            Operation::Product(product @ (Product::Geometric | Product::Wedge), factors) => {
+                Some((*product, factors))
+            }
+            _ => None,
+        };
+        let mut is_inner = vec![false; self.ways.len()];
+        for (product, factors) in order.iter().filter_map(|id| associative(*id)) {
+            for factor in factors {
+                is_inner[factor.index()] |= associative(*factor).is_some_and(|(p, _)| p == product);
+            }
+        }
+        let mut operations = Vec::new();
+        for &id in order.iter().filter(|id| !is_inner[id.index()]) {
+            let Some((product, factors)) = associative(id) else {
+                operations.push(operation(id).clone());
+                continue;
+            };
+            let mut flat = Vec::new();
+            let mut open: Vec<ClassId> = factors.iter().rev().copied().collect();
+            while let Some(next) = open.pop() {
+                match associative(next) {
+                    Some((inner, factors)) if inner == product => open.extend(factors.iter().rev()),
+                    _ => flat.push(next),
+                }
+            }
+            operations.push(Operation::Product(product, flat));
+        }
         operations
-            .filter(|operation| {
-                let associative = [Product::Geometric, Product::Wedge];
-                !matches!(operation, Operation::Product(product, _) if associative.contains(product))
-            })
-            .cloned()
-            .collect()
     }
 
     fn is_same(&self, other: &Self) -> bool {
@@ -451,9 +472,9 @@ fn state<'a>(
         let mut values = classes.class(id).values.iter();
         facts.null |= values.all(|value| {
             let square = numbers::product(algebra, Product::ScalarProduct, value, value);
-            square.values().all(|number| *number == Residue::ZERO)
+            square.values().all(|number| number.is_zero())
         });
-        let scale = Residue::from_ratio(factor);
+        let scale = Number::from_ratio(factor);
         let is_member = |kind: &&&TypeDefinition| {
             let mut values = classes.class(id).values.iter();
             values.all(|value| {

@@ -4,7 +4,7 @@
 use super::FormRule;
 use super::classes::{ClassId, Classes, Operation, Term};
 use crate::algebra::{Blade, Product, Ratio, Unary};
-use crate::ir::{Function, Residue};
+use crate::ir::{Function, Number};
 use crate::member::{Numbers, numbers};
 
 /// A class, or none where the result is zero.
@@ -18,7 +18,7 @@ impl Classes<'_> {
 
     pub(super) fn blade(&mut self, blade: Blade) -> Made {
         let points = self.points();
-        let value = Numbers::from([(blade, Residue::ONE)]);
+        let value = Numbers::from([(blade, Number::ONE)]);
         self.insert(Operation::Blade(blade), |_| vec![value; points], None)
     }
 
@@ -73,7 +73,18 @@ impl Classes<'_> {
         arguments: Vec<Term>,
         values: Vec<Numbers>,
     ) -> Made {
-        self.insert(Operation::Function(function, arguments), |_| values, None)
+        let mut arguments = arguments;
+        let (outer, inner) = function.outer_factor(arguments[0].factor);
+        arguments[0].factor = inner;
+        let scale = Number::from_ratio(Ratio::ONE / outer);
+        let of = |_: &Self| {
+            values
+                .iter()
+                .map(|value| numbers::scaled(value, scale))
+                .collect()
+        };
+        self.insert(Operation::Function(function, arguments), of, None)
+            .map(|term| term.scaled(outer))
     }
 
     pub(super) fn sandwich(&mut self, m: Term, x: Term, rule: Option<FormRule>) -> Made {
@@ -126,7 +137,7 @@ impl Classes<'_> {
                 .map(|point| {
                     let mut sum = Numbers::new();
                     for term in &all {
-                        let factor = Residue::from_ratio(term.factor);
+                        let factor = Number::from_ratio(term.factor);
                         for (&blade, &number) in &classes.class(term.class).values[point] {
                             numbers::add(&mut sum, blade, number * factor);
                         }
@@ -224,7 +235,7 @@ impl Classes<'_> {
             return Some(Term::of(*single).scaled(factor));
         }
         let of = |classes: &Self| {
-            let scale = Residue::from_ratio(Ratio::ONE / factor);
+            let scale = Number::from_ratio(Ratio::ONE / factor);
             let points = 0..classes.points();
             points
                 .map(|point| {

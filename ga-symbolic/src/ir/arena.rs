@@ -4,7 +4,7 @@ use std::hash::{Hash, Hasher};
 
 use rustc_hash::{FxHashMap, FxHasher};
 
-use super::{Function, Outcomes, Residue};
+use super::{Function, Number, Outcomes, Residue};
 use crate::algebra::Ratio;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
@@ -247,8 +247,23 @@ impl Arena {
         if let Some(known) = constant_value(function, arguments) {
             return Value::constant(known);
         }
+        if let [argument] = arguments {
+            let (outer, inner) = function.outer_factor(argument.factor);
+            if inner != argument.factor {
+                let argument = Value {
+                    factor: inner,
+                    ..*argument
+                };
+                return self.function(function, &[argument]).scaled(outer);
+            }
+        }
         match (function, arguments) {
             (Function::Select, [_, first, second]) if first == second => return *first,
+            (Function::Select, [condition, first, second])
+                if let Some(holds) = condition.as_constant() =>
+            {
+                return if holds.is_zero() { *second } else { *first };
+            }
             // A common factor moves outwards.
             (Function::Select, [condition, first, second])
                 if first.factor == second.factor && first.factor != Ratio::ONE =>
@@ -354,31 +369,34 @@ impl Arena {
     }
 
     /// The values of all nodes for the given inputs, over the prime field. A root that does not
-    /// exist is an arbitrary residue.
+    /// exist, and the inverse of zero, is an arbitrary residue.
     #[must_use]
     pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
-        self.evaluate_with(inputs, &Outcomes::default())
+        let inputs: Vec<Number> = inputs.iter().copied().map(Number::from).collect();
+        let values = self.evaluate_with(&inputs, &Outcomes::default());
+        let residues = values.into_iter().map(Number::residue);
+        residues
+            .map(|value| value.unwrap_or(Residue::ZERO))
+            .collect()
     }
 
-    /// The same, where outcomes are taken for some comparisons.
-    pub(crate) fn evaluate_with(&self, inputs: &[Residue], outcomes: &Outcomes) -> Vec<Residue> {
-        let mut results = Vec::with_capacity(self.nodes.len());
+    /// The values of all nodes for the given inputs, where outcomes are taken for some comparisons.
+    pub(crate) fn evaluate_with(&self, inputs: &[Number], outcomes: &Outcomes) -> Vec<Number> {
+        let mut results: Vec<Number> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
+            let of = |value: &Value| results[value.node.index()] * Number::from_ratio(value.factor);
             let result = match node {
-                Node::One => Residue::ONE,
+                Node::One => Number::ONE,
                 Node::Input(number) => inputs[*number],
-                Node::Sum(terms) => terms.iter().fold(Residue::ZERO, |sum, term| {
-                    sum + results_at(&results, term.node) * Residue::from_ratio(term.factor)
-                }),
-                Node::Product(a, b) => results_at(&results, *a) * results_at(&results, *b),
-                Node::Quotient(a, b) => results_at(&results, *a) * results_at(&results, *b).recip(),
+                Node::Sum(terms) => terms
+                    .iter()
+                    .map(of)
+                    .fold(Number::ZERO, |sum, term| sum + term),
+                Node::Product(a, b) => results[a.index()] * results[b.index()],
+                Node::Quotient(a, b) => results[a.index()] * results[b.index()].recip(),
                 Node::Function(function, arguments) => {
-                    let arguments: Vec<_> = arguments
-                        .iter()
-                        .map(|v| results_at(&results, v.node) * Residue::from_ratio(v.factor))
-                        .collect();
-                    let value = function.evaluate_with(&arguments, outcomes);
-                    value.unwrap_or_else(|| function.stand_in(&arguments))
+                    let arguments: Vec<_> = arguments.iter().map(of).collect();
+                    Number::function(*function, &arguments, outcomes)
                 }
             };
             results.push(result);
@@ -393,10 +411,10 @@ fn hash(value: impl Hash) -> u64 {
     hasher.finish()
 }
 
-/// What a function is at a constant, where that is a fraction.
+/// What a function is at constants, where that is a fraction.
 fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
-    let x = arguments[0].as_constant()?;
-    function.folded(x.is_zero(), x == Ratio::ONE)
+    let constants: Option<Vec<Ratio>> = arguments.iter().map(|x| x.as_constant()).collect();
+    function.exact(&constants?)
 }
 
 /// The value that a sum is without a node of its own, or else its factor and the terms of its node.
@@ -421,10 +439,6 @@ fn normal_sum(values: impl IntoIterator<Item = Value>) -> Result<Value, (Ratio, 
         term.factor = term.factor / factor;
     }
     Err((factor, terms.into()))
-}
-
-fn results_at(results: &[Residue], id: NodeId) -> Residue {
-    results[id.index()]
 }
 
 /// The factor that leaves coprime integers, the first of them positive.

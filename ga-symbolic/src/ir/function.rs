@@ -12,7 +12,8 @@ use crate::algebra::Ratio;
 /// type may depend: squares of roots, `sin² + cos² = 1`, and the like. A function without such an
 /// equation is a random function of its arguments. A condition is 0 or 1 there. A field that wraps
 /// around has no order, so a comparison is a random condition, the same wherever the same numbers
-/// are compared.
+/// are compared. Constants are compared as they are, and roots and absolute values of them have the
+/// right sign. [`Real`](super::Real) has the functions themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// `√x`.
@@ -135,6 +136,15 @@ impl Function {
         )
     }
 
+    /// Whether an identity may hold for stand-ins and not for real numbers, since it depends on
+    /// which of two numbers is positive, or larger.
+    #[must_use]
+    pub(crate) const fn depends_on_signs(self) -> bool {
+        matches!(self, Self::SquareRoot | Self::Absolute | Self::Select)
+            || self.is_random_choice()
+            || self.is_condition()
+    }
+
     /// Whether the stand-in makes a random choice between two outcomes.
     #[must_use]
     pub(crate) const fn is_random_choice(self) -> bool {
@@ -180,7 +190,7 @@ impl Function {
     pub fn evaluate(self, arguments: &[Residue]) -> Option<Residue> {
         let x = arguments[0];
         let two = Residue::new(2);
-        if let Some(exact) = self.folded(x == Residue::ZERO, x == Residue::ONE) {
+        if let Some(exact) = self.exact_at_residues(arguments) {
             return Some(Residue::from_ratio(exact));
         }
         let random = |of: Self| random(of, arguments);
@@ -243,30 +253,88 @@ impl Function {
         }
     }
 
-    /// The stand-in for a root of a constant that has none: an arbitrary residue, whose square is
-    /// not that constant. Roots of fractions always exist, but not all roots of sums of roots.
-    #[must_use]
-    pub fn stand_in(self, arguments: &[Residue]) -> Residue {
-        random(self, arguments)
+    /// The positive factor of the first argument that stands before the function instead:
+    /// `√(r² x) = r √x` and `|c x| = |c| |x|`, with what is left of it in the argument.
+    pub(crate) fn outer_factor(self, inner: Ratio) -> (Ratio, Ratio) {
+        match self {
+            Self::SquareRoot => {
+                let root = inner.root_factor();
+                (root, inner / (root * root))
+            }
+            Self::Absolute => {
+                // A square is one whatever its root is.
+                let size = inner.abs();
+                let is_square = (size * size).root_factor() == size;
+                if is_square {
+                    (size, Ratio::ONE)
+                } else {
+                    (Ratio::ONE, size)
+                }
+            }
+            _ => (Ratio::ONE, inner),
+        }
     }
 
-    /// The value at an argument of zero or one, where the graph folds it to a fraction.
+    /// The value at residues that stand for constants: it is that of the constants.
+    fn exact_at_residues(self, arguments: &[Residue]) -> Option<Ratio> {
+        let constant = |x: &Residue| x.to_ratio(LARGEST_CONSTANT);
+        let constants: Option<Vec<Ratio>> = match self {
+            Self::And | Self::Or | Self::Not | Self::Select => None,
+            Self::SquareRoot | Self::Absolute => arguments.iter().map(constant).collect(),
+            _ if self.is_random_choice() => arguments.iter().map(constant).collect(),
+            _ => {
+                let simple = [Ratio::ZERO, Ratio::ONE].into_iter();
+                let mut simple = simple.filter(|x| Residue::from_ratio(*x) == arguments[0]);
+                simple
+                    .next()
+                    .filter(|_| arguments.len() == 1)
+                    .map(|x| vec![x])
+            }
+        };
+        self.exact(&constants?)
+    }
+
+    /// The value at fractions, where it is a fraction itself. Larger fractions have none, since
+    /// they are not recognised among the residues.
     #[must_use]
-    pub(crate) fn folded(self, is_zero: bool, is_one: bool) -> Option<Ratio> {
+    pub(crate) fn exact(self, arguments: &[Ratio]) -> Option<Ratio> {
+        let x = arguments[0];
+        let is_large = |argument: &Ratio| argument.height() > i128::from(LARGEST_CONSTANT);
+        if arguments.iter().any(is_large) {
+            return None;
+        }
+        let condition = |holds: bool| Some(if holds { Ratio::ONE } else { Ratio::ZERO });
+        let second = || arguments[1];
+        let difference = || x - second();
         match self {
-            // Absolute values of other constants have other stand-ins over the prime field.
-            Self::SquareRoot | Self::Absolute | Self::Sine if is_zero => Some(Ratio::ZERO),
+            Self::SquareRoot => x.square_root(),
+            Self::Absolute => Some(x.abs()),
+            Self::Sine if x.is_zero() => Some(Ratio::ZERO),
             Self::Cosine | Self::Exponential | Self::StumpffCosine | Self::StumpffSine
-                if is_zero =>
+                if x.is_zero() =>
             {
                 Some(Ratio::ONE)
             }
-            Self::StumpffSineSlope if is_zero => Ratio::new(1, 6),
-            Self::SquareRoot if is_one => Some(Ratio::ONE),
-            Self::NaturalLogarithm if is_one => Some(Ratio::ZERO),
-            Self::SquareRoot
-            | Self::Absolute
-            | Self::Sine
+            Self::StumpffSineSlope if x.is_zero() => Ratio::new(1, 6),
+            Self::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
+            Self::Minimum => Some(if difference().is_negative() {
+                x
+            } else {
+                second()
+            }),
+            Self::Maximum => Some(if difference().is_negative() {
+                second()
+            } else {
+                x
+            }),
+            Self::Less => condition(difference().is_negative()),
+            Self::LessOrEqual => condition(difference().is_negative() || difference().is_zero()),
+            Self::Equal => condition(difference().is_zero()),
+            Self::And => Some(x * second()),
+            Self::Or => condition(!(x.is_zero() && second().is_zero())),
+            Self::Not => Some(Ratio::ONE - x),
+            Self::Select => Some(arguments[if x.is_zero() { 2 } else { 1 }]),
+            Self::Sine
             | Self::Cosine
             | Self::ArcTangent
             | Self::Exponential
@@ -275,28 +343,25 @@ impl Function {
             | Self::StumpffSine
             | Self::StumpffSineSlope
             | Self::VersorAngle
-            | Self::VersorAngleSlope
-            | Self::Minimum
-            | Self::Maximum
-            | Self::Less
-            | Self::LessOrEqual
-            | Self::Equal
-            | Self::And
-            | Self::Or
-            | Self::Not
-            | Self::Select => None,
+            | Self::VersorAngleSlope => None,
         }
     }
 }
+
+/// The largest numerator and denominator of a constant that is told from a random residue.
+const LARGEST_CONSTANT: u64 = 1 << 20;
 
 /// Outcomes that are taken for comparisons of some numbers, in place of random ones.
 #[derive(Clone, Debug, Default)]
 pub struct Outcomes(FxHashMap<(Function, Vec<u64>), bool>);
 
 impl Outcomes {
-    /// Takes an outcome for a comparison of two numbers, unless one is taken already.
+    /// Takes an outcome for a comparison of two numbers, unless one is taken already or they are
+    /// constants.
     pub(crate) fn set(&mut self, comparison: Function, numbers: &[Residue], holds: bool) {
-        self.0.entry(key(comparison, numbers)).or_insert(holds);
+        if comparison.exact_at_residues(numbers).is_none() {
+            self.0.entry(key(comparison, numbers)).or_insert(holds);
+        }
     }
 
     fn get(&self, function: Function, arguments: &[Residue]) -> Option<bool> {

@@ -13,13 +13,18 @@ mod arena;
 mod facts;
 mod function;
 mod multivector;
+mod number;
 mod plucker;
+mod real;
 mod residue;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
 pub use function::{Function, Outcomes};
 pub use multivector::Multivector;
+pub(crate) use number::Parts;
+pub use number::{Number, NumberSequence};
 pub use plucker::plucker;
+pub use real::Real;
 pub use residue::{Residue, Residue as Prime};
 pub use residue::{ResidueSequence, ResidueSequence as PrimeSequence};

@@ -1,17 +1,25 @@
-//! The field of integers modulo 2⁶¹ − 1 and the roots of its elements, in which the compiler checks
+//! The field of integers modulo a prime and the roots of its elements, in which the compiler checks
 //! its own work exactly.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::algebra::Ratio;
 
-const MODULUS: u64 = (1 << 61) - 1;
+/// How far the modulus is below 2⁶¹. Of the primes 2⁶¹ − d with d < 2³⁰ that are 7 modulo 8, it is
+/// the one modulo which the most of the smallest primes are squares: all up to 83.
+const BELOW: u64 = 139_666_593;
+const MODULUS: u64 = (1 << 61) - BELOW;
 
-/// A residue modulo p = 2⁶¹ − 1, or `a + b i` with such residues and i² = −1.
+/// A residue modulo the prime p = 2⁶¹ − 139,666,593, or `a + b i` with such residues and i² = −1.
 ///
 /// Since p is 3 modulo 4, −1 has no root among the residues, and the numbers `a + b i` form the
 /// field of p² elements. Every residue has a root there; the other elements have one in half of the
 /// cases.
+///
+/// Squares take the place of positive numbers: their products and quotients are squares, and of x
+/// and −x one is. The primes up to 83 are squares, and so are all positive fractions that consist
+/// of them. So the roots of 9 and of 3 x² are those of the real numbers where x is a square. A
+/// field has no order, so this is not true of all numbers: signs are decided by real numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Residue {
     real: u64,
@@ -100,6 +108,27 @@ impl Residue {
         residue(ratio.numerator()) * residue(ratio.denominator()).recip()
     }
 
+    /// The fraction of small height that a residue is, by the extended algorithm of Euclid
+    /// (Wang 1981).
+    #[must_use]
+    pub fn to_ratio(self, largest: u64) -> Option<Ratio> {
+        if !self.is_real() {
+            return None;
+        }
+        let largest = i128::from(largest);
+        let (mut a, mut b) = (i128::from(MODULUS), i128::from(self.real));
+        let (mut s, mut t) = (0_i128, 1_i128);
+        while b > largest {
+            let quotient = a / b;
+            (a, b) = (b, a - quotient * b);
+            (s, t) = (t, s - quotient * t);
+        }
+        if t.abs() > largest {
+            return None;
+        }
+        Ratio::new(b, t)
+    }
+
     /// The inverse; zero for zero.
     #[must_use]
     pub fn recip(self) -> Self {
@@ -131,10 +160,18 @@ const fn negative(a: u64) -> u64 {
     if a == 0 { 0 } else { MODULUS - a }
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "both parts are below 2⁶¹")]
+#[allow(clippy::cast_possible_truncation, reason = "the lower bits are meant")]
 const fn multiplied(a: u64, b: u64) -> u64 {
+    const LOW: u64 = (1 << 61) - 1;
     let wide = a as u128 * b as u128;
-    added(wide as u64 & MODULUS, (wide >> 61) as u64)
+    // 2⁶¹ is BELOW. The higher half is below 2⁶¹, then below 2²⁹.
+    let folded = (wide >> 61) * BELOW as u128 + (wide as u64 & LOW) as u128;
+    let twice = (folded >> 61) as u64 * BELOW + (folded as u64 & LOW);
+    if twice < MODULUS {
+        twice
+    } else {
+        twice - MODULUS
+    }
 }
 
 const fn power(mut base: u64, mut exponent: u64) -> u64 {
@@ -244,6 +281,32 @@ mod tests {
             Residue::ONE,
             "(−1)²"
         );
+    }
+
+    #[test]
+    fn products_agree_with_those_of_wide_integers() {
+        let mut sequence = ResidueSequence::new(11);
+        let edges = [0, 1, 2, BELOW, MODULUS - 1, MODULUS / 2].map(Residue::new);
+        let random: Vec<Residue> = (0..64).map(|_| sequence.next_residue()).collect();
+        for &a in edges.iter().chain(&random) {
+            for &b in edges.iter().chain(&random) {
+                let wide = u128::from(a.residue()) * u128::from(b.residue());
+                assert_eq!(u128::from((a * b).residue()), wide % u128::from(MODULUS));
+            }
+        }
+    }
+
+    #[test]
+    fn positive_fractions_of_small_primes_are_squares() {
+        for number in 1..=88_i128 {
+            let root = |n, d| Residue::from_ratio(Ratio::new(n, d).unwrap()).square_root();
+            assert!(root(number, 1).unwrap().is_real(), "{number}");
+            assert!(!root(-number, 1).unwrap().is_real(), "−{number}");
+            assert_eq!(
+                root(number * number, 49),
+                Some(Residue::from_ratio(Ratio::new(number, 7).unwrap()))
+            );
+        }
     }
 
     #[test]

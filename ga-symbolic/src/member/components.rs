@@ -10,14 +10,14 @@ use super::numbers::{Numbers, add, coefficient, product, scaled, unary};
 use super::stored::from_stored;
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
-use crate::ir::{Residue, ResidueSequence};
+use crate::ir::{Function, Number, NumberSequence, Real, Residue};
 
 /// The components of a type of unit versors.
 pub(super) struct Components<'a> {
     algebra: &'a Algebra,
     kind: &'a TypeDefinition,
     /// The bivectors, with their squares, which are scalars.
-    generators: Vec<(Numbers, Residue)>,
+    generators: Vec<(Numbers, Number)>,
     /// A member of each component, or of each two of opposite signs.
     seeds: Vec<Numbers>,
     is_of_vectors: bool,
@@ -55,17 +55,16 @@ impl<'a> Components<'a> {
     /// Whether −1 lies in the identity component.
     fn has_both_signs(&self) -> bool {
         let mut squares = self.generators.iter().map(|(_, square)| *square);
-        squares.any(|square| square != Residue::ZERO)
+        squares.any(|square| !square.is_zero())
     }
 
     /// A random member; `None` where none is found.
-    pub(super) fn sample(&self, sequence: &mut ResidueSequence) -> Option<Numbers> {
+    pub(super) fn sample(&self, sequence: &mut NumberSequence) -> Option<Numbers> {
         let count = self.count();
         let first = match count {
             0 => return None,
             1 => 0,
-            // The remainder is below the count.
-            _ => usize::try_from(sequence.next_residue().residue() % count as u64).unwrap_or(0),
+            _ => sequence.below(count),
         };
         let mut places = (first..count).chain(0..first);
         places.find_map(|place| self.draw(place, sequence).map(|draw| draw.member))
@@ -73,7 +72,7 @@ impl<'a> Components<'a> {
 
     /// Whether random members have every blade of the type, and no component is known of which they
     /// are only a part.
-    pub(super) fn are_whole(&self, sequence: &mut ResidueSequence) -> bool {
+    pub(super) fn are_whole(&self, sequence: &mut NumberSequence) -> bool {
         let mut blades: Vec<Blade> = Vec::new();
         for place in 0..self.count() {
             let Some(draw) = self.draw(place, sequence) else {
@@ -87,7 +86,7 @@ impl<'a> Components<'a> {
             if !is_group && !self.is_component(&draw) {
                 return false;
             }
-            let nonzero = draw.member.iter().filter(|(_, v)| **v != Residue::ZERO);
+            let nonzero = draw.member.iter().filter(|(_, v)| !v.is_zero());
             blades.extend(nonzero.map(|(blade, _)| *blade));
         }
         let mut coefficients = self.kind.coefficients.iter();
@@ -99,17 +98,17 @@ impl<'a> Components<'a> {
         if place < self.seeds.len() {
             seed.clone()
         } else {
-            scaled(seed, -Residue::ONE)
+            scaled(seed, -Number::ONE)
         }
     }
 
     /// A member of a component: a product with its seed, or else its image.
-    fn draw(&self, place: usize, sequence: &mut ResidueSequence) -> Option<Draw> {
-        let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
+    fn draw(&self, place: usize, sequence: &mut NumberSequence) -> Option<Draw> {
+        let one = Numbers::from([(Blade::SCALAR, Number::ONE)]);
         let mut versor = one.clone();
         let mut factors = Vec::new();
         for (bivector, square) in &self.generators {
-            let factor = unit_factor(self.algebra, bivector, *square, sequence.next_residue());
+            let factor = unit_factor(self.algebra, bivector, *square, sequence.next_number());
             versor = self.geometric(&versor, &factor);
             factors.push(factor);
         }
@@ -165,7 +164,7 @@ impl<'a> Components<'a> {
     /// multiple of f b.
     fn tangents(&self, draw: &Draw) -> Vec<Numbers> {
         let seed = self.recovered_seed(draw);
-        let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
+        let one = Numbers::from([(Blade::SCALAR, Number::ONE)]);
         let mut left = one.clone();
         let mut tangents = Vec::new();
         for (place, (bivector, _)) in self.generators.iter().enumerate() {
@@ -194,17 +193,17 @@ impl<'a> Components<'a> {
 /// that are derived as multiples of it belong to it.
 fn directions(kind: &TypeDefinition) -> Vec<(Blade, Numbers)> {
     let count = kind.stored().count();
-    let mut stored = vec![Residue::ZERO; count];
+    let mut stored = vec![Number::ZERO; count];
     let mut directions = Vec::new();
     for (place, c) in kind.stored().enumerate() {
-        stored[place] = Residue::ONE;
+        stored[place] = Number::ONE;
         let mut direction = from_stored(kind, &stored);
-        stored[place] = Residue::ZERO;
+        stored[place] = Number::ZERO;
         direction.retain(|blade, number| {
             let role = kind.coefficient(*blade).map(|c| &c.role);
             let is_constant = matches!(role, Some(Role::Constant(_)));
             let is_of_grade = blade.grade() == c.blade.grade();
-            *number != Residue::ZERO && !is_constant && is_of_grade
+            !number.is_zero() && !is_constant && is_of_grade
         });
         directions.push((c.blade, direction));
     }
@@ -212,7 +211,7 @@ fn directions(kind: &TypeDefinition) -> Vec<(Blade, Numbers)> {
 }
 
 /// The bivectors among the directions and of their vectors, with their squares.
-fn generators(algebra: &Algebra, directions: &[(Blade, Numbers)]) -> Vec<(Numbers, Residue)> {
+fn generators(algebra: &Algebra, directions: &[(Blade, Numbers)]) -> Vec<(Numbers, Number)> {
     let of_grade = |grade: u32| {
         let found = directions.iter().filter(move |(b, _)| b.grade() == grade);
         found.map(|(_, direction)| direction)
@@ -224,11 +223,18 @@ fn generators(algebra: &Algebra, directions: &[(Blade, Numbers)]) -> Vec<(Number
         bivectors.extend(others.map(|b| product(algebra, Product::Wedge, a, b)));
     }
     for bivector in &mut bivectors {
-        bivector.retain(|_, number| *number != Residue::ZERO);
-        let first = bivector.values().next().copied().unwrap_or(Residue::ONE);
+        bivector.retain(|_, number| !number.is_zero());
+        let first = bivector.values().next().copied().unwrap_or(Number::ONE);
         *bivector = scaled(bivector, first.recip());
     }
-    bivectors.sort();
+    // What differs in an order differs in a residue.
+    let residues = |bivector: &Numbers| -> Vec<(Blade, Option<Residue>)> {
+        let coefficients = bivector.iter();
+        coefficients
+            .map(|(blade, number)| (*blade, number.residue()))
+            .collect()
+    };
+    bivectors.sort_by_cached_key(residues);
     bivectors.dedup();
     let with_square = bivectors.into_iter().map(|bivector| {
         let square = product(algebra, Product::Geometric, &bivector, &bivector);
@@ -242,7 +248,7 @@ fn generators(algebra: &Algebra, directions: &[(Blade, Numbers)]) -> Vec<(Number
 fn starts(kind: &TypeDefinition, directions: &[(Blade, Numbers)]) -> Vec<(Blade, Numbers)> {
     let constants = kind.coefficients.iter();
     let constants = constants.filter(|c| matches!(c.role, Role::Constant(_)));
-    let constants = constants.map(|c| (c.blade, Numbers::from([(c.blade, Residue::ONE)])));
+    let constants = constants.map(|c| (c.blade, Numbers::from([(c.blade, Number::ONE)])));
     let mut starts: Vec<_> = directions.iter().cloned().chain(constants).collect();
     starts.sort_by_key(|(blade, _)| (blade.grade(), *blade));
     starts
@@ -255,7 +261,7 @@ fn starts(kind: &TypeDefinition, directions: &[(Blade, Numbers)]) -> Vec<(Blade,
 fn seeds(
     algebra: &Algebra,
     starts: Vec<(Blade, Numbers)>,
-    generators: &[(Numbers, Residue)],
+    generators: &[(Numbers, Number)],
 ) -> Vec<Numbers> {
     let mut basis: Vec<u32> = Vec::new();
     let reduced = |basis: &[u32], mask: u32| {
@@ -266,7 +272,7 @@ fn seeds(
     for (bivector, square) in generators {
         let mask = bivector.keys().next().map_or(0, |blade| blade.0);
         let mask = reduced(&basis, mask);
-        if *square != Residue::ZERO && mask != 0 {
+        if !square.is_zero() && mask != 0 {
             basis.push(mask);
             basis.sort_unstable_by(|a, b| b.cmp(a));
         }
@@ -289,24 +295,26 @@ fn seeds(
 }
 
 /// The root of a positive whole number, if it has one.
-fn size(norm: Residue) -> Option<Residue> {
+fn size(norm: Number) -> Option<Number> {
+    let norm = norm.residue()?;
     // Negative numbers and fractions are large residues.
     let is_positive = norm.is_real() && (1..1 << 40).contains(&norm.residue());
     let root = norm.square_root().filter(|root| root.is_real())?;
-    is_positive.then_some(root)
+    let real = Real::function(Function::SquareRoot, &[Real::exact(norm.residue() as f64)]);
+    is_positive.then_some(Number::new(Some(root), real))
 }
 
-fn only_scalar(value: &Numbers) -> Option<Residue> {
+fn only_scalar(value: &Numbers) -> Option<Number> {
     let mut others = value.iter().filter(|(blade, _)| **blade != Blade::SCALAR);
-    let is_scalar = others.all(|(_, number)| *number == Residue::ZERO);
+    let is_scalar = others.all(|(_, number)| number.is_zero());
     is_scalar.then(|| coefficient(value, Blade::SCALAR))
 }
 
 /// `(1 + αb)²/(1 − α²b²)`, a unit versor for every bivector b whose square is a scalar.
-fn unit_factor(algebra: &Algebra, bivector: &Numbers, square: Residue, alpha: Residue) -> Numbers {
-    let norm = (Residue::ONE - alpha * alpha * square).recip();
+fn unit_factor(algebra: &Algebra, bivector: &Numbers, square: Number, alpha: Number) -> Numbers {
+    let norm = (Number::ONE - alpha * alpha * square).recip();
     let mut root = scaled(bivector, alpha);
-    root.insert(Blade::SCALAR, Residue::ONE);
+    root.insert(Blade::SCALAR, Number::ONE);
     let versor = product(algebra, Product::Geometric, &root, &root);
     scaled(&versor, norm)
 }
@@ -322,7 +330,7 @@ fn sum(mut a: Numbers, b: &Numbers) -> Numbers {
 fn rank(mut rows: Vec<Numbers>) -> usize {
     let mut rank = 0;
     while let Some(mut row) = rows.pop() {
-        row.retain(|_, number| *number != Residue::ZERO);
+        row.retain(|_, number| !number.is_zero());
         let Some((&blade, &pivot)) = row.iter().next() else {
             continue;
         };

@@ -5,7 +5,7 @@ use super::reason::Reason;
 use super::stored::{from_stored, stored};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
-use crate::ir::Residue;
+use crate::ir::Number;
 
 /// The reasons why a multivector is not a member of a type; none if it is one.
 #[must_use]
@@ -19,7 +19,7 @@ pub fn membership(
         .iter()
         .filter(|&(&blade, &v)| {
             let wanted = kind.map_or(blade == Blade::SCALAR, |k| k.coefficient(blade).is_some());
-            v != Residue::ZERO && !wanted
+            !v.is_zero() && !wanted
         })
         .map(|(&blade, _)| (blade, algebra.names().name(blade)))
         .collect();
@@ -56,14 +56,14 @@ pub(super) fn broken_facts(
     if kind.facts.unit_versor {
         let reverse = numbers::unary(algebra, Unary::Reverse, value);
         let mut norm = numbers::product(algebra, Product::Geometric, value, &reverse);
-        let scalar = norm.remove(&Blade::SCALAR).unwrap_or(Residue::ZERO);
-        if scalar != Residue::ONE || norm.values().any(|&v| v != Residue::ZERO) {
+        let scalar = norm.remove(&Blade::SCALAR).unwrap_or(Number::ZERO);
+        if scalar != Number::ONE || norm.values().any(|v| !v.is_zero()) {
             broken.push("unit_versor");
         }
     }
     if kind.facts.null {
         let square = numbers::product(algebra, Product::Geometric, value, value);
-        if square.values().any(|&v| v != Residue::ZERO) {
+        if square.values().any(|v| !v.is_zero()) {
             broken.push("null");
         }
     }
@@ -71,7 +71,7 @@ pub(super) fn broken_facts(
         broken.push("blade");
     }
     if let Some(blade) = kind.facts.weight
-        && numbers::coefficient(value, blade) != Residue::ONE
+        && numbers::coefficient(value, blade) != Number::ONE
     {
         broken.push("weight");
     }

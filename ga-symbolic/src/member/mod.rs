@@ -1,4 +1,5 @@
-//! Members of types over the prime field: random ones, and whether a multivector is one.
+//! Members of types: random ones over the prime field, with real ones where signs matter, and
+//! whether a multivector is one.
 //!
 //! A type is the variety of the multivectors that have its blades, its constants and its facts. An
 //! equation between polynomials that holds at a random point of the variety holds everywhere with a

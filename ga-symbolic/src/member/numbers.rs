@@ -1,25 +1,25 @@
-//! Multivectors of residues, and the plain meaning of expressions.
+//! Multivectors of numbers, and the plain meaning of expressions.
 
 use std::collections::BTreeMap;
 
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::ir::Residue;
+use crate::ir::{Number, Parts};
 
-/// A multivector over the prime field. Blades that are absent are zero.
-pub type Numbers = BTreeMap<Blade, Residue>;
+/// A multivector at a random point. Blades that are absent are zero.
+pub type Numbers = BTreeMap<Blade, Number>;
 
 /// The coefficient of a blade.
-pub fn coefficient(value: &Numbers, blade: Blade) -> Residue {
-    value.get(&blade).copied().unwrap_or(Residue::ZERO)
+pub fn coefficient(value: &Numbers, blade: Blade) -> Number {
+    value.get(&blade).copied().unwrap_or(Number::ZERO)
 }
 
 /// The value, or its negative.
-pub(super) fn signed(value: Residue, is_negative: bool) -> Residue {
+pub(super) fn signed(value: Number, is_negative: bool) -> Number {
     if is_negative { -value } else { value }
 }
 
 /// The multiple of a multivector.
-pub fn scaled(value: &Numbers, factor: Residue) -> Numbers {
+pub fn scaled(value: &Numbers, factor: Number) -> Numbers {
     value
         .iter()
         .map(|(&blade, &number)| (blade, number * factor))
@@ -43,7 +43,7 @@ pub fn product(algebra: &Algebra, operation: Product, left: &Numbers, right: &Nu
         for (&b, &second) in right {
             let both = first * second;
             for &(blade, factor) in operation.of_blades(algebra, a, b).iter() {
-                add(&mut result, blade, both * Residue::from_ratio(factor));
+                add(&mut result, blade, both * Number::from_ratio(factor));
             }
         }
     }
@@ -56,7 +56,7 @@ pub fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> Numbers 
     let mut result = Numbers::new();
     for (&blade, &value) in operand {
         for (image, factor) in operation.of_blade(algebra, blade) {
-            add(&mut result, image, value * Residue::from_ratio(factor));
+            add(&mut result, image, value * Number::from_ratio(factor));
         }
     }
     result
@@ -66,7 +66,7 @@ pub fn unary(algebra: &Algebra, operation: Unary, operand: &Numbers) -> Numbers 
 pub fn is_odd(value: &Numbers) -> bool {
     let mut blades = value
         .iter()
-        .filter(|(_, value)| **value != Residue::ZERO)
+        .filter(|(_, value)| !value.is_zero())
         .peekable();
     blades.peek().is_some() && blades.all(|(blade, _)| blade.involute_is_negative())
 }
@@ -86,15 +86,15 @@ pub fn sandwich(algebra: &Algebra, versor: &Numbers, is_odd: bool, operand: &Num
 /// Whether `M ~M = 1` and M moves vectors to vectors. In five dimensions and fewer the second
 /// follows from the first for an M whose grades are all even or all odd.
 pub fn is_unit_versor(algebra: &Algebra, value: &Numbers) -> bool {
-    let one = Numbers::from([(Blade::SCALAR, Residue::ONE)]);
+    let one = Numbers::from([(Blade::SCALAR, Number::ONE)]);
     let reverse = unary(algebra, Unary::Reverse, value);
     let keeps_vectors = || {
         (0..algebra.dimension()).all(|index| {
-            let vector = Numbers::from([(Blade::vector(index), Residue::ONE)]);
+            let vector = Numbers::from([(Blade::vector(index), Number::ONE)]);
             let moved = sandwich(algebra, value, false, &vector);
             moved
                 .iter()
-                .all(|(blade, &number)| blade.grade() == 1 || number == Residue::ZERO)
+                .all(|(blade, number)| blade.grade() == 1 || number.is_zero())
         })
     };
     equal(&product(algebra, Product::Geometric, value, &reverse), &one)
@@ -106,7 +106,7 @@ pub fn is_unit_versor(algebra: &Algebra, value: &Numbers) -> bool {
 pub fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
     let mut grades = value
         .iter()
-        .filter(|(_, v)| **v != Residue::ZERO)
+        .filter(|(_, v)| **v != Number::ZERO)
         .map(|(blade, _)| blade.grade());
     let Some(grade) = grades.next() else {
         return true;
@@ -131,12 +131,30 @@ pub fn is_blade(algebra: &Algebra, value: &Numbers) -> bool {
             }
             product(algebra, Product::Wedge, &vector, value)
                 .values()
-                .all(|&v| v == Residue::ZERO)
+                .all(|v| v.is_zero())
         })
 }
 
+/// The multivector with some parts of another, blade by blade.
+pub(crate) fn with_parts_of(value: &Numbers, other: &Numbers, parts: Parts) -> Numbers {
+    let blades = value.keys().chain(other.keys());
+    blades
+        .map(|&blade| {
+            let (one, next) = (coefficient(value, blade), coefficient(other, blade));
+            (blade, one.with_parts_of(next, parts))
+        })
+        .collect()
+}
+
+/// The multivector without those parts that are not kept.
+pub(crate) fn only(value: &Numbers, parts: Parts) -> Numbers {
+    let each = value.iter();
+    each.map(|(&blade, number)| (blade, number.only(parts)))
+        .collect()
+}
+
 /// Adds to the coefficient of a blade.
-pub fn add(sums: &mut Numbers, blade: Blade, value: Residue) {
-    let sum = sums.entry(blade).or_insert(Residue::ZERO);
+pub fn add(sums: &mut Numbers, blade: Blade, value: Number) {
+    let sum = sums.entry(blade).or_insert(Number::ZERO);
     *sum = *sum + value;
 }

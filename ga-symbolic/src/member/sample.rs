@@ -6,7 +6,7 @@ use super::numbers::{Numbers, coefficient, product, scaled, signed};
 use super::stored::from_stored;
 use crate::algebra::{Algebra, Blade, Product};
 use crate::define::{Coefficient, Role, TypeDefinition};
-use crate::ir::{Residue, ResidueSequence};
+use crate::ir::{Number, NumberSequence};
 
 /// How many random points are tried, where every type is an irreducible variety.
 pub(crate) const POINTS: u64 = 2;
@@ -14,10 +14,10 @@ pub(crate) const POINTS: u64 = 2;
 /// How many are tried at most where types have several components.
 const MOST_POINTS: u64 = 64;
 
-/// The reproducible sequence of residues of a seed.
+/// The reproducible sequence of numbers of a seed.
 #[must_use]
-pub fn sequence(seed: u64) -> ResidueSequence {
-    ResidueSequence::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x6e75_6c6c_636f_6e65)
+pub fn sequence(seed: u64) -> NumberSequence {
+    NumberSequence::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x6e75_6c6c_636f_6e65)
 }
 
 /// A random member of a type; `None` where none is found.
@@ -31,7 +31,7 @@ pub fn sequence(seed: u64) -> ResidueSequence {
 pub fn sample(
     algebra: &Algebra,
     kind: &TypeDefinition,
-    sequence: &mut ResidueSequence,
+    sequence: &mut NumberSequence,
 ) -> Option<Numbers> {
     if kind.facts_are_implied {
         return Some(free_member(kind, sequence));
@@ -76,11 +76,7 @@ pub fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
     let Some(member) = sample(algebra, kind, &mut sequence(0)) else {
         return false;
     };
-    let has = |c: &Coefficient| {
-        member
-            .get(&c.blade)
-            .is_some_and(|value| *value != Residue::ZERO)
-    };
+    let has = |c: &Coefficient| member.get(&c.blade).is_some_and(|value| !value.is_zero());
     kind.coefficients.iter().all(has)
 }
 
@@ -88,23 +84,23 @@ pub fn is_family(algebra: &Algebra, kind: &TypeDefinition) -> bool {
 fn blade(
     algebra: &Algebra,
     kind: &TypeDefinition,
-    sequence: &mut ResidueSequence,
+    sequence: &mut NumberSequence,
 ) -> Option<Numbers> {
     let blades = || kind.coefficients.iter().map(|c| c.blade.0);
     let all = blades().fold(0, |all, blade| all | blade);
     let common = Blade(blades().fold(all, |common, blade| common & blade));
     let grade = kind.coefficients.first()?.blade.grade();
-    let mut member = Numbers::from([(common, Residue::ONE)]);
+    let mut member = Numbers::from([(common, Number::ONE)]);
     for _ in common.grade()..grade {
         let others = Blade(all & !common.0).vectors().map(Blade::vector);
         let vector: Numbers = others
-            .map(|vector| (vector, sequence.next_residue()))
+            .map(|vector| (vector, sequence.next_number()))
             .collect();
         member = product(algebra, Product::Wedge, &member, &vector);
     }
     // A multiple has the constant coefficient that the type states.
     let constant = kind.coefficients.iter().find_map(|c| match c.role {
-        Role::Constant(value) => Some((c.blade, signed(Residue::from_ratio(value), c.is_negative))),
+        Role::Constant(value) => Some((c.blade, signed(Number::from_ratio(value), c.is_negative))),
         Role::Stored | Role::Derived(_) => None,
     });
     if let Some((blade, value)) = constant {
@@ -116,7 +112,7 @@ fn blade(
 }
 
 /// The multivector with random stored coefficients, without regard to facts.
-pub(super) fn free_member(kind: &TypeDefinition, sequence: &mut ResidueSequence) -> Numbers {
-    let stored: Vec<_> = kind.stored().map(|_| sequence.next_residue()).collect();
+pub(super) fn free_member(kind: &TypeDefinition, sequence: &mut NumberSequence) -> Numbers {
+    let stored: Vec<_> = kind.stored().map(|_| sequence.next_number()).collect();
     from_stored(kind, &stored)
 }

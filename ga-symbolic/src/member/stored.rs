@@ -2,19 +2,19 @@
 
 use super::numbers::{Numbers, coefficient, signed};
 use crate::define::{PolynomialStep, Role, TypeDefinition};
-use crate::ir::Residue;
+use crate::ir::Number;
 
 /// The member with the given stored coefficients, in the order and with the signs of the
 /// declaration.
 #[must_use]
-pub fn from_stored(kind: &TypeDefinition, stored: &[Residue]) -> Numbers {
+pub fn from_stored(kind: &TypeDefinition, stored: &[Number]) -> Numbers {
     let mut fields = stored.iter().copied();
-    let written: Vec<Option<Residue>> = kind
+    let written: Vec<Option<Number>> = kind
         .coefficients
         .iter()
         .map(|c| match &c.role {
             Role::Stored => fields.next(),
-            Role::Constant(value) => Some(Residue::from_ratio(*value)),
+            Role::Constant(value) => Some(Number::from_ratio(*value)),
             Role::Derived(_) => None,
         })
         .collect();
@@ -24,14 +24,14 @@ pub fn from_stored(kind: &TypeDefinition, stored: &[Residue]) -> Numbers {
         .map(|(index, c)| {
             let value = match &c.role {
                 Role::Derived(polynomial) => polynomial.evaluate(
-                    &mut Residue::from_ratio,
-                    &mut |place| written[place].unwrap_or(Residue::ZERO),
+                    &mut Number::from_ratio,
+                    &mut |place| written[place].unwrap_or(Number::ZERO),
                     &mut |step, a, b| match step {
                         PolynomialStep::Sum => a + b,
                         PolynomialStep::Product => a * b,
                     },
                 ),
-                Role::Stored | Role::Constant(_) => written[index].unwrap_or(Residue::ZERO),
+                Role::Stored | Role::Constant(_) => written[index].unwrap_or(Number::ZERO),
             };
             (c.blade, signed(value, c.is_negative))
         })
@@ -40,7 +40,7 @@ pub fn from_stored(kind: &TypeDefinition, stored: &[Residue]) -> Numbers {
 
 /// The stored coefficients of a member, in the order and with the signs of the declaration.
 #[must_use]
-pub fn stored(kind: &TypeDefinition, value: &Numbers) -> Vec<Residue> {
+pub fn stored(kind: &TypeDefinition, value: &Numbers) -> Vec<Number> {
     kind.stored()
         .map(|c| signed(coefficient(value, c.blade), c.is_negative))
         .collect()

@@ -7,7 +7,7 @@
 use rustc_hash::FxHashMap;
 
 use super::{Program, Step, StepId};
-use crate::ir::{Function, ResidueSequence};
+use crate::ir::{Function, NumberSequence};
 use crate::member;
 
 /// Conditions with the outcomes that are wanted of them at one point.
@@ -64,7 +64,7 @@ pub(super) fn outcomes(program: &Program<'_>, goal: &Goal) -> Option<Goal> {
     (0..TRIES).find_map(|seed| attempt(program, goal, &mut member::sequence(seed)))
 }
 
-fn attempt(program: &Program<'_>, goal: &Goal, sequence: &mut ResidueSequence) -> Option<Goal> {
+fn attempt(program: &Program<'_>, goal: &Goal, sequence: &mut NumberSequence) -> Option<Goal> {
     let mut decided: FxHashMap<StepId, bool> = FxHashMap::default();
     let mut outcomes = Goal::new();
     let mut open = goal.clone();
@@ -80,8 +80,7 @@ fn attempt(program: &Program<'_>, goal: &Goal, sequence: &mut ResidueSequence) -
                 if (*function == Function::And) == holds {
                     open.extend(arguments.iter().map(|part| (*part, holds)));
                 } else {
-                    let place = sequence.next_residue().residue() & 1;
-                    open.push((arguments[usize::from(place == 1)], holds));
+                    open.push((arguments[sequence.below(2)], holds));
                 }
             }
             _ => outcomes.push((id, holds)),

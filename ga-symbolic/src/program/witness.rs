@@ -6,13 +6,16 @@ use super::evaluate::evaluate_step;
 use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Function, Outcomes, Residue};
+use crate::ir::{Facts, Function, Number, Outcomes, Parts, Residue};
 use crate::member::{self, Numbers, numbers};
 
 /// How many points are tried before points are taken at which roots are multiples of i, and how
-/// many before the search is given up.
+/// many before residues are given up.
 const TRIES_WITH_REAL_ROOTS: u64 = 4096;
 const TRIES: u64 = 2 * TRIES_WITH_REAL_ROOTS;
+
+/// How many points are tried in real numbers before those are given up.
+const TRIES_OF_REALS: u64 = 1024;
 
 /// How many points decide what holds everywhere at least where absolute values are taken: a wrong
 /// sign agrees at half of the points by chance.
@@ -42,13 +45,22 @@ const POINTS_WITH_ROOTS: usize = 64;
 /// Where too many roots depend on the same operands, they are multiples of i at some points. There
 /// the square of a root is still its argument, but `√x √y` is `√(x y)` or its negative, so what
 /// needs this identity is refused.
+///
+/// Where a step depends on a sign, as roots, absolute values and choices do, each point has a real
+/// number beside each residue, and what holds must hold in both. A value exists if it does in
+/// either: residues have no root where several roots of one number are needed, and real numbers
+/// none where the domain is so small that no random point hits it.
 #[derive(Clone, Debug, Default)]
 pub struct Witness {
     points: Vec<Point>,
     /// Points at which comparisons have outcomes that show a branch.
     chosen: Vec<Point>,
     tried: u64,
+    tried_reals: u64,
     tried_with_outcomes: u64,
+    /// How many steps were looked at for signs, and whether one of them depends on one.
+    searched: usize,
+    has_signs: bool,
     /// How many steps there were when the points showed all outcomes.
     covered: usize,
     /// How many points the types of that many operands take.
@@ -59,6 +71,8 @@ pub struct Witness {
 struct Point {
     members: Vec<Numbers>,
     values: Vec<Numbers>,
+    /// Steps whose value exists in neither part here.
+    missing: Vec<StepId>,
     /// The outcomes that some comparisons have here.
     wanted: Goal,
     /// The same by the numbers that are compared.
@@ -69,18 +83,8 @@ impl Witness {
     /// Evaluates the steps that were added since the last time. `false` where no point is found at
     /// which all of them exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
-        // The root of a square is its absolute value.
-        let is_sign = |step: &Step| {
-            matches!(
-                step,
-                Step::Function(Function::Absolute | Function::SquareRoot, _)
-            )
-        };
-        let signs = if program.steps.iter().any(is_sign) {
-            POINTS_WITH_SIGNS
-        } else {
-            0
-        };
+        self.look_for_signs(algebra, program);
+        let signs = if self.has_signs { POINTS_WITH_SIGNS } else { 0 };
         let operands = program.operands.len();
         let known = self.wanted.filter(|known| known.0 == operands);
         let known = known.unwrap_or_else(|| {
@@ -102,20 +106,57 @@ impl Witness {
             let is_covered = || is_covered(program, &self.points, self.covered);
             if self.points.len() >= wanted && is_real && is_covered() {
                 self.choose(algebra, program);
-                return true;
+                return self.all_exist(program);
             }
             if !is_real && self.points.len() >= POINTS_WITH_ROOTS {
                 return false;
             }
             let start = known.next().or_else(|| {
                 self.tried += 1;
-                start(algebra, program, self.tried - 1)
+                self.start(algebra, program, self.tried - 1)
             });
             let Some(point) = start.and_then(|start| self.settle(algebra, program, start)) else {
                 return false;
             };
             self.points.push(point);
         }
+    }
+
+    /// Gives real numbers to the points once a step depends on a sign.
+    fn look_for_signs(&mut self, algebra: &Algebra, program: &Program<'_>) {
+        let is_sign = |step: &Step| match step {
+            Step::Function(function, _) => function.depends_on_signs(),
+            Step::Select(..) => true,
+            _ => false,
+        };
+        let had_signs = self.has_signs;
+        self.has_signs |= program.steps[self.searched..].iter().any(is_sign);
+        self.searched = program.len();
+        if self.has_signs == had_signs {
+            return;
+        }
+        let mut points = std::mem::take(&mut self.points);
+        for (seed, point) in (0..).zip(&mut points) {
+            if let Some(other) = self.start(algebra, program, seed) {
+                let real = Parts {
+                    residue: false,
+                    real: true,
+                };
+                point.redraw(&[], other, real);
+            }
+        }
+        self.points = points;
+    }
+
+    /// Whether every step exists at some point.
+    fn all_exist(&self, program: &Program<'_>) -> bool {
+        let Some(first) = self.points.first() else {
+            return program.is_empty();
+        };
+        first.missing.iter().all(|id| {
+            let mut others = self.points.iter();
+            others.any(|point| !point.missing.contains(id))
+        })
     }
 
     /// Adds points that show the branches of choices, as far as there are some.
@@ -170,15 +211,23 @@ impl Witness {
 
     fn start_chosen(&mut self, algebra: &Algebra, program: &Program<'_>) -> Option<Point> {
         self.tried_with_outcomes += 1;
-        start(algebra, program, (1 << 32) + self.tried_with_outcomes)
+        start(
+            algebra,
+            program,
+            (1 << 32) + self.tried_with_outcomes,
+            false,
+        )
     }
 
     /// Evaluates the missing steps at a point with chosen outcomes. It is dropped where no point
     /// with them is found: there may be none, such as where a chosen divisor is zero.
     fn settle_chosen(&mut self, algebra: &Algebra, program: &Program<'_>, mut point: Point) {
-        let with_real_roots = self.tried < TRIES_WITH_REAL_ROOTS;
+        let patience = Patience {
+            with_real_roots: self.tried < TRIES_WITH_REAL_ROOTS,
+            parts: Parts::BOTH,
+        };
         for _ in 0..TRIES_OF_ONE {
-            let Err(failed) = point.extend(algebra, program, with_real_roots) else {
+            let Err((failed, parts)) = point.extend(algebra, program, &patience) else {
                 self.chosen.push(point);
                 return;
             };
@@ -188,7 +237,7 @@ impl Witness {
             let Some(other) = self.start_chosen(algebra, program) else {
                 return;
             };
-            point.redraw(program, failed, other);
+            point.redraw(&free_operands(program, failed), other, parts);
         }
     }
 
@@ -197,23 +246,41 @@ impl Witness {
     }
 
     /// Evaluates the missing steps at a point. Where a step does not exist, the operands that it
-    /// reads are drawn again, except for those that earlier roots read, which are settled.
+    /// reads are drawn again, except for those that earlier roots read, which are settled. After
+    /// many tries the point goes without the part that does not exist.
     fn settle(
         &mut self,
         algebra: &Algebra,
         program: &Program<'_>,
         mut point: Point,
     ) -> Option<Point> {
-        while let Err(failed) = point.extend(algebra, program, self.tried < TRIES_WITH_REAL_ROOTS) {
-            if self.tried >= TRIES {
-                return None;
-            }
-            self.tried += 1;
-            let other = start(algebra, program, self.tried - 1)?;
-            point.redraw(program, failed, other);
-            self.covered = 0;
+        loop {
+            let patience = Patience {
+                with_real_roots: self.tried < TRIES_WITH_REAL_ROOTS,
+                parts: Parts {
+                    residue: self.tried < TRIES,
+                    real: self.has_signs && self.tried_reals < TRIES_OF_REALS,
+                },
+            };
+            let Err((failed, parts)) = point.extend(algebra, program, &patience) else {
+                return Some(point);
+            };
+            let tried = if parts.residue {
+                self.covered = 0;
+                &mut self.tried
+            } else {
+                &mut self.tried_reals
+            };
+            *tried += 1;
+            let seed = *tried - 1 + if parts.residue { 0 } else { 1 << 33 };
+            let other = self.start(algebra, program, seed)?;
+            point.redraw(&free_operands(program, failed), other, parts);
         }
-        Some(point)
+    }
+
+    /// A point at which nothing is evaluated yet.
+    fn start(&self, algebra: &Algebra, program: &Program<'_>, seed: u64) -> Option<Point> {
+        start(algebra, program, seed, self.has_signs)
     }
 
     /// The values of a step.
@@ -236,7 +303,7 @@ impl Witness {
         let mut blades: Vec<Blade> = self
             .values(id)
             .flatten()
-            .filter(|(_, number)| **number != Residue::ZERO)
+            .filter(|(_, number)| !number.is_zero())
             .map(|(blade, _)| *blade)
             .collect();
         blades.sort();
@@ -313,52 +380,77 @@ impl Witness {
 }
 
 impl Point {
-    /// Evaluates the missing steps, up to the first that does not exist here, or that is not a
-    /// residue although roots shall be.
+    /// Evaluates the missing steps, up to the first that loses a part which is waited for.
     fn extend(
         &mut self,
         algebra: &Algebra,
         program: &Program<'_>,
-        with_real_roots: bool,
-    ) -> Result<(), StepId> {
+        patience: &Patience,
+    ) -> Result<(), (StepId, Parts)> {
         for (id, step) in program.steps().skip(self.values.len()) {
             if let Step::Function(function, arguments) = step
                 && let Some((_, holds)) = self.wanted.iter().find(|(wanted, _)| *wanted == id)
             {
-                let numbers = arguments
-                    .iter()
-                    .map(|part| numbers::coefficient(&self.values[part.index()], Blade::SCALAR));
-                let numbers: Vec<_> = numbers.collect();
-                self.outcomes.set(*function, &numbers, *holds);
+                let numbers = arguments.iter().map(|part| self.scalar(*part).residue());
+                let numbers: Option<Vec<_>> = numbers.collect();
+                if let Some(numbers) = numbers {
+                    self.outcomes.set(*function, &numbers, *holds);
+                }
             }
             let (members, values) = (&self.members, &self.values);
-            let value = evaluate_step(algebra, program, id, members, values, &self.outcomes);
-            let value = value.ok_or(id)?;
-            if with_real_roots && is_variable_root(program, id) && !is_real(&value) {
-                return Err(id);
+            let found = evaluate_step(algebra, program, id, members, values, &self.outcomes);
+            let mut lost = found.lost;
+            lost.residue |=
+                patience.with_real_roots && is_variable_root(program, id) && !is_real(&found.value);
+            let awaited = lost.and(patience.parts);
+            if awaited.residue {
+                let parts = Parts {
+                    real: false,
+                    ..awaited
+                };
+                return Err((id, parts));
             }
-            self.values.push(value);
+            if awaited.real {
+                return Err((id, awaited));
+            }
+            if !found.present.any() {
+                self.missing.push(id);
+            }
+            self.values.push(found.value);
         }
         Ok(())
     }
 
-    /// Takes the operands of another point that a failed step reads, except for those that earlier
-    /// roots read.
-    fn redraw(&mut self, program: &Program<'_>, failed: StepId, other: Self) {
-        let free = free_operands(program, failed);
+    /// The scalar that a step is.
+    fn scalar(&self, id: StepId) -> Number {
+        numbers::coefficient(&self.values[id.index()], Blade::SCALAR)
+    }
+
+    /// Takes some parts of some operands of another point; of all, if none are named.
+    fn redraw(&mut self, operands: &[usize], other: Self, parts: Parts) {
         self.values.clear();
+        self.missing.clear();
         self.outcomes = Outcomes::default();
         for (operand, member) in other.members.into_iter().enumerate() {
-            if free.is_empty() || free.contains(&operand) {
-                self.members[operand] = member;
+            if operands.is_empty() || operands.contains(&operand) {
+                let own = &mut self.members[operand];
+                *own = numbers::with_parts_of(own, &member, parts);
             }
         }
     }
 }
 
+/// What a point is drawn again for.
+struct Patience {
+    /// Whether a root must be a residue.
+    with_real_roots: bool,
+    /// The parts that must exist.
+    parts: Parts,
+}
+
 /// A point at which nothing is evaluated yet.
-fn start(algebra: &Algebra, program: &Program<'_>, seed: u64) -> Option<Point> {
-    let mut sequence = member::sequence(seed);
+fn start(algebra: &Algebra, program: &Program<'_>, seed: u64, with_reals: bool) -> Option<Point> {
+    let mut sequence = member::sequence(seed).with_reals(with_reals);
     let members = program.operands.iter();
     let members: Option<Vec<_>> = members
         .map(|kind| member::sample(algebra, kind, &mut sequence))
@@ -374,7 +466,7 @@ fn is_comparison(function: Function) -> bool {
 }
 
 fn is_true(point: &Point, id: StepId) -> bool {
-    numbers::coefficient(&point.values[id.index()], Blade::SCALAR) != Residue::ZERO
+    point.scalar(id).residue() != Some(Residue::ZERO)
 }
 
 /// Whether a step is a root of what depends on operands.
@@ -383,18 +475,21 @@ fn is_variable_root(program: &Program<'_>, id: StepId) -> bool {
 }
 
 fn is_real(value: &Numbers) -> bool {
-    value.values().all(|number| number.is_real())
+    let mut residues = value.values().filter_map(|number| number.residue());
+    residues.all(Residue::is_real)
 }
 
-/// Whether every root is a residue at some point: the root of `−x²` never is.
+/// Whether every root is a residue or a real number at some point: the root of `−x²` never is.
 fn has_real_roots(program: &Program<'_>, points: &[Point]) -> bool {
     let mut roots = program
         .steps()
         .map(|(id, _)| id)
         .filter(|&id| is_variable_root(program, id));
     roots.all(|id| {
-        let mut values = points.iter().map(|point| &point.values[id.index()]);
-        points.is_empty() || values.any(is_real)
+        let exists = |point: &Point| {
+            point.scalar(id).real().is_known() || is_real(&point.values[id.index()])
+        };
+        points.is_empty() || points.iter().any(exists)
     })
 }
 
@@ -422,9 +517,7 @@ fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
     let choices: Vec<(StepId, Option<StepId>)> = program.steps().filter_map(random).collect();
     // The points where each has one outcome, as bits.
     let outcomes = choices.iter().map(|(id, reference)| {
-        let scalar = |point: &Point, id: StepId| {
-            numbers::coefficient(&point.values[id.index()], Blade::SCALAR)
-        };
+        let scalar = |point: &Point, id: StepId| point.scalar(id).residue();
         let holds = |point: &Point| match reference {
             Some(first) => scalar(point, *id) == scalar(point, *first),
             None => is_true(point, *id),

@@ -112,7 +112,7 @@ fn try_product(classes: &mut Classes<'_>, id: ClassId, product: Product, a: Clas
     let values: Vec<_> = values
         .into_iter()
         .map(|mut value| {
-            value.retain(|_, number| *number != crate::ir::Residue::ZERO);
+            value.retain(|_, number| !number.is_zero());
             value
         })
         .collect();
