@@ -13,6 +13,8 @@ mod language;
 mod literals;
 mod passes;
 mod rules;
+mod signs;
+
 mod snapshots;
 mod spelling;
 mod staging;
