@@ -186,20 +186,48 @@ macro_rules! algebra {
 /// | `inverse` or `inv` | `~a/(a ~a)` |
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
-/// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
+/// | `sqrt`, `abs`, `hypot(x, y)`, `ln`, `recip` | of scalars |
+/// | `sin`, `cos`, `tan`, `asin`, `acos`, `atan2(y, x)` | of scalars, angles in radians |
+/// | `sinh`, `cosh`, `tanh` | of scalars |
+/// | `pow(x, 3)`, `pow(x, -2)`, `pow(x, 1/2)` | power with a number as exponent |
 /// | `point(x)` | where a vector, a flat point or a round is |
 /// | `endpoints(x)` | the two points of a point pair, as a tuple |
 /// | `min(x, y)`, `max(x, y)`, `clamp(x, low, high)`, `sign(x)` | of scalars |
 /// | `select(condition, a, b)` | a where the condition holds, else b |
 /// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
 /// | `!c`, `c && d`, <code>c &#124;&#124; d</code> | conditions from conditions |
-/// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
+/// | `2`, `0.5`, `pi`, `e12`, `Infinity` | exact numbers, π, basis blades, constant types |
 /// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
 ///
 /// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
 /// that shows both readings. A formula nests at most 128 levels deep (parentheses, calls, methods
 /// and signs) and has at most 1024 operators in a row; `let` splits a longer one.
+///
+/// # Powers
+///
+/// `x^2` would be the outer product of x and 2, which of a scalar is `2 x`. So the outer product,
+/// the contractions and the regressive product of two scalars are errors; a square is `x * x` or
+/// `pow(x, 2)`.
+///
+/// The exponent of `pow` is a number as it is written, from −1024 to 1024. Of a scalar it may be a
+/// fraction: where the denominator is 2, 4, 8 or 16, the power is a product of square roots, else
+/// `exp(y ln x)`, which is NaN for negative x, as roots are, and whose relative error grows with
+/// `|y ln x|`. A natural number multiplies any multivector with itself, by squaring, and a negative
+/// integer multiplies the inverse of a blade or versor. A variable exponent is written
+/// `exp(y * ln(x))`; a fraction t of a motion m `exp(t * log(m))`.
+///
+/// ```
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     /// The third side of a triangle, by the law of cosines.
+///     fn third(a: Scalar, b: Scalar, angle: Scalar) -> Scalar {
+///         sqrt(pow(a, 2) + pow(b, 2) - 2*a*b*cos(angle))
+///     }
+/// }
+/// # fn main() {
+/// assert!((third(3.0, 4.0, std::f64::consts::FRAC_PI_2) - 5.0).abs() < 1e-15);
+/// # }
+/// ```
 ///
 /// # Operands that are blades
 ///

@@ -59,6 +59,14 @@ pub enum Function {
     Not,
     /// The second argument where the condition that comes first holds, else the third.
     Select,
+    /// `sinh x`.
+    HyperbolicSine,
+    /// `cosh x`.
+    HyperbolicCosine,
+    /// `tanh x`.
+    HyperbolicTangent,
+    /// `√(x² + y²)`, without overflow in the squares.
+    Hypotenuse,
 }
 
 /// Earlier names of variants.
@@ -74,7 +82,7 @@ impl Function {
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 25] = [
         Self::SquareRoot,
         Self::Absolute,
         Self::Sine,
@@ -96,6 +104,10 @@ impl Function {
         Self::Or,
         Self::Not,
         Self::Select,
+        Self::HyperbolicSine,
+        Self::HyperbolicCosine,
+        Self::HyperbolicTangent,
+        Self::Hypotenuse,
     ];
 
     /// The number of arguments.
@@ -112,7 +124,8 @@ impl Function {
             | Self::LessOrEqual
             | Self::Equal
             | Self::And
-            | Self::Or => 2,
+            | Self::Or
+            | Self::Hypotenuse => 2,
             Self::SquareRoot
             | Self::Absolute
             | Self::Sine
@@ -122,7 +135,10 @@ impl Function {
             | Self::StumpffCosine
             | Self::StumpffSine
             | Self::StumpffSineSlope
-            | Self::Not => 1,
+            | Self::Not
+            | Self::HyperbolicSine
+            | Self::HyperbolicCosine
+            | Self::HyperbolicTangent => 1,
         }
     }
 
@@ -171,6 +187,10 @@ impl Function {
             Self::Or => &[Self::Or],
             Self::Not => &[Self::Not],
             Self::Select => &[Self::Select],
+            Self::HyperbolicSine => &[Self::HyperbolicSine],
+            Self::HyperbolicCosine => &[Self::HyperbolicCosine],
+            Self::HyperbolicTangent => &[Self::HyperbolicTangent],
+            Self::Hypotenuse => &[Self::Hypotenuse],
         }
     }
 
@@ -228,6 +248,14 @@ impl Function {
             Self::Not => Residue::ONE - x,
             Self::Select if x == Residue::ZERO => arguments[2],
             Self::Select => arguments[1],
+            // As C and S at x², of which they are cosh x = C and sinh x = x S.
+            Self::HyperbolicSine => x * Self::StumpffSine.evaluate(&[x * x])?,
+            Self::HyperbolicCosine => Self::StumpffCosine.evaluate(&[x * x])?,
+            Self::HyperbolicTangent => {
+                let cosine = Self::HyperbolicCosine.evaluate(arguments)?;
+                Self::HyperbolicSine.evaluate(arguments)? * cosine.recip()
+            }
+            Self::Hypotenuse => return (x * x + arguments[1] * arguments[1]).square_root(),
         })
     }
 
@@ -255,8 +283,20 @@ impl Function {
     pub(crate) fn folded(self, is_zero: bool, is_one: bool) -> Option<Ratio> {
         match self {
             // Absolute values of other constants have other stand-ins over the prime field.
-            Self::SquareRoot | Self::Absolute | Self::Sine if is_zero => Some(Ratio::ZERO),
-            Self::Cosine | Self::Exponential | Self::StumpffCosine | Self::StumpffSine
+            Self::SquareRoot
+            | Self::Absolute
+            | Self::Sine
+            | Self::HyperbolicSine
+            | Self::HyperbolicTangent
+                if is_zero =>
+            {
+                Some(Ratio::ZERO)
+            }
+            Self::Cosine
+            | Self::Exponential
+            | Self::StumpffCosine
+            | Self::StumpffSine
+            | Self::HyperbolicCosine
                 if is_zero =>
             {
                 Some(Ratio::ONE)
@@ -284,7 +324,11 @@ impl Function {
             | Self::And
             | Self::Or
             | Self::Not
-            | Self::Select => None,
+            | Self::Select
+            | Self::HyperbolicSine
+            | Self::HyperbolicCosine
+            | Self::HyperbolicTangent
+            | Self::Hypotenuse => None,
         }
     }
 }
@@ -360,7 +404,11 @@ mod tests {
             Function::And => Some(Function::Or),
             Function::Or => Some(Function::Not),
             Function::Not => Some(Function::Select),
-            Function::Select => None,
+            Function::Select => Some(Function::HyperbolicSine),
+            Function::HyperbolicSine => Some(Function::HyperbolicCosine),
+            Function::HyperbolicCosine => Some(Function::HyperbolicTangent),
+            Function::HyperbolicTangent => Some(Function::Hypotenuse),
+            Function::Hypotenuse => None,
         };
         let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
         assert!(every.eq(Function::ALL));
@@ -421,6 +469,21 @@ mod tests {
                 value(Function::Absolute),
                 Function::Absolute.evaluate(&[-x])
             );
+            let (Some(sinh), Some(cosh), Some(tanh)) = (
+                value(Function::HyperbolicSine),
+                value(Function::HyperbolicCosine),
+                value(Function::HyperbolicTangent),
+            ) else {
+                panic!("total")
+            };
+            assert_eq!(cosh * cosh - sinh * sinh, Residue::ONE);
+            assert_eq!(tanh * cosh, sinh);
+            assert_eq!(Function::HyperbolicSine.evaluate(&[-x]), Some(-sinh));
+            assert_eq!(Function::HyperbolicCosine.evaluate(&[-x]), Some(cosh));
+            let y = sequence.next_residue();
+            let length = Function::Hypotenuse.evaluate(&[x, y]).expect("total");
+            assert_eq!(length * length, x * x + y * y);
+            assert_eq!(Function::Hypotenuse.evaluate(&[y, -x]), Some(length));
         }
         assert!(
             (16..48).contains(&roots),

@@ -70,12 +70,8 @@ impl Witness {
     /// which all of them exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
         // The root of a square is its absolute value.
-        let is_sign = |step: &Step| {
-            matches!(
-                step,
-                Step::Function(Function::Absolute | Function::SquareRoot, _)
-            )
-        };
+        let is_sign =
+            |step: &Step| is_root(step) || matches!(step, Step::Function(Function::Absolute, _));
         let signs = if program.steps.iter().any(is_sign) {
             POINTS_WITH_SIGNS
         } else {
@@ -379,7 +375,14 @@ fn is_true(point: &Point, id: StepId) -> bool {
 
 /// Whether a step is a root of what depends on operands.
 fn is_variable_root(program: &Program<'_>, id: StepId) -> bool {
-    matches!(program.step(id), Step::Function(Function::SquareRoot, _)) && !program.is_constant(id)
+    is_root(program.step(id)) && !program.is_constant(id)
+}
+
+fn is_root(step: &Step) -> bool {
+    matches!(
+        step,
+        Step::Function(Function::SquareRoot | Function::Hypotenuse, _)
+    )
 }
 
 fn is_real(value: &Numbers) -> bool {
@@ -466,7 +469,7 @@ fn free_operands(program: &Program<'_>, failed: StepId) -> Vec<usize> {
             operands.retain(|operand| !settled.contains(operand));
             return operands;
         }
-        if matches!(step, Step::Function(Function::SquareRoot, _)) {
+        if is_root(step) {
             settled.extend(&operands);
         }
         read.push(operands);
