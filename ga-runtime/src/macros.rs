@@ -45,17 +45,25 @@
 ///
 /// `basis` names up to 16 vectors. The name of a blade joins the names of its vectors after their
 /// common prefix: `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`; another order changes the sign, `e21`
-/// is `−e12`. The metric is `signature p, q, r;` or any constant symmetric form, where products
-/// that are not stated are zero:
+/// is `−e12`. The metric is given in one of three ways:
 ///
 /// ```text
+/// basis e0 = 0, e1 = 1, e2 = 1;
+///
+/// basis e1, e2, e3, e0;
+/// signature 3, 0, 1;
+///
+/// basis e1, e2, e3, eo, ei;
 /// metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
 /// ```
 ///
-/// The squares of a signature, p times 1, then q times −1, then r times 0, go to the vectors in the
-/// order in which `basis` names them. So `basis e1, e2, e3, e0; signature 3, 0, 1;` means
-/// `e0² = 0`, while `basis e0, e1, e2, e3;` with the same signature means `e3² = 0`. Where the null
-/// vector comes first, state the metric: `metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;`.
+/// - The square stands beside each vector, `basis e0 = 0, e1 = 1;`. Products of two vectors may
+///   follow, `metric eo*ei = -1;`; those that are not stated are zero.
+/// - `signature p, q, r;` has the squares in the order in which `basis` names the vectors: p times
+///   1, then q times −1, then r times 0. So `basis e1, e2, e0; signature 2, 0, 1;` means `e0² = 0`,
+///   while with `basis e0, e1, e2;` the same signature means `e2² = 0`. Other libraries make e0
+///   null, so the compiler warns of the latter.
+/// - `metric` states the products entry by entry: any constant symmetric form.
 ///
 /// # Types
 ///
@@ -89,7 +97,12 @@
 /// `undual`. Braces list several types in one line. The result is stated with `->`, where `Self` is
 /// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
 /// type without facts has just the blades of the result. That each result lies in its type is
-/// verified when the macro runs, by exact evaluation at random points.
+/// verified when the macro runs, by exact evaluation at random points. Where no result is stated,
+/// products that are always zero are left out: `wedge({Vector, Bivector}, {Vector, Bivector});`
+/// declares those that are not, and the compiler warns of a line of which nothing is left.
+///
+/// Warnings come as the use of a deprecated constant `DECLARATION`, since macros have no warnings
+/// of their own; `#[allow(deprecated)]` on the module silences them.
 ///
 /// # What every type has
 ///
