@@ -352,9 +352,9 @@ fn of_call(name: &str, arguments: usize, place: &(impl ToTokens + Spanned)) -> R
         }
         ("recip", 1) => count.divisions += 1,
         ("sqrt", 1) => count.roots += 1,
-        ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln", 1)
+        ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln" | "sinh" | "cosh" | "tanh", 1)
         | ("versor_exponential", 1)
-        | ("atan2" | "versor_logarithm" | "min" | "max", 2)
+        | ("atan2" | "hypot" | "versor_logarithm" | "min" | "max", 2)
         | ("less_than" | "less_or_equal" | "equals", 2)
         | ("select", 3) => count.others += 1,
         _ => return Err(unknown("a call of", place)),

@@ -14,10 +14,11 @@ pub struct Warning {
     pub message: String,
 }
 
-/// All errors found so far.
+/// All errors and warnings found so far.
 #[derive(Default)]
 pub struct Diagnostics {
     errors: Option<Error>,
+    warnings: Vec<Warning>,
 }
 
 impl Diagnostics {
@@ -39,6 +40,11 @@ impl Diagnostics {
         }
     }
 
+    /// Adds a warning at a token.
+    pub fn warning(&mut self, span: Span, message: String) {
+        self.warnings.push(Warning { span, message });
+    }
+
     /// The number of errors, to find out whether a check added any.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -47,11 +53,11 @@ impl Diagnostics {
             .map_or(0, |errors| errors.into_iter().count())
     }
 
-    /// All errors as one, if there are any.
+    /// The warnings, or all errors as one if there are any.
     ///
     /// # Errors
     /// The errors that were collected.
-    pub fn into_result(self) -> syn::Result<()> {
-        self.errors.map_or(Ok(()), Err)
+    pub fn into_result(self) -> syn::Result<Vec<Warning>> {
+        self.errors.map_or(Ok(self.warnings), Err)
     }
 }

@@ -92,9 +92,9 @@ pub fn expand_algebra(tokens: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     let checked = parse::parse_declaration(source.clone())
-        .and_then(|syntax| check::check(syntax, runtime.clone()));
+        .and_then(|syntax| check::check_with_warnings(syntax, runtime.clone()));
     match checked {
-        Ok(definition) => emit::rust::algebra(&definition, &source),
+        Ok((definition, warnings)) => emit::rust::algebra(&definition, &source, &warnings),
         Err(errors) => emit::rust::stand_ins(&runtime, &source, &errors.into_compile_error()),
     }
 }

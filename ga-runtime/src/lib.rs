@@ -46,4 +46,16 @@ pub use algebras::sta::*;
 #[cfg(feature = "vga2")]
 pub use algebras::vga2::*;
 pub use algebras::vga3::*;
+// Never there: rustc lists them in notes on unresolved imports, and names the feature, which it
+// does not for what a `*` would have imported.
+#[cfg(all(feature = "cga2", not(feature = "cga2")))]
+pub mod cga2 {}
+#[cfg(all(feature = "pga2", not(feature = "pga2")))]
+pub mod pga2 {}
+#[cfg(all(feature = "pga3", not(feature = "pga3")))]
+pub mod pga3 {}
+#[cfg(all(feature = "sta", not(feature = "sta")))]
+pub mod sta {}
+#[cfg(all(feature = "vga2", not(feature = "vga2")))]
+pub mod vga2 {}
 pub use element::{Coefficients, Element, NotMember, ParseElementError};

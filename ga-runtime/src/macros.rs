@@ -45,17 +45,25 @@
 ///
 /// `basis` names up to 16 vectors. The name of a blade joins the names of its vectors after their
 /// common prefix: `e1`, `e2`, `eo` give `e12`, `e1o`, `e2o`; another order changes the sign, `e21`
-/// is `−e12`. The metric is `signature p, q, r;` or any constant symmetric form, where products
-/// that are not stated are zero:
+/// is `−e12`. The metric is given in one of three ways:
 ///
 /// ```text
+/// basis e0 = 0, e1 = 1, e2 = 1;
+///
+/// basis e1, e2, e3, e0;
+/// signature 3, 0, 1;
+///
+/// basis e1, e2, e3, eo, ei;
 /// metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1, eo*ei = -1;
 /// ```
 ///
-/// The squares of a signature, p times 1, then q times −1, then r times 0, go to the vectors in the
-/// order in which `basis` names them. So `basis e1, e2, e3, e0; signature 3, 0, 1;` means
-/// `e0² = 0`, while `basis e0, e1, e2, e3;` with the same signature means `e3² = 0`. Where the null
-/// vector comes first, state the metric: `metric e1*e1 = 1, e2*e2 = 1, e3*e3 = 1;`.
+/// - The square stands beside each vector, `basis e0 = 0, e1 = 1;`. Products of two vectors may
+///   follow, `metric eo*ei = -1;`; those that are not stated are zero.
+/// - `signature p, q, r;` has the squares in the order in which `basis` names the vectors: p times
+///   1, then q times −1, then r times 0. So `basis e1, e2, e0; signature 2, 0, 1;` means `e0² = 0`,
+///   while with `basis e0, e1, e2;` the same signature means `e2² = 0`. Other libraries make e0
+///   null, so the compiler warns of the latter.
+/// - `metric` states the products entry by entry: any constant symmetric form.
 ///
 /// # Types
 ///
@@ -89,7 +97,12 @@
 /// `undual`. Braces list several types in one line. The result is stated with `->`, where `Self` is
 /// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
 /// type without facts has just the blades of the result. That each result lies in its type is
-/// verified when the macro runs, by exact evaluation at random points.
+/// verified when the macro runs, by exact evaluation at random points. Where no result is stated,
+/// products that are always zero are left out: `wedge({Vector, Bivector}, {Vector, Bivector});`
+/// declares those that are not, and the compiler warns of a line of which nothing is left.
+///
+/// Warnings come as the use of a deprecated constant `DECLARATION`, since macros have no warnings
+/// of their own; `#[allow(deprecated)]` on the module silences them.
 ///
 /// # What every type has
 ///
@@ -186,20 +199,48 @@ macro_rules! algebra {
 /// | `inverse` or `inv` | `~a/(a ~a)` |
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
-/// | `sqrt`, `abs`, `sin`, `cos`, `atan2(y, x)`, `ln`, `recip` | of scalars |
+/// | `sqrt`, `abs`, `hypot(x, y)`, `ln`, `recip` | of scalars |
+/// | `sin`, `cos`, `tan`, `asin`, `acos`, `atan2(y, x)` | of scalars, angles in radians |
+/// | `sinh`, `cosh`, `tanh` | of scalars |
+/// | `pow(x, 3)`, `pow(x, -2)`, `pow(x, 1/2)` | power with a number as exponent |
 /// | `point(x)` | where a vector, a flat point or a round is |
 /// | `endpoints(x)` | the two points of a point pair, as a tuple |
 /// | `min(x, y)`, `max(x, y)`, `clamp(x, low, high)`, `sign(x)` | of scalars |
 /// | `select(condition, a, b)` | a where the condition holds, else b |
 /// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
 /// | `!c`, `c && d`, <code>c &#124;&#124; d</code> | conditions from conditions |
-/// | `2`, `0.5`, `e12`, `Infinity` | exact numbers, basis blades, constant types |
+/// | `2`, `0.5`, `pi`, `e12`, `Infinity` | exact numbers, π, basis blades, constant types |
 /// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
 ///
 /// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
 /// that shows both readings. A formula nests at most 128 levels deep (parentheses, calls, methods
 /// and signs) and has at most 1024 operators in a row; `let` splits a longer one.
+///
+/// # Powers
+///
+/// `x^2` would be the outer product of x and 2, which of a scalar is `2 x`. So the outer product,
+/// the contractions and the regressive product of two scalars are errors; a square is `x * x` or
+/// `pow(x, 2)`.
+///
+/// The exponent of `pow` is a number as it is written, from −1024 to 1024. Of a scalar it may be a
+/// fraction: where the denominator is 2, 4, 8 or 16, the power is a product of square roots, else
+/// `exp(y ln x)`, which is NaN for negative x, as roots are, and whose relative error grows with
+/// `|y ln x|`. A natural number multiplies any multivector with itself, by squaring, and a negative
+/// integer multiplies the inverse of a blade or versor. A variable exponent is written
+/// `exp(y * ln(x))`; a fraction t of a motion m `exp(t * log(m))`.
+///
+/// ```
+/// ga_runtime::ga! { ga_runtime::cga3;
+///     /// The third side of a triangle, by the law of cosines.
+///     fn third(a: Scalar, b: Scalar, angle: Scalar) -> Scalar {
+///         sqrt(pow(a, 2) + pow(b, 2) - 2*a*b*cos(angle))
+///     }
+/// }
+/// # fn main() {
+/// assert!((third(3.0, 4.0, std::f64::consts::FRAC_PI_2) - 5.0).abs() < 1e-15);
+/// # }
+/// ```
 ///
 /// # Operands that are blades
 ///

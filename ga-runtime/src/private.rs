@@ -22,3 +22,7 @@ pub use approx_05 as approx;
 pub use num_traits_02 as num_traits;
 #[cfg(feature = "serde-1")]
 pub use serde_1 as serde;
+
+/// A type without values, as the right operand of operators that an algebra does not declare.
+#[derive(Debug)]
+pub struct NoFactor<S>(core::convert::Infallible, core::marker::PhantomData<S>);

@@ -39,14 +39,3 @@ pub trait Sandwich<B> {
     /// The action of `self` on `other`.
     fn sandwich(self, other: B) -> Self::Output;
 }
-
-/// The bound of a geometric product that is not declared, so that the error says how a versor moves
-/// an element. No type implements it.
-#[doc(hidden)]
-#[diagnostic::on_unimplemented(
-    message = "the product `{V} * {Self}` is not declared",
-    label = "not a declared product",
-    note = "a versor moves an element by `versor.transform(element)`",
-    note = "products that an algebra does not declare are written in `ga!`, or take `Multivector`s"
-)]
-pub trait RightFactor<V> {}

@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use crate::define::{Definition, TypeDefinition};
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostics, Warning};
 use crate::parse::DeclarationSyntax;
 
 /// Checks a parsed declaration. `runtime` is the path of ga-runtime, if the declaration does
@@ -21,13 +21,24 @@ use crate::parse::DeclarationSyntax;
 /// Everything that is wrong with the declaration, each error at its token. What depends on a
 /// faulty part is not checked, so that no error is only a consequence of another.
 pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Definition> {
+    check_with_warnings(syntax, runtime).map(|(definition, _)| definition)
+}
+
+/// The same, with what is allowed but is probably a mistake.
+///
+/// # Errors
+/// As for [`check`].
+pub fn check_with_warnings(
+    syntax: DeclarationSyntax,
+    runtime: TokenStream,
+) -> syn::Result<(Definition, Vec<Warning>)> {
     let mut diagnostics = Diagnostics::default();
     let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
     let is_sound = diagnostics.count() == 0;
     let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
     let products = products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
-    diagnostics.into_result()?;
-    Ok(Definition {
+    let warnings = diagnostics.into_result()?;
+    let definition = Definition {
         attributes: syntax
             .attributes
             .iter()
@@ -41,5 +52,6 @@ pub fn check(syntax: DeclarationSyntax, runtime: TokenStream) -> syn::Result<Def
         types,
         products,
         as_blades: OnceCell::new(),
-    })
+    };
+    Ok((definition, warnings))
 }

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 use syn::Ident;
 
-use crate::algebra::Algebra;
+use crate::algebra::{Algebra, Blade};
 use crate::define::{Operation, ProductDefinition, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Diagnostics;
 use crate::parse::ProductSyntax;
@@ -38,10 +38,12 @@ pub(super) fn check(
         let (Some(choices), Some(result)) = (choices, result) else {
             continue;
         };
-        for operands in combinations(&choices) {
+        let (before, mut zeros) = (products.len(), Vec::new());
+        let combinations = combinations(&choices);
+        for operands in &combinations {
             let repeated = products
                 .iter()
-                .any(|known| known.operation == operation && known.operands == operands);
+                .any(|known| known.operation == operation && known.operands == *operands);
             if repeated {
                 let names: Vec<_> = operands
                     .iter()
@@ -60,16 +62,30 @@ pub(super) fn check(
                 types,
                 sound,
                 operation,
-                operands: &operands,
+                operands,
                 span: line.operation.span(),
             };
-            if let Some(result) = context.result(&result, diagnostics) {
-                products.push(ProductDefinition {
+            match context.result(&result, diagnostics) {
+                Some(Found::Result(result)) => products.push(ProductDefinition {
                     operation,
-                    operands,
+                    operands: operands.clone(),
                     result,
-                });
+                }),
+                Some(Found::Zero) => zeros.push(context.title()),
+                None => {}
             }
+        }
+        // In a list of types some pairs have no product that is not zero.
+        if products.len() == before && zeros.len() == combinations.len() && !zeros.is_empty() {
+            let (verb, pronoun) = match zeros.len() {
+                1 => ("is", "it is"),
+                _ => ("are", "they are"),
+            };
+            let message = format!(
+                "{} {verb} always zero, so {pronoun} left out",
+                zeros.join(", ")
+            );
+            diagnostics.warning(line.operation.span(), message);
         }
     }
     products
@@ -143,6 +159,14 @@ fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
     })
 }
 
+/// What is found for one product.
+enum Found {
+    /// The type of the result as an index, or none for a scalar.
+    Result(Option<usize>),
+    /// That it is zero for all operands.
+    Zero,
+}
+
 /// One operation on given operand types, of which the result is sought.
 struct Context<'a> {
     algebra: &'a Algebra,
@@ -155,8 +179,8 @@ struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// The type of the result as an index, or none for a scalar; `None` if an error was reported.
-    fn result(&self, stated: &Stated<'_>, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
+    /// The type of the result; `None` if an error was reported.
+    fn result(&self, stated: &Stated<'_>, diagnostics: &mut Diagnostics) -> Option<Found> {
         if !self.operands.iter().all(|&o| self.sound[o]) {
             return None;
         }
@@ -183,7 +207,7 @@ impl Context<'_> {
             diagnostics.error(name.span(), message);
             return None;
         }
-        Some(place)
+        Some(Found::Result(place))
     }
 
     fn fits(&self, place: Option<usize>) -> Result<(), Vec<String>> {
@@ -196,7 +220,7 @@ impl Context<'_> {
         )
     }
 
-    fn infer(&self, diagnostics: &mut Diagnostics) -> Option<Option<usize>> {
+    fn infer(&self, diagnostics: &mut Diagnostics) -> Option<Found> {
         if self.sound.contains(&false) {
             return None;
         }
@@ -207,8 +231,7 @@ impl Context<'_> {
             .map(|&blade| self.algebra.names().name(blade))
             .collect();
         if blades.is_empty() {
-            diagnostics.error(self.span, format!("{} is always zero", self.title()));
-            return None;
+            return Some(Found::Zero);
         }
         let candidates: Vec<usize> = (0..self.types.len())
             .filter(|&place| {
@@ -221,13 +244,17 @@ impl Context<'_> {
             })
             .collect();
         match candidates.as_slice() {
-            [] if blades.iter().all(|blade| blade.grade() == 0) => Some(None),
-            [one] => Some(Some(*one)),
+            [] if blades.iter().all(|blade| blade.grade() == 0) => Some(Found::Result(None)),
+            [one] => Some(Found::Result(Some(*one))),
             [] => {
                 let message = format!(
-                    "{} has the blades {}, and no declared type has exactly these",
+                    "{} has the blades {}, and no declared type has exactly these: \
+                     declare one, such as `struct {} {{ {} }}`{}",
                     self.title(),
-                    names.join(", ")
+                    names.join(", "),
+                    self.free_name(&blades),
+                    names.join(", "),
+                    self.wider(&blades)
                 );
                 diagnostics.error(self.span, message);
                 None
@@ -245,6 +272,43 @@ impl Context<'_> {
                 diagnostics.error(self.span, message);
                 None
             }
+        }
+    }
+
+    /// A name for a type of some blades that no type has yet.
+    fn free_name(&self, blades: &[Blade]) -> String {
+        let dimension = self.algebra.dimension();
+        let grades = || blades.iter().map(|blade| blade.grade() as usize);
+        let is_of_one_grade = grades().min() == grades().max();
+        let name = match grades().max() {
+            Some(grade) if is_of_one_grade && grade == dimension => "Pseudoscalar",
+            Some(1) if is_of_one_grade => "Vector",
+            Some(2) if is_of_one_grade => "Bivector",
+            Some(3) if is_of_one_grade => "Trivector",
+            _ if grades().all(|grade| grade % 2 == 0) => "Even",
+            _ if grades().all(|grade| grade % 2 == 1) => "Odd",
+            _ => "Multivector",
+        };
+        let is_taken = |name: &str| self.types.iter().any(|kind| kind.name == name);
+        let mut free = name.to_owned();
+        let mut number = 1;
+        while is_taken(&free) {
+            number += 1;
+            free = format!("{name}{number}");
+        }
+        free
+    }
+
+    /// The smallest type of more blades, as the end of a message.
+    fn wider(&self, blades: &[Blade]) -> String {
+        let holds_all = |kind: &&TypeDefinition| {
+            let mut blades = blades.iter();
+            kind.is_linear() && blades.all(|&blade| kind.coefficient(blade).is_some())
+        };
+        let wider = self.types.iter().filter(holds_all);
+        match wider.min_by_key(|kind| kind.coefficients.len()) {
+            Some(kind) => format!(", or state a result with more, `-> {}`", kind.name),
+            None => String::new(),
         }
     }
 

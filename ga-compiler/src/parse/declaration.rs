@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! declaration  = docs visibility "mod" name "{" [ "crate" "=" path ";" ] basis metric item* "}"
-//! basis        = "basis" name ("," name)* ";"
-//! metric       = "metric" [ entry ("," entry)* ] ";" | "signature" p "," q "," r ";"
+//! basis        = "basis" vector ("," vector)* ";"
+//! vector       = name [ "=" square ]
+//! metric       = [ "metric" [ entry ("," entry)* ] ";" ] | "signature" p "," q "," r ";"
 //! entry        = name "*" name "=" number
 //! item         = type | products
 //! type         = docs attribute* "struct" name "{" coefficient* "}"
@@ -56,10 +57,14 @@ pub struct DeclarationSyntax {
 pub struct BasisSyntax {
     /// In the order of the bits of a blade.
     pub names: Vec<Ident>,
+    /// For each the square that stands beside it.
+    pub squares: Vec<Option<Expr>>,
 }
 
 /// The inner products of the basis vectors.
 pub enum MetricSyntax {
+    /// Nothing beyond the squares beside the names.
+    Squares,
     /// Entry by entry; products that are not stated are zero.
     Entries(Vec<MetricEntrySyntax>),
     /// Squares of 1, −1 and 0.
@@ -136,8 +141,12 @@ impl Parse for DeclarationSyntax {
         } else {
             None
         };
-        let basis = body.parse()?;
-        let metric = body.parse()?;
+        let basis: BasisSyntax = body.parse()?;
+        let metric = if basis.squares.iter().any(Option::is_some) && !MetricSyntax::peek(&body) {
+            MetricSyntax::Squares
+        } else {
+            body.parse()?
+        };
         let (mut types, mut products) = (Vec::new(), Vec::new());
         let mut diagnostics = Diagnostics::default();
         while !body.is_empty() {
@@ -169,12 +178,20 @@ impl Parse for DeclarationSyntax {
 impl Parse for BasisSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         input.parse::<keyword::basis>()?;
-        let vector = |input: ParseStream<'_>| name(input, "a basis vector");
-        let names = Punctuated::<_, Token![,]>::parse_separated_nonempty_with(input, vector)?;
+        let vector = |input: ParseStream<'_>| {
+            let name = name(input, "a basis vector")?;
+            Ok((name, value_after_equals(input)?))
+        };
+        let vectors = Punctuated::<_, Token![,]>::parse_separated_nonempty_with(input, vector)?;
         input.parse::<Token![;]>()?;
-        Ok(Self {
-            names: names.into_iter().collect(),
-        })
+        let (names, squares) = vectors.into_iter().unzip();
+        Ok(Self { names, squares })
+    }
+}
+
+impl MetricSyntax {
+    fn peek(input: ParseStream<'_>) -> bool {
+        input.peek(keyword::metric) || input.peek(keyword::signature)
     }
 }
 
@@ -197,7 +214,8 @@ impl Parse for MetricSyntax {
         input.parse::<keyword::metric>().map_err(|error| {
             Error::new(
                 error.span(),
-                "expected `metric` or `signature` after the basis",
+                "expected `metric` or `signature` after the basis, \
+                 or the square beside each vector, as in `basis e0 = 0, e1 = 1;`",
             )
         })?;
         let mut entries = Vec::new();
@@ -282,13 +300,7 @@ impl Parse for CoefficientSyntax {
             input,
             "a blade; name it with its basis vectors in another order",
         )?;
-        let value = if input.peek(Token![=]) {
-            input.parse::<Token![=]>()?;
-            check_expression(input)?;
-            Some(input.parse()?)
-        } else {
-            None
-        };
+        let value = value_after_equals(input)?;
         Ok(Self { blade, value })
     }
 }
@@ -332,6 +344,16 @@ impl Parse for ProductSyntax {
             result,
         })
     }
+}
+
+/// Reads `= value`, where it follows.
+fn value_after_equals(input: ParseStream<'_>) -> Result<Option<Expr>> {
+    if !input.peek(Token![=]) {
+        return Ok(None);
+    }
+    input.parse::<Token![=]>()?;
+    check_expression(input)?;
+    input.parse().map(Some)
 }
 
 /// Reads a name; `what` says what it is for, in case it is a keyword.

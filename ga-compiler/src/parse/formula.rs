@@ -159,9 +159,16 @@ impl Formula {
             let kind = FormulaKind::Binary(operator, Box::new(left), Box::new(right));
             return Self::new(kind, place);
         };
+        // What `^` stands between, for the power in a textbook's `a^2 + b^2`.
+        let power = match (operator, last_operand(&left), first_operand(&right)) {
+            (Operator::Xor, base, exponent) if matches!(exponent.kind, FormulaKind::Number(_)) => {
+                format!("; a power is written `pow({base}, {exponent})`")
+            }
+            _ => String::new(),
+        };
         Err(place.error(format!(
             "`^ & |` bind looser than `+ - * /` in Rust: add parentheses, either \
-             `{first}` (as Rust reads it) or `{second}`"
+             `{first}` (as Rust reads it) or `{second}`{power}"
         )))
     }
 
@@ -319,6 +326,22 @@ impl FormulaKind {
     }
 }
 
+/// The operand at the left end of a row of operators.
+fn first_operand(mut formula: &Formula) -> &Formula {
+    while let FormulaKind::Binary(_, left, _) = &formula.kind {
+        formula = left;
+    }
+    formula
+}
+
+/// The operand at the right end of a row of operators.
+fn last_operand(mut formula: &Formula) -> &Formula {
+    while let FormulaKind::Binary(_, _, right) = &formula.kind {
+        formula = right;
+    }
+    formula
+}
+
 /// The error where a formula should start and none does.
 fn not_a_formula(input: ParseStream<'_>) -> Error {
     if let Ok(keyword) = input.fork().call(Ident::parse_any) {
@@ -397,6 +420,15 @@ mod tests {
                 "{message}"
             );
         }
+        for text in ["a ^ 2 + b ^ 2", "b + a ^ 2", "3 * a ^ 2"] {
+            let message = read(text).expect_err("a mix").to_string();
+            assert!(
+                message.ends_with("a power is written `pow(a, 2)`"),
+                "{message}"
+            );
+        }
+        let message = read("a + b ^ c").expect_err("a mix").to_string();
+        assert!(!message.contains("power"), "{message}");
         for text in ["(a + b) ^ c", "a ^ b & c", "a * (b | c)", "-a ^ b"] {
             assert!(read(text).is_ok(), "{text}");
         }

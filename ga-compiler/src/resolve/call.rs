@@ -7,6 +7,7 @@ use super::error::{ResolveError, ResolveErrorKind};
 use super::limits::{MAX_CALL_DEPTH, MAX_CALLS};
 use super::operation::{GRADE, Operation};
 use super::place::{ENDPOINTS, POINT};
+use super::power::POWER;
 use super::{Bound, Resolver, Result};
 use crate::algebra::Unary;
 use crate::member::numbers;
@@ -29,6 +30,10 @@ impl<'s> Resolver<'_, 's> {
         if text == GRADE {
             check_count(name, 2, arguments)?;
             return self.part_of_grade(formula, &arguments[0], &arguments[1]);
+        }
+        if text == POWER {
+            check_count(name, 2, arguments)?;
+            return self.power(formula, &arguments[0], &arguments[1]);
         }
         if text == SELECT {
             if let [condition, a, b] = arguments {
@@ -69,6 +74,11 @@ impl<'s> Resolver<'_, 's> {
     ) -> Result<Bound> {
         let operands: Result<Vec<_>> = arguments.iter().map(|a| self.single(a)).collect();
         let operands = operands?;
+        if let (Operation::Product(product), [left, right], [a, b]) =
+            (operation, arguments, operands.as_slice())
+        {
+            self.check_scalars(formula, product, [left, right], [*a, *b])?;
+        }
         let step = operation.apply(&mut self.builder, &operands);
         let step = step.map_err(|error| {
             let kind = ResolveErrorKind::Operation(name, error);

@@ -69,6 +69,17 @@ pub enum ResolveErrorKind {
     UnequalChoices(ValueCount, ValueCount),
     /// The grade of `grade` is not a whole number as it is written.
     GradeNotWhole,
+    /// The exponent of `pow` is not a number as it is written.
+    ExponentNotConstant,
+    /// A product of two scalars is not written as such.
+    ProductOfScalars {
+        /// The formula.
+        formula: String,
+        /// The product that it is.
+        name: &'static str,
+        /// What may be meant.
+        instead: String,
+    },
     /// An operation or function takes so many operands, not so many.
     OperandCount(String, usize, usize),
     /// An operator has no value.
@@ -215,6 +226,15 @@ impl fmt::Display for ResolveErrorKind {
                 "`select` chooses between two values of the same shape, but these are {a} and {b}"
             ),
             Self::GradeNotWhole => f.write_str("the grade must be a whole number"),
+            Self::ExponentNotConstant => f.write_str(
+                "the exponent must be a number as it is written, such as 3, -2, 1/2 or 0.5; \
+                 x to the power of a variable y is `exp(y * ln(x))`",
+            ),
+            Self::ProductOfScalars {
+                formula,
+                name,
+                instead,
+            } => write!(f, "`{formula}` is the {name} of two scalars, {instead}"),
             Self::OperandCount(name, wanted, found) => {
                 let plural = plural(*wanted);
                 write!(f, "`{name}` takes {wanted} operand{plural}, not {found}")

@@ -136,6 +136,9 @@ impl<'s> Resolver<'_, 's> {
             let kind = ResolveErrorKind::DivisorNotScalar(found);
             return Err(ResolveError::new(kind, right.place()));
         }
+        if let Some(product) = product(operator) {
+            self.check_scalars(whole, product, [left, right], [value, operand])?;
+        }
         let step = self
             .operation(operator, value, operand)
             .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))?;
@@ -187,7 +190,14 @@ impl<'s> Resolver<'_, 's> {
             let kind = ResolveErrorKind::TypeAsValue(name);
             return Err(ResolveError::new(kind, place));
         }
-        let kind = match self.definition.algebra.names().resolve(&name) {
+        let known = self.definition.algebra.names().resolve(&name);
+        if known.is_err()
+            && name == "pi"
+            && let Some(value) = pi()
+        {
+            return operator_value(self.builder.number(value), place);
+        }
+        let kind = match known {
             Ok(named) => {
                 let sign = if named.is_negative { -1 } else { 1 };
                 let step = Step::Constant(named.blade, Ratio::integer(sign));
@@ -226,6 +236,11 @@ impl<'s> Resolver<'_, 's> {
         }
         Ok(sum)
     }
+}
+
+/// π, to more digits than double precision has.
+fn pi() -> Option<Ratio> {
+    Ratio::new(314_159_265_358_979_323_846_264_338_328, 10_i128.pow(29))
 }
 
 /// The product that an operator stands for.

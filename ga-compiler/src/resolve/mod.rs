@@ -8,6 +8,8 @@ mod formula;
 mod limits;
 mod operation;
 mod place;
+mod power;
+mod scalars;
 mod shape;
 #[cfg(test)]
 mod tests;

@@ -7,6 +7,7 @@ use crate::program::{OperationError, Step, StepId};
 
 use super::condition::SELECT;
 use super::place::{ENDPOINTS, POINT};
+use super::power::POWER;
 
 /// An operation with a name.
 #[derive(Clone, Copy)]
@@ -25,6 +26,12 @@ pub(super) enum Operation {
     Sign,
     /// `1/x` of a scalar.
     Reciprocal,
+    /// The tangent of an angle.
+    Tangent,
+    /// The angle of a sine.
+    ArcSine,
+    /// The angle of a cosine.
+    ArcCosine,
     /// The exponential of a scalar or a bivector.
     Exponential,
     /// The logarithm of a scalar or a unit versor.
@@ -43,7 +50,7 @@ pub(super) enum Operation {
 pub(super) const GRADE: &str = "grade";
 
 /// All other operations of multivectors by name; some have two names.
-const NAMES: [(&str, Operation); 33] = [
+const NAMES: [(&str, Operation); 40] = [
     ("reverse", Operation::Unary(Unary::Reverse)),
     ("rev", Operation::Unary(Unary::Reverse)),
     ("involute", Operation::Unary(Unary::Involute)),
@@ -69,6 +76,13 @@ const NAMES: [(&str, Operation); 33] = [
     ("abs", Operation::Function(Function::Absolute)),
     ("sin", Operation::Function(Function::Sine)),
     ("cos", Operation::Function(Function::Cosine)),
+    ("tan", Operation::Tangent),
+    ("asin", Operation::ArcSine),
+    ("acos", Operation::ArcCosine),
+    ("sinh", Operation::Function(Function::HyperbolicSine)),
+    ("cosh", Operation::Function(Function::HyperbolicCosine)),
+    ("tanh", Operation::Function(Function::HyperbolicTangent)),
+    ("hypot", Operation::Function(Function::Hypotenuse)),
     ("atan2", Operation::Function(Function::ArcTangent)),
     ("ln", Operation::Function(Function::NaturalLogarithm)),
     ("min", Operation::Function(Function::Minimum)),
@@ -91,7 +105,7 @@ impl Operation {
         NAMES
             .iter()
             .map(|(name, _)| *name)
-            .chain([GRADE, SELECT, POINT, ENDPOINTS])
+            .chain([GRADE, POWER, SELECT, POINT, ENDPOINTS])
     }
 
     /// The operation of that name, with the name.
@@ -108,6 +122,9 @@ impl Operation {
             Self::Unary(_)
             | Self::Sign
             | Self::Reciprocal
+            | Self::Tangent
+            | Self::ArcSine
+            | Self::ArcCosine
             | Self::Exponential
             | Self::Logarithm
             | Self::Norm
@@ -137,6 +154,9 @@ impl Operation {
                 }
                 builder.push(Step::Quotient(one, first))
             }
+            Self::Tangent => builder.tangent(first),
+            Self::ArcSine => builder.arc_sine(first),
+            Self::ArcCosine => builder.arc_cosine(first),
             Self::Exponential => builder.exponential(first),
             Self::Logarithm => builder.logarithm(first),
             Self::Norm => builder.norm(first),

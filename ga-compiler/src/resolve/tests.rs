@@ -279,6 +279,56 @@ fn errors_say_what_was_found() {
             "`exp` takes a scalar or a bivector, but this has e1, e2",
         ),
         (
+            "fn f(x: Scalar) -> Scalar { x^2 }",
+            "`x ^ 2` is the outer product of two scalars, `x * 2`; \
+             a power is written `pow(x, 2)` or `x * x`",
+        ),
+        (
+            "fn f(a: Scalar, b: Scalar) -> Scalar { sqrt((a^2) + ((a + b)^-0.5)) }",
+            "`a ^ 2` is the outer product of two scalars, `a * 2`; \
+             a power is written `pow(a, 2)` or `a * a`",
+        ),
+        (
+            "fn f(a: Scalar, b: Scalar) -> Scalar { (a + b)^(1/2) }",
+            "`(a + b) ^ (1 / 2)` is the outer product of two scalars, `(a + b) * (1 / 2)`; \
+             a power is written `pow(a + b, 1 / 2)`",
+        ),
+        (
+            "fn f(a: Scalar, v: Vector) -> Scalar { a | (v | v) }",
+            "`a | (v | v)` is the left contraction of two scalars, `a * (v | v)`; \
+             write that if it is meant",
+        ),
+        (
+            "fn f(a: Scalar, v: Vector) -> Scalar { right_contraction(a + 1, v | v) }",
+            "`right_contraction(a + 1, v | v)` is the right contraction of two scalars, \
+             `(a + 1) * (v | v)`; write that if it is meant",
+        ),
+        (
+            "fn f(a: Scalar, b: Scalar) -> Scalar { a & b }",
+            "`a & b` is the regressive product of two scalars, which is zero; \
+             `a * b` multiplies them, and `a > 0 && b > 0` joins conditions",
+        ),
+        (
+            "fn f(a: Scalar, b: Scalar) -> Scalar { pow(a, b) }",
+            "the exponent must be a number as it is written, such as 3, -2, 1/2 or 0.5; \
+             x to the power of a variable y is `exp(y * ln(x))`",
+        ),
+        (
+            "fn f(a: Scalar) -> Scalar { pow(a, 1025) }",
+            "`pow`: exponents lie between -1024 and 1024",
+        ),
+        (
+            "fn f(v: Vector) -> Vector { pow(v, 1/2) }",
+            "`pow` takes a scalar where its exponent is a fraction, but this has e1, e2; \
+             a fraction t of a motion m is `exp(t * log(m))`",
+        ),
+        (
+            "fn f(v: Vector) -> Vector { pow(1 + v, -2) }",
+            "`pow` takes a blade or a versor, for which a ~a is a scalar; here it has \
+             scalar, e1, e2; an operand that is always a blade can be marked with `blade` before \
+             its name",
+        ),
+        (
             "fn f(a: [[Scalar; 1024]; 1024], b: Scalar) -> Scalar { b }",
             "the operands hold more than 1048576 values together",
         ),
@@ -289,6 +339,16 @@ fn errors_say_what_was_found() {
     ] {
         assert_eq!(message(function), text);
     }
+}
+
+#[test]
+fn products_of_scalars_in_other_functions_are_theirs() {
+    // The outer product has a meaning for the types of `outer`, whatever it is called with.
+    let functions = "fn outer(m: (Scalar, Vector), n: (Scalar, Vector)) -> Scalar {
+            grade((m.0 + m.1) ^ (n.0 + n.1), 0)
+        }
+        fn f(x: Scalar) -> Scalar { outer((x, 0 * e1), (2, 0 * e1)) }";
+    assert_eq!(messages(functions), [""; 0]);
 }
 
 #[test]

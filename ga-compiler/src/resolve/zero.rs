@@ -63,7 +63,10 @@ impl Resolver<'_, '_> {
             }
             match step {
                 Step::Quotient(_, divisor) if !program.is_constant(*divisor) => return true,
-                Step::Function(Function::SquareRoot | Function::Absolute, _) => return true,
+                Step::Function(
+                    Function::SquareRoot | Function::Absolute | Function::Hypotenuse,
+                    _,
+                ) => return true,
                 _ => {}
             }
             for read in step.reads() {

@@ -305,18 +305,4 @@ macro_rules! __surface_entry {
             }
         } )*
     };
-    // Products that are not declared, of a versor and what it moves. The bound is never satisfied,
-    // and its error names `transform`.
-    (not_declared $versor:ident $($element:ident)*) => { $(
-        #[doc(hidden)]
-        impl<S: $crate::scalar::Ring> ::core::ops::Mul<$element<S>> for $versor<S>
-        where
-            $element<S>: $crate::products::RightFactor<$versor<S>>,
-        {
-            type Output = $element<S>;
-            fn mul(self, other: $element<S>) -> $element<S> {
-                other
-            }
-        } )*
-    };
 }

@@ -223,6 +223,22 @@ impl<T: Float + core::fmt::Debug> Real for FromFloat<T> {
         Self(self.0.ln())
     }
     #[inline]
+    fn sinh(self) -> Self {
+        Self(self.0.sinh())
+    }
+    #[inline]
+    fn cosh(self) -> Self {
+        Self(self.0.cosh())
+    }
+    #[inline]
+    fn tanh(self) -> Self {
+        Self(self.0.tanh())
+    }
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        Self(self.0.hypot(other.0))
+    }
+    #[inline]
     fn less_than(self, other: Self) -> bool {
         self.0 < other.0
     }

@@ -83,7 +83,8 @@ macro_rules! implement_real {
     (
         $type:ident, by $sine_by_angle:ident, $angle_by_sine:ident, $arc_factors:ident,
         $angle_in_lanes:path, $compose:path,
-        $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident
+        $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident,
+        $sinh:ident, $cosh:ident, $tanh:ident, $hypot:ident
     ) => {
         impl Real for $type {
             type Mask = bool;
@@ -154,6 +155,22 @@ macro_rules! implement_real {
                 elementary!($type, ln, $log, self)
             }
             #[inline]
+            fn sinh(self) -> Self {
+                elementary!($type, sinh, $sinh, self)
+            }
+            #[inline]
+            fn cosh(self) -> Self {
+                elementary!($type, cosh, $cosh, self)
+            }
+            #[inline]
+            fn tanh(self) -> Self {
+                elementary!($type, tanh, $tanh, self)
+            }
+            #[inline]
+            fn hypot(self, other: Self) -> Self {
+                elementary!($type, hypot, $hypot, self, other)
+            }
+            #[inline]
             fn less_than(self, other: Self) -> bool {
                 self < other
             }
@@ -187,10 +204,10 @@ implement_field!(f64);
 implement_real!(
     f32, by sine_by_angle_single, angle_by_sine_single, arc_factors_single,
     half_angle::angle_by_sine_one_by_one, compose_single,
-    sqrtf, fabsf, sinf, cosf, atan2f, expf, logf
+    sqrtf, fabsf, sinf, cosf, atan2f, expf, logf, sinhf, coshf, tanhf, hypotf
 );
 implement_real!(
     f64, by sine_by_angle, angle_by_sine, arc_factors,
     half_angle::angle_by_sine, Mul::mul,
-    sqrt, fabs, sin, cos, atan2, exp, log
+    sqrt, fabs, sin, cos, atan2, exp, log, sinh, cosh, tanh, hypot
 );

@@ -229,6 +229,22 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         self.map(T::ln)
     }
     #[inline(always)]
+    fn sinh(self) -> Self {
+        self.map(T::sinh)
+    }
+    #[inline(always)]
+    fn cosh(self) -> Self {
+        self.map(T::cosh)
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        self.map(T::tanh)
+    }
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        self.zip(other, T::hypot)
+    }
+    #[inline(always)]
     fn less_than(self, other: Self) -> LaneMask<N> {
         let mut mask = [false; N];
         for ((mask, lane), other) in mask.iter_mut().zip(&self.0).zip(&other.0) {

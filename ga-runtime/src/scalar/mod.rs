@@ -25,6 +25,8 @@ mod arc;
 mod dual;
 mod float;
 mod half_angle;
+mod hyperbolic;
+mod hypotenuse;
 mod integer;
 mod lanes;
 mod mask;
@@ -229,6 +231,41 @@ pub trait Real: Field {
     #[inline]
     fn cos(self) -> Self {
         self.sin_cos().1
+    }
+    /// The hyperbolic sine, accurate near zero too.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::Real;
+    /// assert_eq!(Real::sinh(1e-20_f64), 1e-20);
+    /// ```
+    #[inline]
+    fn sinh(self) -> Self {
+        hyperbolic::sinh(self)
+    }
+    /// The hyperbolic cosine.
+    #[inline]
+    fn cosh(self) -> Self {
+        hyperbolic::cosh(self)
+    }
+    /// The hyperbolic tangent, accurate near zero too; ±1 where sine and cosine are infinite.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::Real;
+    /// assert_eq!(Real::tanh(1e3_f64), 1.0);
+    /// ```
+    #[inline]
+    fn tanh(self) -> Self {
+        hyperbolic::tanh(self)
+    }
+    /// `√(self² + other²)`, without overflow or underflow in the squares.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::Real;
+    /// assert_eq!(Real::hypot(3e200_f64, 4e200), 5e200);
+    /// ```
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        hypotenuse::hypot(self, other)
     }
     /// `cos φ`, `A = sin φ/φ` and `B = (cos φ − A)/φ²` for `φ² = self` from 0 to 9.95, that is φ up
     /// to a little more than π; outside of that range the results have no meaning. Errors are below

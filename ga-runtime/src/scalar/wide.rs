@@ -132,6 +132,26 @@ macro_rules! implement_real {
                 }
                 Self::new(self.to_array().map(Real::ln))
             }
+            #[inline]
+            fn sinh(self) -> Self {
+                Self::new(self.to_array().map(Real::sinh))
+            }
+            #[inline]
+            fn cosh(self) -> Self {
+                Self::new(self.to_array().map(Real::cosh))
+            }
+            #[inline]
+            fn tanh(self) -> Self {
+                Self::new(self.to_array().map(Real::tanh))
+            }
+            #[inline]
+            fn hypot(self, other: Self) -> Self {
+                let (mut lengths, others) = (self.to_array(), other.to_array());
+                for (length, other) in lengths.iter_mut().zip(others) {
+                    *length = Real::hypot(*length, other);
+                }
+                Self::new(lengths)
+            }
             #[inline(always)]
             fn less_than(self, other: Self) -> Self::Mask {
                 WideMask(self.simd_lt(other))

@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 
+use super::quiet::quietly;
 use super::strategy::prime;
 use crate::Element;
 use crate::dense::{Algebra, Multivector};
@@ -59,9 +60,25 @@ pub fn algebra_of<S: Field>(metric: &[&[(i64, i64)]]) -> Algebra<S> {
     }
 }
 
-/// All coefficients of an element.
+/// All coefficients of an element, with the names of its basis vectors, whatever those of the
+/// algebra are.
+///
+/// ```
+/// use ga_runtime::cga3::Point;
+/// use ga_runtime::testing::{algebra_of, to_dense};
+///
+/// let algebra = algebra_of(ga_runtime::cga3::METRIC);
+/// let dense = to_dense(&algebra, &Point::new(1.0, 0.0, 0.0));
+/// assert_eq!(dense.to_string(), "e1 + eo + 0.5 ei");
+/// ```
 pub fn to_dense<T: Element>(algebra: &Algebra<T::Scalar>, element: &T) -> Multivector<T::Scalar> {
-    algebra.element(element)
+    if algebra.names().iter().eq(T::BASIS) {
+        return algebra.element(element);
+    }
+    match algebra.with_names(T::BASIS.iter().copied()) {
+        Ok(named) => named.element(element),
+        Err(_) => algebra.element(element),
+    }
 }
 
 /// The dense form of constants given as (blade, numerator, denominator).
@@ -122,11 +139,10 @@ pub fn only<T: Clone + core::fmt::Debug>(value: T) -> impl Strategy<Value = T> +
 /// are then shrunk.
 ///
 /// # Panics
-/// With the smallest failing values that were found.
+/// Once, with the smallest failing values that were found and with the panic of the test for them.
 pub fn for_all<V: Strategy>(strategy: V, test: impl Fn(V::Value)) {
     let outcome = runner().run(&strategy, |values| {
-        test(values);
-        Ok(())
+        quietly(|| test(values)).map_err(TestCaseError::fail)
     });
     if let Err(failure) = outcome {
         panic!("{failure}");

@@ -32,6 +32,7 @@ mod bench;
 pub mod cga3;
 mod close;
 mod declared;
+mod quiet;
 mod sample;
 pub mod strategy;
 mod written;

@@ -130,7 +130,8 @@ impl Ratio {
     /// The nearest floating-point number.
     #[must_use]
     pub fn to_f64(self) -> f64 {
-        self.numerator as f64 / self.denominator as f64
+        let (mantissa, exponent) = self.nearest_double();
+        mantissa as f64 * 2.0_f64.powi(exponent)
     }
 
     /// The nearest number m · 2ᵉ with an m of at most 53 bits, as in double precision, ties to an

@@ -392,7 +392,10 @@ impl<'a> Classes<'a> {
                 | Function::Cosine
                 | Function::StumpffCosine
                 | Function::StumpffSine
-                | Function::StumpffSineSlope,
+                | Function::StumpffSineSlope
+                | Function::HyperbolicSine
+                | Function::HyperbolicCosine
+                | Function::HyperbolicTangent,
                 _,
             ) => None,
             Operation::Function(function, arguments) => {

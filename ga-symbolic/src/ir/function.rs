@@ -60,6 +60,14 @@ pub enum Function {
     Not,
     /// The second argument where the condition that comes first holds, else the third.
     Select,
+    /// `sinh x`.
+    HyperbolicSine,
+    /// `cosh x`.
+    HyperbolicCosine,
+    /// `tanh x`.
+    HyperbolicTangent,
+    /// `√(x² + y²)`, without overflow in the squares.
+    Hypotenuse,
 }
 
 /// Earlier names of variants.
@@ -75,7 +83,7 @@ impl Function {
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 25] = [
         Self::SquareRoot,
         Self::Absolute,
         Self::Sine,
@@ -97,6 +105,10 @@ impl Function {
         Self::Or,
         Self::Not,
         Self::Select,
+        Self::HyperbolicSine,
+        Self::HyperbolicCosine,
+        Self::HyperbolicTangent,
+        Self::Hypotenuse,
     ];
 
     /// The number of arguments.
@@ -113,7 +125,8 @@ impl Function {
             | Self::LessOrEqual
             | Self::Equal
             | Self::And
-            | Self::Or => 2,
+            | Self::Or
+            | Self::Hypotenuse => 2,
             Self::SquareRoot
             | Self::Absolute
             | Self::Sine
@@ -123,7 +136,10 @@ impl Function {
             | Self::StumpffCosine
             | Self::StumpffSine
             | Self::StumpffSineSlope
-            | Self::Not => 1,
+            | Self::Not
+            | Self::HyperbolicSine
+            | Self::HyperbolicCosine
+            | Self::HyperbolicTangent => 1,
         }
     }
 
@@ -140,8 +156,10 @@ impl Function {
     /// which of two numbers is positive, or larger.
     #[must_use]
     pub(crate) const fn depends_on_signs(self) -> bool {
-        matches!(self, Self::SquareRoot | Self::Absolute | Self::Select)
-            || self.is_random_choice()
+        matches!(
+            self,
+            Self::SquareRoot | Self::Hypotenuse | Self::Absolute | Self::Select
+        ) || self.is_random_choice()
             || self.is_condition()
     }
 
@@ -181,6 +199,10 @@ impl Function {
             Self::Or => &[Self::Or],
             Self::Not => &[Self::Not],
             Self::Select => &[Self::Select],
+            Self::HyperbolicSine => &[Self::HyperbolicSine],
+            Self::HyperbolicCosine => &[Self::HyperbolicCosine],
+            Self::HyperbolicTangent => &[Self::HyperbolicTangent],
+            Self::Hypotenuse => &[Self::Hypotenuse],
         }
     }
 
@@ -238,6 +260,14 @@ impl Function {
             Self::Not => Residue::ONE - x,
             Self::Select if x == Residue::ZERO => arguments[2],
             Self::Select => arguments[1],
+            // As C and S at x², of which they are cosh x = C and sinh x = x S.
+            Self::HyperbolicSine => x * Self::StumpffSine.evaluate(&[x * x])?,
+            Self::HyperbolicCosine => Self::StumpffCosine.evaluate(&[x * x])?,
+            Self::HyperbolicTangent => {
+                let cosine = Self::HyperbolicCosine.evaluate(arguments)?;
+                Self::HyperbolicSine.evaluate(arguments)? * cosine.recip()
+            }
+            Self::Hypotenuse => return (x * x + arguments[1] * arguments[1]).square_root(),
         })
     }
 
@@ -280,7 +310,9 @@ impl Function {
         let constant = |x: &Residue| x.to_ratio(LARGEST_CONSTANT);
         let constants: Option<Vec<Ratio>> = match self {
             Self::And | Self::Or | Self::Not | Self::Select => None,
-            Self::SquareRoot | Self::Absolute => arguments.iter().map(constant).collect(),
+            Self::SquareRoot | Self::Hypotenuse | Self::Absolute => {
+                arguments.iter().map(constant).collect()
+            }
             _ if self.is_random_choice() => arguments.iter().map(constant).collect(),
             _ => {
                 let simple = [Ratio::ZERO, Ratio::ONE].into_iter();
@@ -308,9 +340,16 @@ impl Function {
         let difference = || x - second();
         match self {
             Self::SquareRoot => x.square_root(),
+            Self::Hypotenuse => (x * x + second() * second()).square_root(),
             Self::Absolute => Some(x.abs()),
-            Self::Sine if x.is_zero() => Some(Ratio::ZERO),
-            Self::Cosine | Self::Exponential | Self::StumpffCosine | Self::StumpffSine
+            Self::Sine | Self::HyperbolicSine | Self::HyperbolicTangent if x.is_zero() => {
+                Some(Ratio::ZERO)
+            }
+            Self::Cosine
+            | Self::Exponential
+            | Self::StumpffCosine
+            | Self::StumpffSine
+            | Self::HyperbolicCosine
                 if x.is_zero() =>
             {
                 Some(Ratio::ONE)
@@ -343,7 +382,10 @@ impl Function {
             | Self::StumpffSine
             | Self::StumpffSineSlope
             | Self::VersorAngle
-            | Self::VersorAngleSlope => None,
+            | Self::VersorAngleSlope
+            | Self::HyperbolicSine
+            | Self::HyperbolicCosine
+            | Self::HyperbolicTangent => None,
         }
     }
 }
@@ -425,7 +467,11 @@ mod tests {
             Function::And => Some(Function::Or),
             Function::Or => Some(Function::Not),
             Function::Not => Some(Function::Select),
-            Function::Select => None,
+            Function::Select => Some(Function::HyperbolicSine),
+            Function::HyperbolicSine => Some(Function::HyperbolicCosine),
+            Function::HyperbolicCosine => Some(Function::HyperbolicTangent),
+            Function::HyperbolicTangent => Some(Function::Hypotenuse),
+            Function::Hypotenuse => None,
         };
         let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
         assert!(every.eq(Function::ALL));
@@ -486,6 +532,21 @@ mod tests {
                 value(Function::Absolute),
                 Function::Absolute.evaluate(&[-x])
             );
+            let (Some(sinh), Some(cosh), Some(tanh)) = (
+                value(Function::HyperbolicSine),
+                value(Function::HyperbolicCosine),
+                value(Function::HyperbolicTangent),
+            ) else {
+                panic!("total")
+            };
+            assert_eq!(cosh * cosh - sinh * sinh, Residue::ONE);
+            assert_eq!(tanh * cosh, sinh);
+            assert_eq!(Function::HyperbolicSine.evaluate(&[-x]), Some(-sinh));
+            assert_eq!(Function::HyperbolicCosine.evaluate(&[-x]), Some(cosh));
+            let y = sequence.next_residue();
+            let length = Function::Hypotenuse.evaluate(&[x, y]).expect("total");
+            assert_eq!(length * length, x * x + y * y);
+            assert_eq!(Function::Hypotenuse.evaluate(&[y, -x]), Some(length));
         }
         assert!(
             (16..48).contains(&roots),

@@ -265,6 +265,10 @@ impl Real {
                     Self::with_error(value, 2.0 * change + ROUNDING_OF_FUNCTIONS)
                 })
             }
+            Function::Hypotenuse => (x * x + second() * second()).square_root(),
+            Function::HyperbolicSine => x.mapped(f64::sinh),
+            Function::HyperbolicCosine => x.mapped(f64::cosh),
+            Function::HyperbolicTangent => x.mapped(f64::tanh),
             Function::Exponential => x.mapped(f64::exp),
             Function::NaturalLogarithm => x.of_one(|x| {
                 if x.value <= -x.error {

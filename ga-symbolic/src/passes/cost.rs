@@ -76,7 +76,11 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
                     | Function::And
                     | Function::Or
                     | Function::Not
-                    | Function::Select => cost.functions += 1,
+                    | Function::Select
+                    | Function::HyperbolicSine
+                    | Function::HyperbolicCosine
+                    | Function::HyperbolicTangent
+                    | Function::Hypotenuse => cost.functions += 1,
                 }
                 for argument in arguments.iter().filter(|v| v.as_constant().is_none()) {
                     cost.scale(argument.factor);

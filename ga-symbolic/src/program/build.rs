@@ -63,7 +63,7 @@ impl Builder<'_> {
         self.geometric(factor, a)
     }
 
-    fn difference(&mut self, a: StepId, b: StepId) -> Outcome {
+    pub(super) fn difference(&mut self, a: StepId, b: StepId) -> Outcome {
         let negative = self.push(Step::Negative(b))?;
         self.push(Step::Sum(a, negative))
     }

@@ -9,6 +9,7 @@
 pub mod build;
 mod choices;
 pub mod conformal;
+mod elementary;
 mod evaluate;
 mod limits;
 mod mismatch;

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::elementary::MAX_EXPONENT;
 use super::limits::MAX_STEPS;
 
 /// Why an operation has no value here.
@@ -25,6 +26,10 @@ pub enum OperationError {
     /// It needs the type of points of a conformal model, and these types could be it; the metric
     /// in words.
     NoPoints(Vec<String>, String),
+    /// It takes a root, and the operand has these blades.
+    RootNotOfScalar(String),
+    /// Its exponent is too large.
+    ExponentTooLarge,
     /// It divides by what is zero for all operands.
     DivisorZero,
     /// It exists for none of the operands that were tried.
@@ -39,7 +44,7 @@ impl OperationError {
     #[must_use]
     pub const fn is_sentence(&self) -> bool {
         match self {
-            Self::DivisorZero | Self::NoValue | Self::TooManySteps => true,
+            Self::DivisorZero | Self::NoValue | Self::TooManySteps | Self::ExponentTooLarge => true,
             Self::NotScalar(_)
             | Self::NotBivector(_)
             | Self::NotEvenUnitVersor
@@ -47,6 +52,7 @@ impl OperationError {
             | Self::NoPlace(_)
             | Self::NotPointPair(_)
             | Self::NoPoints(..)
+            | Self::RootNotOfScalar(_)
             | Self::NotScalarAndNullPart(..) => false,
         }
     }
@@ -92,6 +98,17 @@ impl fmt::Display for OperationError {
                 "needs one type of points as null vectors, but this algebra has {}",
                 types.join(" and ")
             ),
+            Self::RootNotOfScalar(found) => write!(
+                f,
+                "takes a scalar where its exponent is a fraction, but this has {found}; \
+                 a fraction t of a motion m is `exp(t * log(m))`"
+            ),
+            Self::ExponentTooLarge => {
+                write!(
+                    f,
+                    "exponents lie between -{MAX_EXPONENT} and {MAX_EXPONENT}"
+                )
+            }
             Self::DivisorZero => f.write_str("the divisor is always zero"),
             Self::NoValue => f.write_str("this has no value for any operands that were tried"),
             Self::TooManySteps => write!(f, "the function takes more than {MAX_STEPS} steps"),

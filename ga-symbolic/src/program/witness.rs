@@ -471,7 +471,14 @@ fn is_true(point: &Point, id: StepId) -> bool {
 
 /// Whether a step is a root of what depends on operands.
 fn is_variable_root(program: &Program<'_>, id: StepId) -> bool {
-    matches!(program.step(id), Step::Function(Function::SquareRoot, _)) && !program.is_constant(id)
+    is_root(program.step(id)) && !program.is_constant(id)
+}
+
+fn is_root(step: &Step) -> bool {
+    matches!(
+        step,
+        Step::Function(Function::SquareRoot | Function::Hypotenuse, _)
+    )
 }
 
 fn is_real(value: &Numbers) -> bool {
@@ -559,7 +566,7 @@ fn free_operands(program: &Program<'_>, failed: StepId) -> Vec<usize> {
             operands.retain(|operand| !settled.contains(operand));
             return operands;
         }
-        if matches!(step, Step::Function(Function::SquareRoot, _)) {
+        if is_root(step) {
             settled.extend(&operands);
         }
         read.push(operands);

@@ -173,6 +173,20 @@ ga_runtime::algebra! {
 }
 
 ga_runtime::algebra! {
+    /// Squares beside the vectors, and a null pair: e0² = 0, e1² = 1, ep · em = −1.
+    mod beside {
+        basis e0 = 0, e1 = 1, en = -1/2, ep = 0, em = 0;
+        metric ep*em = -1;
+
+        struct Vector { e0, e1, en, ep, em }
+
+        products {
+            left_contraction(Vector, Vector) -> Scalar;
+        }
+    }
+}
+
+ga_runtime::algebra! {
     /// The exterior algebra of four dimensions: every inner product is zero.
     mod exterior {
         basis dx, dy, dz, dw;
@@ -267,6 +281,22 @@ mod products {
     mod six {
         ga_runtime::testing::product_tests!(super::super::six);
     }
+}
+
+/// Squares are those that stand beside the vectors, whatever their order.
+#[test]
+fn squares_stand_beside_vectors() {
+    use beside::Vector;
+    let basis = [Vector::E0, Vector::E1, Vector::EN, Vector::EP, Vector::EM];
+    let inner = basis.map(|a| basis.map(|b: Vector<f64>| a | b));
+    let expected = [
+        [0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, -0.5, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, -1.0],
+        [0.0, 0.0, 0.0, -1.0, 0.0],
+    ];
+    assert_eq!(inner, expected);
 }
 
 /// `(a + bi)(c + di) = (ac − bd) + (ad + bc)i`, whether i is a bivector or a vector.

@@ -2,6 +2,7 @@
 //! over the prime field, exactly, where no real function is involved, and closed forms otherwise.
 
 mod conditions;
+mod elementary;
 mod exact;
 mod language;
 mod places;

@@ -115,6 +115,10 @@ proptest! {
             (b.abs(), dy * y.signum()),
             (b.atan2(a), (x * dy - y * dx) / radius_squared),
             (a.atan2(b), (y * dx - x * dy) / radius_squared),
+            (b.sinh(), dy * y.cosh()),
+            (b.cosh(), dy * y.sinh()),
+            (b.tanh(), dy / y.cosh().powi(2)),
+            (a.hypot(b), (x * dx + y * dy) / x.hypot(y)),
             (b / a, (dy * x - y * dx) / (x * x)),
             (a.recip(), -dx / (x * x)),
             (a.max(b), if y > x { dy } else { dx }),
@@ -133,12 +137,13 @@ proptest! {
             (a + b, x + y), (a - b, x - y), (a * b, x * y), (a / b, x / y), (-a, -x), (a.recip(), 1.0 / x),
             (a.sqrt(), x.sqrt()), (a.abs(), x.abs()), (a.sin(), x.sin()), (a.cos(), x.cos()), (a.exp(), x.exp()),
             (a.ln(), x.ln()), (a.atan2(b), x.atan2(y)), (a.max(b), Real::max(x, y)), (a.min(b), Real::min(x, y)),
+            (a.sinh(), x.sinh()), (a.cosh(), x.cosh()), (a.tanh(), x.tanh()), (a.hypot(b), x.hypot(y)),
             (a.mul_add(b, a), Ring::mul_add(x, y, x)),
         ] {
             prop_assert!(dual.value.to_bits() == plain.to_bits() || dual.value.is_nan() && plain.is_nan());
         }
         prop_assert_eq!(a.less_than(b), x < y);
-        for dual in [a.sqrt(), a.abs(), a.sin(), a.exp(), a.ln(), a.atan2(b)] {
+        for dual in [a.sqrt(), a.abs(), a.sin(), a.exp(), a.ln(), a.atan2(b), a.sinh(), a.cosh(), a.tanh(), a.hypot(b)] {
             let has_nan = dual.derivatives.iter().any(|d| d.is_nan());
             prop_assert!(!has_nan || x.is_nan() || y.is_nan() || dual.value.is_nan(), "{dual:?} of {x}, {y}");
             prop_assert_eq!(Real::is_finite(dual), dual.value.is_finite() && dual.derivatives.iter().all(|d| d.is_finite()));

@@ -73,6 +73,10 @@ fn check<T: Real<Mask = bool> + Same, const N: usize>(
             ("atan2", x.atan2(y), p.atan2(q)),
             ("exp", x.exp(), p.exp()),
             ("ln", x.ln(), p.ln()),
+            ("sinh", x.sinh(), p.sinh()),
+            ("cosh", x.cosh(), p.cosh()),
+            ("tanh", x.tanh(), p.tanh()),
+            ("hypot", x.hypot(y), p.hypot(q)),
             ("max", x.max(y), p.max(q)),
             ("min", x.min(y), p.min(q)),
             (

@@ -38,7 +38,7 @@ implement_number!(f32);
 implement_number!(f64);
 
 /// What exact arithmetic gives in one vector, in the order of [`exact`] of single numbers.
-fn exact<S: Real>(x: S, y: S, z: S) -> [S; 13] {
+fn exact<S: Real>(x: S, y: S, z: S) -> [S; 17] {
     let mut sum = x;
     sum += y;
     sum -= z;
@@ -57,6 +57,10 @@ fn exact<S: Real>(x: S, y: S, z: S) -> [S; 13] {
         x.max(y),
         x.min(y),
         S::select(x.less_than(y) | x.is_zero(), y, z),
+        x.sinh(),
+        x.cosh(),
+        x.tanh(),
+        x.hypot(y),
     ]
 }
 

@@ -244,6 +244,10 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
         Function::Or => "or",
         Function::Not => "not",
         Function::Select => "select",
+        Function::HyperbolicSine => "sinh",
+        Function::HyperbolicCosine => "cosh",
+        Function::HyperbolicTangent => "tanh",
+        Function::Hypotenuse => "hypot",
     }
 }
 
@@ -270,7 +274,11 @@ pub(super) fn explanation(function: Function) -> Option<&'static str> {
         | Function::And
         | Function::Or
         | Function::Not
-        | Function::Select => return None,
+        | Function::Select
+        | Function::HyperbolicSine
+        | Function::HyperbolicCosine
+        | Function::HyperbolicTangent
+        | Function::Hypotenuse => return None,
     })
 }
 

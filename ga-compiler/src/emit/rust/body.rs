@@ -214,6 +214,10 @@ impl Writer<'_> {
             Function::LessOrEqual => quote! { less_or_equal },
             Function::Equal => quote! { equals },
             Function::Select => quote! { select },
+            Function::HyperbolicSine => quote! { sinh },
+            Function::HyperbolicCosine => quote! { cosh },
+            Function::HyperbolicTangent => quote! { tanh },
+            Function::Hypotenuse => quote! { hypot },
             // Operators of masks.
             Function::And => quote! { bitand },
             Function::Or => quote! { bitor },

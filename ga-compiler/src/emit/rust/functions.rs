@@ -35,7 +35,7 @@ pub fn functions(
         && closure.name.is_none()
     {
         let name = format_ident!("closure");
-        let (items, warnings) = (emitter.function(closure, &name), warnings::emit(closure));
+        let (items, warnings) = (emitter.function(closure, &name), always_zero(closure));
         return quote! { { #warnings #items #name } };
     }
     functions
@@ -43,11 +43,16 @@ pub fn functions(
         .map(|function| {
             let name = function.name.clone();
             let name = name.unwrap_or_else(|| format_ident!("closure"));
-            let mut items = warnings::emit(function);
+            let mut items = always_zero(function);
             items.extend(emitter.function(function, &name));
             items
         })
         .collect()
+}
+
+fn always_zero(function: &CompiledFunction) -> TokenStream {
+    let (attributes, warnings) = (&function.attributes, &function.warnings);
+    warnings::emit(attributes, warnings, "ALWAYS_ZERO", "function")
 }
 
 /// Functions of the same signatures that never return. They stand in for functions with errors, so

@@ -14,6 +14,7 @@ mod product_tests;
 mod products;
 mod surface;
 mod types;
+mod undeclared;
 mod versors;
 mod warnings;
 
@@ -28,13 +29,14 @@ use syn::ext::IdentExt;
 
 use super::item::{attributes_of, visibility_of};
 use crate::define::{CONSTANTS, Definition};
+use crate::diag::Warning;
 use crate::fingerprint::fingerprint;
 use crate::parse::{Outline, parse_outline};
 use context::Context;
 
 /// The module of an algebra and its macro. `source` are the tokens of the declaration.
 #[must_use]
-pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
+pub fn algebra(definition: &Definition, source: &TokenStream, warnings: &[Warning]) -> TokenStream {
     let context = Context::new(definition);
     let mut items = TokenStream::new();
     items.extend(constants(definition));
@@ -49,6 +51,7 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
         items.extend(conversions::emit(&context, kind));
     }
     items.extend(products::emit(&context));
+    items.extend(undeclared::emit(&context));
     items.extend(surface::emit(&context));
     for kind in &definition.types {
         items.extend(types::unchecked_constructor(&context, kind));
@@ -56,7 +59,9 @@ pub fn algebra(definition: &Definition, source: &TokenStream) -> TokenStream {
     items.extend(interoperation::emit(&context));
     let module = module(definition, items);
     let handover = handover(definition, source);
-    quote! { #module #handover }
+    let attributes = attributes_of(&definition.attributes);
+    let warnings = warnings::emit(&attributes, warnings, "DECLARATION", "module");
+    quote! { #module #handover #warnings }
 }
 
 /// Stand-ins for the module and the macro of a declaration with errors.

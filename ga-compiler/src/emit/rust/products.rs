@@ -9,11 +9,11 @@ use crate::algebra::Product;
 use crate::define::{Definition, Operation, ProductDefinition, TypeDefinition};
 
 /// How an operation on two operands appears in Rust.
-struct Face {
+pub(super) struct Face {
     /// The trait's path.
-    path: TokenStream,
+    pub(super) path: TokenStream,
     /// The trait's method.
-    method: &'static str,
+    pub(super) method: &'static str,
     /// The formula, for the documentation.
     formula: &'static str,
 }
@@ -35,7 +35,7 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     items
 }
 
-fn product_face(context: &Context<'_>, product: Product) -> Face {
+pub(super) fn product_face(context: &Context<'_>, product: Product) -> Face {
     let operator = |name: &str, method, formula| {
         let name = format_ident!("{name}");
         Face {

@@ -65,7 +65,6 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
     if takes_references(kind) {
         entries.extend(references(context, kind));
     }
-    entries.extend(not_declared(context, kind));
     entries
 }
 
@@ -125,26 +124,6 @@ fn references(context: &Context<'_>, kind: &TypeDefinition) -> [TokenStream; 2] 
         quote! { references #name [#(#traits)*] },
         quote! { reference_to #name #name Add add #name Sub sub #(#lefts)* },
     ]
-}
-
-/// The types of up to six coefficients that a rigid versor moves and is not multiplied with.
-fn not_declared(context: &Context<'_>, kind: &TypeDefinition) -> Option<TokenStream> {
-    let name = &kind.name;
-    let rights = |operation: Operation| {
-        let products = context.definition.products.iter();
-        products
-            .filter(move |p| p.operation == operation && context.kind(p.operands[0]).name == *name)
-            .map(|p| context.kind(p.operands[1]))
-    };
-    let geometric = Operation::Product(Product::Geometric);
-    let is_declared =
-        |moved: &TypeDefinition| rights(geometric).any(|right| right.name == moved.name);
-    let moved: Vec<_> = rights(Operation::Sandwich)
-        .filter(|moved| kind.facts.unit_versor && takes_references(kind) && !is_declared(moved))
-        .filter(|moved| (1..=6).contains(&moved.stored().count()))
-        .map(|moved| &moved.name)
-        .collect();
-    (!moved.is_empty()).then(|| quote! { not_declared #name #(#moved)* })
 }
 
 /// Whether the geometric product of a member with some type on the right is a member.

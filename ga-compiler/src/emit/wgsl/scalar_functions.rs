@@ -27,13 +27,20 @@ pub(super) fn name(function: Function) -> &'static str {
         Function::Or => "||",
         Function::Not => "!",
         Function::Select => "select",
+        Function::HyperbolicSine => "hyperbolic_sine",
+        Function::HyperbolicCosine => "cosh",
+        Function::HyperbolicTangent => "hyperbolic_tangent",
+        Function::Hypotenuse => "hypotenuse",
     }
 }
 
 /// The functions of our own that the declaration of another calls.
 pub(super) fn needs(function: Function) -> &'static [Function] {
     match function {
-        Function::StumpffSineSlope => &[Function::StumpffCosine, Function::StumpffSine],
+        Function::StumpffSineSlope | Function::HyperbolicTangent => {
+            &[Function::StumpffCosine, Function::StumpffSine]
+        }
+        Function::HyperbolicSine => &[Function::StumpffSine],
         Function::VersorAngleSlope => &[Function::VersorAngle],
         Function::SquareRoot
         | Function::Absolute
@@ -53,7 +60,9 @@ pub(super) fn needs(function: Function) -> &'static [Function] {
         | Function::And
         | Function::Or
         | Function::Not
-        | Function::Select => &[],
+        | Function::Select
+        | Function::HyperbolicCosine
+        | Function::Hypotenuse => &[],
     }
 }
 
@@ -77,6 +86,13 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         }
         Function::VersorAngle => Some(versor_angle(&this)),
         Function::VersorAngleSlope => Some(versor_angle_slope(&this, &name(Function::VersorAngle))),
+        // The built-in functions may lose all digits near zero.
+        Function::HyperbolicSine => Some(hyperbolic_sine(&this, &name(Function::StumpffSine))),
+        Function::HyperbolicTangent => {
+            let (cosine, sine) = (name(Function::StumpffCosine), name(Function::StumpffSine));
+            Some(hyperbolic_tangent(&this, &cosine, &sine))
+        }
+        Function::Hypotenuse => Some(hypotenuse(&this)),
         Function::SquareRoot
         | Function::Absolute
         | Function::Sine
@@ -92,7 +108,8 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         | Function::And
         | Function::Or
         | Function::Not
-        | Function::Select => None,
+        | Function::Select
+        | Function::HyperbolicCosine => None,
     }
 }
 
@@ -175,6 +192,47 @@ fn {this}(cosine: f32, square: f32) -> f32 {{
         return -1.0 / 3.0 + square * (2.0 / 15.0 + square * (-8.0 / 105.0 + square * (16.0 / 315.0 - square * 128.0 / 3465.0)));
     }}
     return (1.0 - cosine * {angle}(cosine, square)) / square;
+}}
+"
+    )
+}
+
+fn hyperbolic_sine(this: &str, sine: &str) -> String {
+    format!(
+        "\
+// sinh x.
+fn {this}(x: f32) -> f32 {{
+    return x * {sine}(x * x);
+}}
+"
+    )
+}
+
+fn hyperbolic_tangent(this: &str, cosine: &str, sine: &str) -> String {
+    format!(
+        "\
+// tanh x.
+fn {this}(x: f32) -> f32 {{
+    // Beyond 10 it is ±1 in single precision, and sinh x and cosh x overflow far beyond.
+    let bounded = clamp(x, -10.0, 10.0);
+    let square = bounded * bounded;
+    return bounded * {sine}(square) / {cosine}(square);
+}}
+"
+    )
+}
+
+fn hypotenuse(this: &str) -> String {
+    format!(
+        "\
+// √(x² + y²), without overflow in the squares.
+fn {this}(x: f32, y: f32) -> f32 {{
+    let size = max(abs(x), abs(y));
+    if size == 0.0 {{
+        return 0.0;
+    }}
+    let ratio = min(abs(x), abs(y)) / size;
+    return size * sqrt(1.0 + ratio * ratio);
 }}
 "
     )

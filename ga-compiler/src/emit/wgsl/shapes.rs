@@ -2,7 +2,6 @@
 //! tuples.
 
 use std::collections::{BTreeMap, HashMap};
-use std::fmt::Write;
 
 use quote::ToTokens;
 use syn::Attribute;
@@ -206,19 +205,30 @@ pub(super) fn call(name: &str, values: &[String]) -> String {
     format!("{name}(\n{})", lines.concat())
 }
 
-/// Doc comments as comments.
+/// Doc comments as comments, without the examples in Rust that they hold.
 pub(super) fn comment(attributes: &[Attribute]) -> String {
-    let mut text = String::new();
+    let mut lines: Vec<String> = Vec::new();
+    let mut is_code = false;
     for attribute in attributes.iter().filter(|a| a.path().is_ident("doc")) {
         if let Ok(meta) = attribute.meta.require_name_value()
-            && let Ok(line) = syn::parse2::<syn::LitStr>(meta.value.to_token_stream())
+            && let Ok(text) = syn::parse2::<syn::LitStr>(meta.value.to_token_stream())
         {
-            for line in line.value().lines() {
-                let _ = writeln!(text, "//{}", line.trim_end());
+            for line in text.value().trim_end_matches('\n').split('\n') {
+                let is_fence = line.trim_start().starts_with("```");
+                is_code ^= is_fence;
+                if !is_code && !is_fence {
+                    lines.push(line.trim_end().to_owned());
+                }
             }
         }
     }
-    text
+    // The heading of an example, and what is empty without it.
+    let is_left_over = |line: &String| line.is_empty() || line.trim_start().starts_with('#');
+    while lines.last().is_some_and(is_left_over) {
+        lines.pop();
+    }
+    lines.dedup_by(|next, line| next.is_empty() && line.is_empty());
+    lines.iter().map(|line| format!("//{line}\n")).collect()
 }
 
 /// The member of a tuple at a place.
@@ -235,5 +245,27 @@ fn parts(shape: &Shape) -> &[Shape] {
     match shape {
         Shape::Tuple(parts) => parts,
         _ => &[],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_hold_no_rust() {
+        let attributes: Vec<Attribute> = vec![
+            syn::parse_quote!(#[doc = " A point."]),
+            syn::parse_quote!(#[doc = ""]),
+            syn::parse_quote!(#[doc = " ```\n let p = 1;\n ```\n"]),
+            syn::parse_quote!(#[doc = ""]),
+            syn::parse_quote!(#[doc = " Of weight 1."]),
+            syn::parse_quote!(#[doc = ""]),
+            syn::parse_quote!(#[doc = " # Example"]),
+            syn::parse_quote!(#[doc = " ```rust"]),
+            syn::parse_quote!(#[doc = " let q = 2;"]),
+            syn::parse_quote!(#[doc = " ```"]),
+        ];
+        assert_eq!(comment(&attributes), "// A point.\n//\n// Of weight 1.\n");
     }
 }

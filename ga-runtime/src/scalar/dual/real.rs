@@ -78,6 +78,37 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         )
     }
     #[inline(always)]
+    fn sinh(self) -> Self {
+        self.chain(self.value.sinh(), self.value.cosh())
+    }
+    #[inline(always)]
+    fn cosh(self) -> Self {
+        self.chain(self.value.cosh(), self.value.sinh())
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        // 1/cosh² x = 4 e⁻²ˣ/(1 + e⁻²ˣ)² for x ≥ 0, without overflow.
+        let half = (-self.value.abs()).exp();
+        let slope = (half + half) / (S::one() + half * half);
+        self.chain(self.value.tanh(), slope * slope)
+    }
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        let (x, y) = (self, other);
+        // The direction, from quotients that do not overflow. At the origin there is none, and the
+        // slope is zero as that of |x| is; the same is taken at infinity.
+        let size = x.value.abs().max(y.value.abs());
+        let is_regular = S::zero().less_than(size) & size.is_finite();
+        let divisor = S::select(is_regular, size, S::one());
+        let leg = |value: S| S::select(is_regular, value / divisor, S::zero());
+        let (cosine, sine) = (leg(x.value), leg(y.value));
+        let ratio = S::select(is_regular, cosine.hypot(sine), S::one());
+        let (cosine, sine) = (cosine / ratio, sine / ratio);
+        Self::with(x.value.hypot(y.value), |k| {
+            moved(cosine, x.derivatives[k]) + moved(sine, y.derivatives[k])
+        })
+    }
+    #[inline(always)]
     fn less_than(self, other: Self) -> S::Mask {
         self.value.less_than(other.value)
     }

@@ -44,6 +44,10 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
                     Function::Not => 1.0 - x,
                     Function::Select if x == 0.0 => arguments[2],
                     Function::Select => arguments[1],
+                    Function::HyperbolicSine => x.sinh(),
+                    Function::HyperbolicCosine => x.cosh(),
+                    Function::HyperbolicTangent => x.tanh(),
+                    Function::Hypotenuse => x.hypot(arguments[1]),
                 }
             }
         };

@@ -46,11 +46,14 @@ const ARITHMETIC: [&str; 18] = [
 ];
 
 /// Functions that call others.
-const TRANSCENDENTAL: [&str; 8] = [
+const TRANSCENDENTAL: [&str; 11] = [
     "fn distance(p: Point, q: Point) -> Scalar { sqrt(abs(p | q)) }",
     "fn turned(t: Scalar) -> Rotor { cos(t) + sin(t) * e12 }",
     "fn angle(s: Scalar, t: Scalar) -> Scalar { atan2(s, t) }",
     "fn growth(t: Scalar) -> Scalar { exp(t) + ln(t * t + 1) }",
+    "fn hyperbolic(t: Scalar) -> (Scalar, Scalar, Scalar) { (sinh(t), cosh(t), tanh(100 * t)) }",
+    "fn length(s: Scalar, t: Scalar) -> Scalar { hypot(s, t) + hypot(t - t, 0) }",
+    "fn powers(t: Scalar) -> Scalar { pow(1 + t * t, 5/4) + pow(2 + tan(t), -2) + acos(t / (1 + t * t)) }",
     "fn exponential(g: MotorGenerator) -> Motor { exp(g) }",
     "fn logarithm(m: Motor) -> MotorGenerator { log(m) }",
     "fn half(m: Motor) -> Motor { exp(log(m) / 2) }",

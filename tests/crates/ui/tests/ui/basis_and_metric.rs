@@ -90,6 +90,53 @@ ga_runtime::algebra! {
     }
 }
 
+// Squares stand beside some vectors only.
+ga_runtime::algebra! {
+    mod squares_incomplete {
+        basis e0 = 0, e1, e2 = 1;
+
+        struct Vector { e0, e1, e2 }
+    }
+}
+
+// A square is stated beside the vector and in the metric.
+ga_runtime::algebra! {
+    mod squares_twice {
+        basis e1 = 1, eo = 0, ei = 0;
+        metric eo*ei = -1, e1*e1 = 1;
+
+        struct Vector { e1, eo, ei }
+    }
+}
+
+// Squares stand beside the vectors, and a signature is given.
+ga_runtime::algebra! {
+    mod squares_and_signature {
+        basis e0 = 0, e1 = 1, e2 = 1;
+        signature 2, 0, 1;
+
+        struct Vector { e0, e1, e2 }
+    }
+}
+
+// A square is not a number.
+ga_runtime::algebra! {
+    mod squares_not_constant {
+        basis e0 = e1, e1 = 1;
+
+        struct Vector { e0, e1 }
+    }
+}
+
+// There is no metric.
+ga_runtime::algebra! {
+    mod no_metric {
+        basis e0, e1;
+
+        struct Vector { e0, e1 }
+    }
+}
+
 // The signature counts more basis vectors than are named.
 ga_runtime::algebra! {
     mod signature_count {

@@ -1,20 +1,5 @@
 //! Faults of declared products.
 
-// A product is always zero.
-ga_runtime::algebra! {
-    mod product_always_zero {
-        basis e1, e2, e3;
-        signature 3, 0, 0;
-
-        struct Vector { e1, e2, e3 }
-        struct Bivector { e12, e13, e23 }
-
-        products {
-            wedge(Bivector, Bivector);
-        }
-    }
-}
-
 // A list of operands is empty.
 ga_runtime::algebra! {
     mod product_no_operand {
