@@ -71,6 +71,13 @@ impl Number {
     /// The image of a fraction.
     #[must_use]
     pub fn from_ratio(ratio: Ratio) -> Self {
+        // Most factors are signs.
+        if ratio == Ratio::ONE {
+            return Self::ONE;
+        }
+        if ratio == Ratio::integer(-1) {
+            return -Self::ONE;
+        }
         Self {
             residue: Some(Residue::from_ratio(ratio)),
             real: Real::from_ratio(ratio),
