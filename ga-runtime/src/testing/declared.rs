@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
 use super::quiet::quietly;
 use super::strategy::prime;
@@ -135,8 +135,8 @@ pub fn only<T: Clone + core::fmt::Debug>(value: T) -> impl Strategy<Value = T> +
     Just(value)
 }
 
-/// Runs a test on random values, the same in every run. A test that fails panics, and the values
-/// are then shrunk.
+/// Runs a test on random values, the same in every run unless the variable `PROPTEST_RNG_SEED` asks
+/// for others. A test that fails panics, and the values are then shrunk.
 ///
 /// # Panics
 /// Once, with the smallest failing values that were found and with the panic of the test for them.
@@ -149,15 +149,18 @@ pub fn for_all<V: Strategy>(strategy: V, test: impl Fn(V::Value)) {
     }
 }
 
-/// A runner that tries the same cases in every run.
+/// A runner that tries the same cases in every run, unless the environment gives a seed.
 pub(super) fn runner() -> TestRunner {
-    let config = Config {
+    let default = Config::default();
+    TestRunner::new(Config {
         cases: CASES,
         failure_persistence: None,
-        ..Config::default()
-    };
-    let rng = TestRng::deterministic_rng(RngAlgorithm::XorShift);
-    TestRunner::new_with_rng(config, rng)
+        rng_seed: match default.rng_seed {
+            RngSeed::Random => RngSeed::Fixed(1),
+            given => given,
+        },
+        ..default
+    })
 }
 
 /// The construction of members of a type from free numbers. It is not generic over the type, so

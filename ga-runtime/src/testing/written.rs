@@ -27,8 +27,8 @@ pub fn members<T: Element<Scalar = Prime61>>() -> Members<Prime61> {
 /// A test that takes the reference algebra and the numbers of each operand.
 type TestOfNumbers<'a> = dyn Fn(&Algebra<Prime61>, &[Vec<Prime61>]) -> Option<()> + 'a;
 
-/// Runs a test on random numbers, as many for each operand as `counts` says, the same in every run.
-/// The test returns `None` where the numbers do not make operands, and panics where it fails.
+/// Runs a test on random numbers, as many for each operand as `counts` says. The test returns
+/// `None` where the numbers do not make operands, and panics where it fails.
 ///
 /// # Panics
 /// Once, if the test fails, with the smallest failing numbers that were found.

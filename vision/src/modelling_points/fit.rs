@@ -1,19 +1,17 @@
-//! The plane that fits the disparities of a cell, from sums that two cells add up to.
+//! The plane that fits the disparities of a cell, from what two cells add up to.
 
-use nalgebra_035::{Matrix2, Vector2};
-
-/// Weighted pixels as points (u, v, d): their weight, their mean, and their scatter, the weighted
-/// sum of (p − mean)(p − mean)ᵀ, whose six entries are uu, uv, vv, ud, vd, dd.
+/// Weighted pixels as points (u, v, d): their weight, their mean, and a root of their scatter, the
+/// upper triangular R of which RᵀR is the weighted sum of (p − mean)(p − mean)ᵀ.
+///
+/// A residual from the scatter itself would be the root of a difference of large squares, and so
+/// keep half the digits; from R it keeps all of them.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Fit {
     pixels: u64,
     weight: f64,
     mean: [f64; 3],
-    scatter: [f64; 6],
+    root: [[f64; 3]; 3],
 }
-
-/// The axes of each entry of the scatter.
-const ENTRIES: [[usize; 2]; 6] = [[0, 0], [0, 1], [1, 1], [0, 2], [1, 2], [2, 2]];
 
 /// A spread of the pixels that is less than this share of the greatest one is taken for none: the
 /// pixels lie in one line or are one.
@@ -35,7 +33,7 @@ impl Fit {
             pixels: 1,
             weight: f64::from(weight),
             mean: [column as f64, row as f64, f64::from(disparity)],
-            scatter: [0.0; 6],
+            root: [[0.0; 3]; 3],
         }
     }
 
@@ -51,15 +49,13 @@ impl Fit {
         let weight = self.weight + other.weight;
         let share = other.weight / weight;
         let apart: [f64; 3] = std::array::from_fn(|k| other.mean[k] - self.mean[k]);
+        let between = apart.map(|difference| (self.weight * share).sqrt() * difference);
+        let rows = other.root.into_iter().chain([between]);
         Self {
             pixels: self.pixels + other.pixels,
             weight,
             mean: std::array::from_fn(|k| self.mean[k] + share * apart[k]),
-            scatter: std::array::from_fn(|entry| {
-                let [a, b] = ENTRIES[entry];
-                let between = self.weight * share * apart[a] * apart[b];
-                self.scatter[entry] + other.scatter[entry] + between
-            }),
+            root: rows.fold(self.root, with_row),
         }
     }
 
@@ -78,16 +74,41 @@ impl Fit {
         if self.pixels == 0 {
             return None;
         }
-        let [uu, uv, vv, ud, vd, dd] = self.scatter;
-        let along = Vector2::new(ud, vd);
-        let spread = Matrix2::new(uu, uv, uv, vv);
-        let slope = spread
-            .pseudo_inverse(FLAT * (uu + vv))
-            .map_or_else(|_| Vector2::zeros(), |inverse| inverse * along);
-        let squares = (dd - slope.dot(&along)).max(0.0);
+        let [[uu, uv, ud], [_, vv, vd], [.., dd]] = self.root;
+        let squared = uu * uu + uv * uv + vv * vv;
+        let slope = if uu * vv > FLAT * squared {
+            let down = vd / vv;
+            [(ud - uv * down) / uu, down]
+        } else if squared > 0.0 {
+            // The root is σ a bᵀ of unit vectors a and b, its pseudoinverse itself turned over.
+            [uu * ud / squared, (uv * ud + vv * vd) / squared]
+        } else {
+            [0.0; 2]
+        };
+        let remains = [ud - uu * slope[0] - uv * slope[1], vd - vv * slope[1], dd];
+        let squares: f64 = remains.iter().map(|part| part * part).sum();
         Some(FittedPlane {
-            slope: slope.into(),
+            slope,
             residual: (squares / self.weight).sqrt(),
         })
     }
+}
+
+/// The upper triangular root of RᵀR + rᵀr, by rotations that make each entry of the row 0 in turn
+/// (W. Givens, Computation of plane unitary rotations transforming a general matrix to triangular
+/// form, SIAM Journal 6, 1958).
+fn with_row(mut root: [[f64; 3]; 3], mut row: [f64; 3]) -> [[f64; 3]; 3] {
+    for k in 0..3 {
+        let length = root[k][k].hypot(row[k]);
+        if length == 0.0 {
+            continue;
+        }
+        let (cosine, sine) = (root[k][k] / length, row[k] / length);
+        for column in k..3 {
+            let [above, below] = [root[k][column], row[column]];
+            root[k][column] = cosine * above + sine * below;
+            row[column] = cosine * below - sine * above;
+        }
+    }
+    root
 }

@@ -125,7 +125,7 @@ fn a_floor_is_found_to_a_fraction_of_a_pixel() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(6))]
 
     /// A board before a wall, at any disparities: both are found, the wall also where only the left
     /// camera sees it, and what cannot be matched is less certain. Half-way between whole pixels,

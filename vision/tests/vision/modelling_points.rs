@@ -58,6 +58,12 @@ fn pixels_of(
     pixels
 }
 
+/// The greatest difference of residuals that rounding explains. In a map of 14 × 14 a pixel that is
+/// not on the line of two others misses it by 1/18 px or more, so that planes are as steep as 40 px
+/// over that and differ from their mean by up to 10⁴ px, which double precision resolves to
+/// 10⁻¹² px; the rest is for the number of steps, and for weights that differ by a factor of 100.
+const ROUNDING: f64 = 1e-9;
+
 /// The residual of the least squares over the pixels, from a singular value decomposition.
 fn least_residual(pixels: &[[f64; 4]]) -> f64 {
     let rows = pixels.len();
@@ -93,8 +99,8 @@ proptest! {
                     prop_assert!((found - mean(k)).abs() < 1e-9);
                 }
                 let least = least_residual(&pixels);
-                prop_assert!((point.residual_px - least).abs() < 1e-6, "{point:?} {least}");
-                prop_assert!((point.deviation_px - least.hypot(0.25)).abs() < 1e-6);
+                prop_assert!((point.residual_px - least).abs() < ROUNDING, "{point:?} {least}");
+                prop_assert!((point.deviation_px - least.hypot(0.25)).abs() < ROUNDING);
                 // The plane has that residual.
                 let squares = pixels.iter().map(|[u, v, d, weight]| {
                     let plane = point.disparity_px
@@ -103,7 +109,7 @@ proptest! {
                     weight * (d - plane).powi(2)
                 });
                 let residual = (squares.sum::<f64>() / weight).sqrt();
-                prop_assert!((residual - point.residual_px).abs() < 1e-6, "{point:?} {residual}");
+                prop_assert!((residual - point.residual_px).abs() < ROUNDING, "{point:?} {residual}");
             }
         }
         let last = pyramid.size(pyramid.levels() - 1);
@@ -178,6 +184,43 @@ proptest! {
             }
         }
         prop_assert_eq!(pyramid.select(1e-4).len(), 5 * 3);
+    }
+}
+
+/// A plane goes through any three pixels that are not in one line. The root of a difference of
+/// squares would be off by half the digits here.
+#[test]
+fn three_pixels_have_no_residual() {
+    let pixels = || (0..16).map(|index| [index % 4, index / 4]);
+    for [a, b, c] in
+        pixels().flat_map(|a| pixels().flat_map(move |b| pixels().map(move |c| [a, b, c])))
+    {
+        let [b_from_a, c_from_a] =
+            [b, c].map(|[u, v]| [u as f64 - a[0] as f64, v as f64 - a[1] as f64]);
+        let area = b_from_a[0] * c_from_a[1] - b_from_a[1] * c_from_a[0];
+        if area == 0.0 {
+            continue;
+        }
+        let mut disparities = Plane::filled(4, 4, f32::NAN);
+        let mut weights = Plane::filled(4, 4, 0.0);
+        for ([u, v], disparity, weight) in [(a, 39.75, 1.0), (b, 0.5, 0.01), (c, 17.125, 0.3)] {
+            disparities.row_mut(v)[u] = disparity;
+            weights.row_mut(v)[u] = weight;
+        }
+        let pyramid =
+            ModellingPyramid::new(&DisparityMap::new(disparities), &weights, 3, 0.0).unwrap();
+        let point = pyramid.point(2, [0, 0]).unwrap();
+        // Cramer's rule.
+        let [down, up] = [0.5 - 39.75, 17.125 - 39.75];
+        let slope = [
+            (down * c_from_a[1] - up * b_from_a[1]) / area,
+            (up * b_from_a[0] - down * c_from_a[0]) / area,
+        ];
+        assert!(point.residual_px < ROUNDING, "{point:?}");
+        assert!(
+            (0..2).all(|k| (point.slope[k] - slope[k]).abs() < ROUNDING),
+            "{point:?} {slope:?}"
+        );
     }
 }
 
