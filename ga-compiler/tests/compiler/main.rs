@@ -13,6 +13,7 @@ mod language;
 mod literals;
 mod passes;
 mod rules;
+mod sharing;
 mod snapshots;
 mod spelling;
 mod staging;

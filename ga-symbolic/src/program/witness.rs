@@ -216,6 +216,26 @@ impl Witness {
         Some(point)
     }
 
+    /// The values of another program with the same operands, at the same points; none where it has
+    /// no value at one of them.
+    pub(crate) fn of_other(&self, algebra: &Algebra, program: &Program<'_>) -> Option<Self> {
+        let other = |point: &Point| {
+            let mut other = Point {
+                members: point.members.clone(),
+                values: Vec::new(),
+                wanted: Goal::new(),
+                outcomes: point.outcomes.clone(),
+            };
+            other.extend(algebra, program, false).ok()?;
+            Some(other)
+        };
+        Some(Self {
+            points: self.points.iter().map(other).collect::<Option<_>>()?,
+            chosen: self.chosen.iter().map(other).collect::<Option<_>>()?,
+            ..Self::default()
+        })
+    }
+
     /// The values of a step.
     pub fn values(&self, id: StepId) -> impl Iterator<Item = &Numbers> {
         self.all().map(move |point| &point.values[id.index()])
