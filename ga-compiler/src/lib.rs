@@ -54,7 +54,8 @@ pub mod parse;
 pub mod resolve;
 
 pub use ga_symbolic::{
-    algebra, define, expression, forms, ir, kernel, lower, passes, program, signature, task, verify,
+    algebra, define, expression, forms, ir, kernel, limit, lower, passes, program, signature, task,
+    verify,
 };
 use ga_symbolic::{literals, member};
 
@@ -316,7 +317,8 @@ fn compile_resolved(
     let (algebra, program) = (&definition.algebra, &resolved.program);
     let task = Task::of_program(algebra, program, wanted.clone())
         .with_uniform(&resolved.uniform)
-        .with_witness(&resolved.witness);
+        .with_witness(&resolved.witness)
+        .with_types(&definition.types);
     let mut kernel = task.compile();
     if kernel.is_out_of_range() {
         kernel = with_opaque_literals(algebra, &resolved, &wanted);

@@ -4,6 +4,7 @@ use crate::algebra::{Algebra, Blade, NamedBlade, Ratio};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Arena, Node, Number, Outcomes, Residue, Value};
+use crate::limit::SearchLimit;
 use crate::lower::Choices;
 use crate::passes::{self, Cost, Stages};
 use crate::program::{Program, StepId, Witness};
@@ -25,6 +26,8 @@ pub struct Kernel {
     /// Numbers of the source that are inputs of the graph, after those of the operands, since
     /// products of them have too many digits.
     pub literals: Vec<Ratio>,
+    /// The limits of the search that were reached, in rising order.
+    pub limits: Vec<SearchLimit>,
 }
 
 impl Kernel {

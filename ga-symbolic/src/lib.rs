@@ -16,13 +16,15 @@
 //! - [`define`]: a checked declaration as plain data; [`signature`]: the operands and the result of
 //!   a function.
 //! - [`member`]: the members of a type over the prime field; [`verify`] shows it to users.
+//! - [`limit`]: what the search for the cheapest graph leaves out.
 //! - [`program`]: the steps of a function, on whole multivectors; [`literals`]: long numbers in it
 //!   as operands.
 //! - [`forms`]: equivalent forms of a program.
 //! - [`lower`]: steps to the graph, by named rules.
 //! - [`passes`]: rewriting of graphs, order, stages, cost.
 //! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; [`search`]: the form and the
-//!   rules that make the cheapest graph; `staging`: whether to collect uniform coefficients.
+//!   rules that make the cheapest graph; `staging`: whether to collect uniform coefficients;
+//!   `stepwise`: programs operation by operation.
 
 pub mod algebra;
 pub mod define;
@@ -30,6 +32,7 @@ pub mod expression;
 pub mod forms;
 pub mod ir;
 pub mod kernel;
+pub mod limit;
 pub mod literals;
 pub mod lower;
 pub mod member;
@@ -38,5 +41,6 @@ pub mod program;
 pub mod search;
 pub mod signature;
 mod staging;
+mod stepwise;
 pub mod task;
 pub mod verify;

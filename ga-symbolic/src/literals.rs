@@ -73,21 +73,7 @@ impl<'a> Opaque<'a> {
                 .program
                 .push(Step::Binary(Product::Geometric, number, blade));
         }
-        let image = |id: &StepId| self.steps[id.index()];
-        let step = match step {
-            Step::Operand(_) | Step::Constant(..) => step.clone(),
-            Step::Unary(unary, a) => Step::Unary(*unary, image(a)),
-            Step::Binary(product, a, b) => Step::Binary(*product, image(a), image(b)),
-            Step::Sandwich(a, b) => Step::Sandwich(image(a), image(b)),
-            Step::Sum(a, b) => Step::Sum(image(a), image(b)),
-            Step::Quotient(a, b) => Step::Quotient(image(a), image(b)),
-            Step::Negative(a) => Step::Negative(image(a)),
-            Step::Coefficient(a, blade) => Step::Coefficient(image(a), *blade),
-            Step::Function(function, arguments) => {
-                Step::Function(*function, arguments.iter().map(image).collect())
-            }
-            Step::Select(condition, a, b) => Step::Select(image(condition), image(a), image(b)),
-        };
+        let step = step.mapped(|id| self.steps[id.index()]);
         self.program.push(step)
     }
 }

@@ -13,13 +13,15 @@ use std::cmp::Ordering;
 
 use rustc_hash::FxHashSet;
 
-use crate::algebra::{Product, Unary};
+use crate::algebra::{NamedBlade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
+use crate::limit::SearchLimit;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
 use crate::program::{Program, Step, StepId};
 use crate::staging::{self, staged};
+use crate::stepwise::{Known, Types};
 use crate::task::Task;
 
 /// The largest number of actions of versors that may have rules of their own.
@@ -28,6 +30,12 @@ const MOST_SITES: usize = 8;
 /// How many forms are lowered, and of how many the passes are run.
 const MOST_FORMS: usize = 6;
 const MOST_FINISHED: usize = 3;
+
+/// How many operations all graphs together may have with which rules are tried.
+const MOST_OPERATIONS: usize = 1 << 16;
+
+/// How deep operations are compiled by themselves: those of a function, and those of their forms.
+const DEPTH: usize = 2;
 
 /// How often the kinds of rules are gone through.
 const MOST_ROUNDS: usize = 3;
@@ -38,13 +46,84 @@ impl<'a> Task<'a> {
     #[must_use]
     pub fn compile(&self) -> Kernel {
         match &self.choices {
-            Some(choices) if choices.forms.is_empty() => self.by_choices(choices),
-            Some(choices) => match self.forms(MOST_FORMS, Some(choices)).pop() {
-                Some((task, _)) => task.by_choices(choices),
-                None => self.by_choices(choices),
-            },
-            None => cheapest(self),
+            Some(choices) => {
+                let other = match choices.forms.as_slice() {
+                    [] => None,
+                    _ => self.forms(MOST_FORMS, Some(choices)).0.pop(),
+                };
+                let task = other.as_ref().map_or(self, |(task, _)| task);
+                let stepwise = match choices.is_stepwise {
+                    true => self.stepwise(&[(task.clone(), Vec::new())], DEPTH, |_| true),
+                    false => None,
+                };
+                stepwise.unwrap_or_else(|| task.by_choices(choices))
+            }
+            None => self.searched(DEPTH),
         }
+    }
+
+    /// The cheapest kernel. The operations of forms are compiled by themselves too, and those of
+    /// their forms, up to some depth. An operation costs the same as a function and as a part.
+    fn searched(&self, depth: usize) -> Kernel {
+        let (forms, limits) = self.forms(MOST_FORMS, None);
+        let found = cheapest(self, forms.clone(), limits);
+        let depth = match is_one_operation(&self.program, &self.wanted) {
+            true => depth.min(DEPTH - 1),
+            false => depth,
+        };
+        if depth == 0 {
+            return found;
+        }
+        // Where the search was complete, operations are compiled one by one only if they are
+        // cheaper before their graphs are merged. Otherwise other spellings of the same, which have
+        // other operations, would cost more.
+        let is_complete = !found.limits.iter().any(|limit| limit.is_cut());
+        let mut tasks = vec![(self.clone(), Vec::new())];
+        tasks.extend(forms);
+        let is_accepted = |price| !is_complete || price < found.rank();
+        match self.stepwise(&tasks, depth, is_accepted) {
+            Some(kernel) if kernel.rank() < found.rank() => Kernel {
+                limits: found.limits,
+                ..kernel
+            },
+            _ => found,
+        }
+    }
+
+    /// The kernel of one of some forms with each operation compiled by itself: of the form whose
+    /// operations cost least together, if that is accepted.
+    fn stepwise(
+        &self,
+        forms: &[FormTask<'a>],
+        depth: usize,
+        is_accepted: impl Fn((usize, usize)) -> bool,
+    ) -> Option<Kernel> {
+        let given = self
+            .witness
+            .filter(|witness| witness.points().next().is_some())?;
+        let mut types = Types::new(self);
+        let mut found = Vec::new();
+        for (task, rules) in forms {
+            let witness = given.of_other(self.algebra, &task.program);
+            let operations = witness.and_then(|witness| types.operations(task, &witness));
+            found.extend(operations.map(|operations| (task, rules, operations)));
+        }
+        let compile = |task: &Task<'_>| task.searched(depth - 1);
+        let mut known = Known::default();
+        let compiled = found.iter().map(|(task, rules, operations)| {
+            let stepwise = types.compiled(task, operations, &mut known, compile);
+            (stepwise, *task, *rules)
+        });
+        let (stepwise, task, rules) = compiled.min_by_key(|(stepwise, ..)| stepwise.price)?;
+        if !is_accepted(stepwise.price) {
+            return None;
+        }
+        let choices = Choices {
+            is_stepwise: true,
+            forms: rules.clone(),
+            ..Choices::default()
+        };
+        Some(task.optimised(task.with_pieces(&choices, &stepwise.pieces)))
     }
 
     /// The kernel by some rules.
@@ -57,10 +136,14 @@ impl<'a> Task<'a> {
     }
 
     /// Tasks for other forms of the program, with the rules that lead to them; with choices, for
-    /// those that their rules lead to.
-    fn forms(&self, most: usize, choices: Option<&Choices>) -> Vec<(Self, Vec<FormRule>)> {
+    /// those that their rules lead to. Also the limits that were reached.
+    fn forms(
+        &self,
+        most: usize,
+        choices: Option<&Choices>,
+    ) -> (Vec<FormTask<'a>>, Vec<SearchLimit>) {
         let Some(witness) = self.witness else {
-            return Vec::new();
+            return Default::default();
         };
         let steps: Vec<StepId> = self.wanted.iter().map(|(step, _)| *step).collect();
         let source = forms::Source {
@@ -85,29 +168,37 @@ impl<'a> Task<'a> {
             };
             (task, form.rules)
         };
-        found.into_iter().map(task).collect()
+        (found.forms.into_iter().map(task).collect(), found.limits)
     }
 }
 
-fn cheapest(task: &Task<'_>) -> Kernel {
-    let mut forms = task.forms(MOST_FORMS, None);
+/// A task for another form of a program, and the rules that led to it.
+type FormTask<'a> = (Task<'a>, Vec<FormRule>);
+
+/// The cheapest kernel of some forms of a task.
+fn cheapest<'a>(task: &Task<'a>, mut forms: Vec<FormTask<'a>>, limits: Vec<SearchLimit>) -> Kernel {
+    // Of a long program there may be no form as cheap as it is as it is written.
+    if forms.is_empty() || limits.iter().any(|limit| limit.is_cut()) {
+        forms.push((task.clone(), Vec::new()));
+    }
     let (best, rules) = match forms.len() {
-        0 => (task.clone(), Vec::new()),
         1 => forms.swap_remove(0),
         _ => cheapest_form(forms),
     };
     let mut kernel = by_best_choices(&best);
     kernel.choices.forms = rules;
     // A form that is cheap as it is may hide that terms vanish when coefficients are collected.
-    if kernel.choices.forms.is_empty() {
-        kernel
-    } else {
-        staged(task, kernel)
+    if !kernel.choices.forms.is_empty() {
+        kernel = staged(task, kernel);
     }
+    kernel.limits.extend(limits);
+    kernel.limits.sort_unstable();
+    kernel.limits.dedup();
+    kernel
 }
 
 /// The form that gives the cheapest graph by some common rules.
-fn cheapest_form<'a>(forms: Vec<(Task<'a>, Vec<FormRule>)>) -> (Task<'a>, Vec<FormRule>) {
+fn cheapest_form<'a>(forms: Vec<FormTask<'a>>) -> FormTask<'a> {
     let mut lowered: Vec<_> = forms
         .into_iter()
         .filter_map(|form| {
@@ -167,6 +258,8 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
         size: first.rank().0,
         acted: first.acted.clone(),
         best: task.optimised(first),
+        is_limited: false,
+        effort: 0,
     };
     // A rule may pay only together with one that is tried later.
     for _ in 0..MOST_ROUNDS {
@@ -177,7 +270,12 @@ fn by_best_choices(task: &Task<'_>) -> Kernel {
             break;
         }
     }
-    staged(task, search.best)
+    let is_limited = search.is_limited;
+    let mut kernel = staged(task, search.best);
+    if is_limited {
+        kernel.limits.push(SearchLimit::Rules);
+    }
+    kernel
 }
 
 struct Search<'t, 'a> {
@@ -190,6 +288,10 @@ struct Search<'t, 'a> {
     seen: FxHashSet<u64>,
     /// The operations of each call in the graph of the best kernel before the passes.
     size: usize,
+    /// The operations of all graphs that were lowered so far.
+    effort: usize,
+    /// Whether rules were left out since these were too many.
+    is_limited: bool,
 }
 
 impl Search<'_, '_> {
@@ -273,8 +375,13 @@ impl Search<'_, '_> {
         if self.tried.contains(choices) {
             return;
         }
+        if self.effort > MOST_OPERATIONS {
+            self.is_limited = true;
+            return;
+        }
         self.tried.push(choices.clone());
         let lowered = self.task.lowered(choices);
+        self.effort += lowered.rank().1;
         let size = lowered.rank().0;
         if !self.seen.insert(lowered.fingerprint()) || size > self.size + self.size / 3 + 8 {
             return;
@@ -293,6 +400,14 @@ impl Search<'_, '_> {
             (self.best, self.acted, self.size) = (next, acted, size);
         }
     }
+}
+
+/// Whether a program is one operation on its operands, as it is written.
+fn is_one_operation(program: &Program<'_>, wanted: &[(StepId, Vec<NamedBlade>)]) -> bool {
+    let is_given =
+        |id: &StepId| program.is_constant(*id) || matches!(program.step(*id), Step::Operand(_));
+    let [(result, _)] = wanted else { return false };
+    program.operands_of(*result).iter().all(is_given)
 }
 
 /// Whether a program has an action of a versor, or a product that may be one.

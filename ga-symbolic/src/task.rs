@@ -7,13 +7,13 @@ use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::ir::{Arena, Multivector, Value};
 use crate::kernel::Kernel;
-use crate::lower::{self, Choices, Lowered, Rule};
+use crate::limit::SearchLimit;
+use crate::lower::{self, Choices, Lowered, Pieces, Rule};
 use crate::passes::{self, Collected};
 use crate::program::{Program, StepId, Witness};
 
-/// The number of operations above which a graph is left as it was built. The passes would take too
-/// long on the product of two multivectors of 32 blades.
-const LARGEST: usize = 600;
+/// The number of operations above which a graph is left as it was built.
+const LARGEST: usize = 1 << 15;
 
 /// A program and what is wanted of it. [`Task::compile`] makes a [`Kernel`] of it.
 ///
@@ -49,6 +49,8 @@ pub struct Task<'a> {
     pub(crate) uniform: Vec<bool>,
     /// The values of the program's steps; without them no other forms of it are tried.
     pub(crate) witness: Option<&'a Witness>,
+    /// The declared types, by which steps are compiled by themselves.
+    pub(crate) types: &'a [TypeDefinition],
 }
 
 impl<'a> Task<'a> {
@@ -86,6 +88,7 @@ impl<'a> Task<'a> {
             algebra,
             wanted,
             witness: None,
+            types: &[],
         }
     }
 
@@ -93,6 +96,13 @@ impl<'a> Task<'a> {
     #[must_use]
     pub fn with_witness(mut self, witness: &'a Witness) -> Self {
         self.witness = Some(witness);
+        self
+    }
+
+    /// The same with the declared types of the algebra, of which values between are members.
+    #[must_use]
+    pub fn with_types(mut self, types: &'a [TypeDefinition]) -> Self {
+        self.types = types;
         self
     }
 
@@ -125,6 +135,11 @@ impl<'a> Task<'a> {
 
     /// The graph by some rules, before the passes.
     pub(crate) fn lowered(&self, choices: &Choices) -> LoweredTask {
+        self.with_pieces(choices, &Pieces::default())
+    }
+
+    /// The same, where some steps are computed by graphs of their own.
+    pub(crate) fn with_pieces(&self, choices: &Choices, pieces: &Pieces<'_>) -> LoweredTask {
         let mut arena = Arena::default();
         let mut uniform = Vec::new();
         let mut inputs = Vec::new();
@@ -140,6 +155,7 @@ impl<'a> Task<'a> {
             &inputs,
             &steps,
             choices,
+            pieces,
         );
         let mut outputs = Vec::new();
         for (value, (_, blades)) in values.iter().zip(&self.wanted) {
@@ -273,6 +289,10 @@ impl LoweredGraph {
 
     /// The kernel that the passes make of it.
     fn kernel(self) -> Kernel {
+        let limits = match self.relations {
+            None => vec![SearchLimit::Operations],
+            Some(_) => Vec::new(),
+        };
         let (arena, outputs) = match &self.relations {
             None => self.graph,
             Some(relations) => {
@@ -287,6 +307,7 @@ impl LoweredGraph {
             choices: self.choices,
             uniform: self.uniform,
             literals: Vec::new(),
+            limits,
         }
     }
 }

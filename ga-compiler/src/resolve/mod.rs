@@ -379,6 +379,7 @@ impl<'a, 's> Resolver<'a, 's> {
         if reasons.is_empty() {
             if let Some(kind) = kind {
                 self.builder.program.state(id, kind.facts);
+                self.builder.program.state_written(id, kind);
             }
             return Ok(());
         }

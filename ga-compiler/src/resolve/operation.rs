@@ -136,6 +136,15 @@ impl Operation {
 
     /// The steps of the operation on as many operands as it takes.
     pub(super) fn apply(self, builder: &mut Builder<'_>, operands: &[StepId]) -> Outcome {
+        let result = self.steps(builder, operands)?;
+        // Some give back an operand.
+        if !operands.contains(&result) {
+            builder.program.state_operation(result, operands.to_vec());
+        }
+        Ok(result)
+    }
+
+    fn steps(self, builder: &mut Builder<'_>, operands: &[StepId]) -> Outcome {
         let first = operands[0];
         match self {
             Self::Unary(operation) => builder.push(Step::Unary(operation, first)),

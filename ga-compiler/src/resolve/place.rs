@@ -21,9 +21,14 @@ impl<'a, 's> Resolver<'a, 's> {
     pub(super) fn point(&mut self, formula: &Formula, operand: &'s Formula) -> Result<Bound> {
         let x = self.single(operand)?;
         let model = self.conformal(POINT, formula)?;
-        let step = self.builder.place(&model, x);
-        step.map(Bound::One)
-            .map_err(|error| operation_error(POINT, error, formula))
+        let step = self
+            .builder
+            .place(&model, x)
+            .map_err(|error| operation_error(POINT, error, formula))?;
+        if step != x {
+            self.builder.program.state_operation(step, vec![x]);
+        }
+        Ok(Bound::One(step))
     }
 
     /// `endpoints(x)`.

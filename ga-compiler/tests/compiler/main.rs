@@ -13,8 +13,8 @@ mod language;
 mod literals;
 mod passes;
 mod rules;
+mod sharing;
 mod signs;
-
 mod snapshots;
 mod spelling;
 mod staging;

@@ -107,6 +107,13 @@ impl Ratio {
         Self::new(root(self.numerator)?, root(self.denominator)?)
     }
 
+    /// Whether this is zero or a positive fraction that consists of primes up to 83, which are
+    /// squares among the residues.
+    #[must_use]
+    pub fn is_of_small_primes(self) -> bool {
+        self.is_zero() || (self * self).root_factor() == self
+    }
+
     /// The largest fraction r that consists of primes up to 83 and whose square divides this: what
     /// may stand before a root, since those primes are squares among the residues.
     #[must_use]

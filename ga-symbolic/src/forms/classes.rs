@@ -26,6 +26,7 @@ use rustc_hash::FxHashMap;
 use super::FormRule;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Function, Number, Residue};
+use crate::limit::SearchLimit;
 use crate::member::{Numbers, numbers};
 
 /// The place of a class.
@@ -140,6 +141,8 @@ pub(super) struct Classes<'a> {
     /// Whether something with limits is zero at all points: `x/y*y - x`, or `abs(x) - x` besides
     /// the root of x. It is not zero where its limits are not kept.
     pub(super) has_limited_zero: bool,
+    /// The limits that were reached.
+    pub(super) reached: Vec<SearchLimit>,
 }
 
 impl<'a> Classes<'a> {
@@ -151,6 +154,7 @@ impl<'a> Classes<'a> {
             by_value: FxHashMap::default(),
             ways: 0,
             has_limited_zero: false,
+            reached: Vec::new(),
         }
     }
 

@@ -149,17 +149,14 @@ fn gather(
     id: StepId,
     parts: &mut Option<Vec<Term>>,
 ) {
-    let Step::Binary(_, a, b) = program.step(id) else {
-        return;
-    };
-    for part in [*a, *b] {
-        if is_inner[part.index()] {
-            gather(program, is_inner, made, part, parts);
-        } else {
-            match (made[part.index()], &mut *parts) {
-                (Some(term), Some(parts)) => parts.push(term),
-                _ => *parts = None,
+    let mut open = vec![id];
+    while let Some(part) = open.pop() {
+        match (program.step(part), made[part.index()], &mut *parts) {
+            (Step::Binary(_, a, b), ..) if part == id || is_inner[part.index()] => {
+                open.extend([*b, *a]);
             }
+            (_, Some(term), Some(parts)) => parts.push(term),
+            _ => *parts = None,
         }
     }
 }
@@ -174,7 +171,13 @@ fn product_of(classes: &mut Classes<'_>, parts: &[Term]) -> Made {
     }
     let whole = match rules::as_action(classes, &ids, None) {
         Some(whole) => Some(whole),
-        None => classes.chain(Product::Geometric, &ids, None),
+        None => {
+            let whole = classes.chain(Product::Geometric, &ids, None);
+            if let Some(whole) = whole {
+                classes.add_written(&ids, whole);
+            }
+            whole
+        }
     };
     whole.map(|term| term.scaled(factor))
 }

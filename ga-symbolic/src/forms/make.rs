@@ -5,7 +5,11 @@ use super::FormRule;
 use super::classes::{ClassId, Classes, Operation, Term};
 use crate::algebra::{Blade, Product, Ratio, Unary};
 use crate::ir::{Function, Number};
+use crate::limit::SearchLimit;
 use crate::member::{Numbers, numbers};
+
+/// The most factors that a product is made of whose parts are products.
+const MOST_FACTORS: usize = 32;
 
 /// A class, or none where the result is zero.
 pub(super) type Made = Option<Term>;
@@ -218,17 +222,7 @@ impl Classes<'_> {
         parts: &[ClassId],
         rule: Option<FormRule>,
     ) -> Made {
-        let mut flat = Vec::new();
-        let mut moved = Ratio::ONE;
-        for part in parts {
-            match self.factors(product, *part) {
-                Some((inner, own)) => {
-                    moved = moved * own;
-                    flat.extend(inner);
-                }
-                None => flat.push(*part),
-            }
-        }
+        let (flat, moved) = self.flat(product, parts);
         let (flat, sign) = self.in_order(product, flat);
         let factor = moved * sign;
         if let [single] = flat.as_slice() {
@@ -250,6 +244,37 @@ impl Classes<'_> {
         };
         self.insert(Operation::Product(product, flat), of, rule)
             .map(|term| term.scaled(factor))
+    }
+
+    /// The factors of some parts of a product, and the factor in front of them. Where they would be
+    /// too many, as those of a square of a square of a square are, the parts themselves.
+    pub(super) fn flat(&mut self, product: Product, parts: &[ClassId]) -> (Vec<ClassId>, Ratio) {
+        let mut flat = Vec::new();
+        let mut moved = Ratio::ONE;
+        for part in parts {
+            match self.factors(product, *part) {
+                Some((inner, own)) => {
+                    moved = moved * own;
+                    flat.extend(inner);
+                }
+                None => flat.push(*part),
+            }
+        }
+        if flat.len() <= MOST_FACTORS || flat.len() == parts.len() {
+            return (flat, moved);
+        }
+        self.reached.push(SearchLimit::Factors);
+        (parts.to_vec(), Ratio::ONE)
+    }
+
+    /// Adds a geometric product of some parts as it is written, besides that of all their factors: a
+    /// part may be read elsewhere too.
+    pub(super) fn add_written(&mut self, parts: &[ClassId], whole: Term) {
+        let (parts, sign) = self.in_order(Product::Geometric, parts.to_vec());
+        if parts.len() > 1 {
+            let operation = Operation::Product(Product::Geometric, parts);
+            self.add_way(operation, whole.scaled(sign), None);
+        }
     }
 
     /// The factors of a class that is a chain, and the factor in front of it.

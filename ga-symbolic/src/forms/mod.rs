@@ -30,6 +30,7 @@ pub use crate::lower::FormRule;
 
 use crate::algebra::Algebra;
 use crate::define::{Role, TypeDefinition};
+use crate::limit::SearchLimit;
 use crate::lower::{Choices, Rule};
 use crate::program::{Program, StepId, Witness};
 use classes::{ClassId, Classes, Term};
@@ -43,6 +44,13 @@ pub(crate) struct Form<'a> {
     pub(crate) wanted: Vec<StepId>,
     /// The rules that led to it.
     pub(crate) rules: Vec<FormRule>,
+}
+
+/// The forms of a program that were found, and the limits that were reached.
+#[derive(Default)]
+pub(crate) struct Found<'a> {
+    pub(crate) forms: Vec<Form<'a>>,
+    pub(crate) limits: Vec<SearchLimit>,
 }
 
 /// The largest program that is taken apart.
@@ -61,24 +69,34 @@ pub(crate) struct Source<'s, 'a> {
 }
 
 /// The forms of a program that look cheapest, the best first.
-pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Vec<Form<'a>> {
-    let Some((mut classes, known, terms)) = classes_of(source) else {
-        return Vec::new();
+pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Found<'a> {
+    let (mut classes, known, terms) = match classes_of(source) {
+        Ok(found) => found,
+        Err(limits) => {
+            return Found {
+                limits,
+                ..Found::default()
+            };
+        }
     };
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
     let selections = costs.selections(&classes, &ids, Some(most));
     let operands = &source.program.operands;
-    selections
+    let forms = selections
         .iter()
         .map(|selection| extract(&mut classes, operands, &known, selection, &terms, None))
-        .collect()
+        .collect();
+    Found {
+        forms,
+        limits: classes.reached,
+    }
 }
 
 /// The cheapest form that uses one of some rules, if there is one.
-pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Form<'a>> {
-    let Some((mut classes, known, terms)) = classes_of(source) else {
-        return Vec::new();
+pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Found<'a> {
+    let Ok((mut classes, known, terms)) = classes_of(source) else {
+        return Found::default();
     };
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
@@ -91,15 +109,17 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Fo
     let mut forms = selections
         .iter()
         .map(|selection| extract(&mut classes, operands, &known, selection, &terms, broken));
-    forms
-        .find(|form| form.rules.iter().any(|rule| choices.forms.contains(rule)))
-        .into_iter()
-        .collect()
+    let form = forms.find(|form| form.rules.iter().any(|rule| choices.forms.contains(rule)));
+    Found {
+        forms: form.into_iter().collect(),
+        limits: Vec::new(),
+    }
 }
 
+/// The classes of a program; otherwise the limits for which there are none.
 fn classes_of<'a, 's>(
     source: &Source<'s, 'a>,
-) -> Option<(Classes<'s>, Known<'a>, Vec<Option<Term>>)> {
+) -> Result<(Classes<'s>, Known<'a>, Vec<Option<Term>>), Vec<SearchLimit>> {
     let Source {
         algebra,
         program,
@@ -107,11 +127,15 @@ fn classes_of<'a, 's>(
         uniform,
         wanted,
     } = *source;
-    if program.len() > MOST_STEPS || witness.points().next().is_none() {
-        return None;
+    if program.len() > MOST_STEPS {
+        return Err(vec![SearchLimit::Steps]);
+    }
+    if witness.points().next().is_none() {
+        return Err(Vec::new());
     }
     let mut classes = Classes::new(algebra);
-    let made = import::import(&mut classes, program, witness, uniform, wanted)?;
+    let made = import::import(&mut classes, program, witness, uniform, wanted);
+    let made = made.ok_or_else(Vec::new)?;
     rules::saturate(&mut classes);
     let mut known = Known {
         facts: Vec::new(),
@@ -135,5 +159,5 @@ fn classes_of<'a, 's>(
         }
     }
     let terms = wanted.iter().map(|id| made[id.index()]).collect();
-    Some((classes, known, terms))
+    Ok((classes, known, terms))
 }

@@ -292,10 +292,8 @@ impl Function {
                 (root, inner / (root * root))
             }
             Self::Absolute => {
-                // A square is one whatever its root is.
                 let size = inner.abs();
-                let is_square = (size * size).root_factor() == size;
-                if is_square {
+                if size.is_of_small_primes() {
                     (size, Ratio::ONE)
                 } else {
                     (Ratio::ONE, size)
@@ -307,32 +305,41 @@ impl Function {
 
     /// The value at residues that stand for constants: it is that of the constants.
     fn exact_at_residues(self, arguments: &[Residue]) -> Option<Ratio> {
-        let constant = |x: &Residue| x.to_ratio(LARGEST_CONSTANT);
-        let constants: Option<Vec<Ratio>> = match self {
-            Self::And | Self::Or | Self::Not | Self::Select => None,
-            Self::SquareRoot | Self::Hypotenuse | Self::Absolute => {
-                arguments.iter().map(constant).collect()
-            }
-            _ if self.is_random_choice() => arguments.iter().map(constant).collect(),
-            _ => {
-                let simple = [Ratio::ZERO, Ratio::ONE].into_iter();
-                let mut simple = simple.filter(|x| Residue::from_ratio(*x) == arguments[0]);
-                simple
-                    .next()
-                    .filter(|_| arguments.len() == 1)
-                    .map(|x| vec![x])
-            }
+        let constants: Option<Vec<Ratio>> = if self.is_random_choice() {
+            let each = arguments.iter().map(|x| x.to_ratio(LARGEST_CONSTANT));
+            each.collect()
+        } else if self.arity() == 1 {
+            let simple = [Ratio::ZERO, Ratio::ONE].into_iter();
+            let mut simple = simple.filter(|x| Residue::from_ratio(*x) == arguments[0]);
+            simple.next().map(|x| vec![x])
+        } else {
+            None
         };
         self.exact(&constants?)
     }
 
-    /// The value at fractions, where it is a fraction itself. Larger fractions have none, since
-    /// they are not recognised among the residues.
+    /// The value at fractions where it is a fraction for which the stand-in is the same: a positive
+    /// one that is a square among the residues, or a comparison of constants that are recognised
+    /// there.
+    #[must_use]
+    pub(crate) fn folded(self, arguments: &[Ratio]) -> Option<Ratio> {
+        let value = self.exact(arguments)?;
+        let is_same = match self {
+            Self::SquareRoot | Self::Hypotenuse | Self::Absolute => value.is_of_small_primes(),
+            _ if self.is_random_choice() => {
+                let largest = i128::from(LARGEST_CONSTANT);
+                arguments.iter().all(|x| x.height() <= largest)
+            }
+            _ => true,
+        };
+        is_same.then_some(value)
+    }
+
+    /// The value at fractions, where it is a fraction itself.
     #[must_use]
     pub(crate) fn exact(self, arguments: &[Ratio]) -> Option<Ratio> {
         let x = arguments[0];
-        let is_large = |argument: &Ratio| argument.height() > i128::from(LARGEST_CONSTANT);
-        if arguments.iter().any(is_large) {
+        if arguments.iter().any(|x| x.is_out_of_range()) {
             return None;
         }
         let condition = |holds: bool| Some(if holds { Ratio::ONE } else { Ratio::ZERO });

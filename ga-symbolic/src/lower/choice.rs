@@ -40,6 +40,8 @@ pub struct Choices {
     pub sites: Vec<(StepId, SandwichRule)>,
     /// The rules by which the program was brought into another form first. None leave it as it is.
     pub forms: Vec<FormRule>,
+    /// Whether each operation is compiled by itself, with rules of its own.
+    pub is_stepwise: bool,
 }
 
 impl From<Choice> for Choices {
@@ -48,6 +50,7 @@ impl From<Choice> for Choices {
             all,
             sites: Vec::new(),
             forms: Vec::new(),
+            is_stepwise: false,
         }
     }
 }
@@ -114,6 +117,9 @@ impl Choices {
             if !names.contains(&name) {
                 names.push(name);
             }
+        }
+        if self.is_stepwise {
+            names.push("step by step");
         }
         names
     }

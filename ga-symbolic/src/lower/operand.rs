@@ -7,16 +7,29 @@ use crate::ir::{Arena, Multivector, Value};
 /// of the declaration and as they are written there. `held` derived coefficients keep their
 /// constant factors, the ½ of ½x² for instance, which pays where many products read them.
 pub fn operand(arena: &mut Arena, kind: &TypeDefinition, held: bool) -> Multivector {
-    let written: Vec<Value> = kind
-        .coefficients
-        .iter()
-        .map(|c| match &c.role {
-            Role::Stored => arena.input(),
-            Role::Constant(value) => Value::constant(*value),
-            Role::Derived(_) => Value::ZERO,
-        })
-        .collect();
-    complete(arena, kind, &written, held)
+    let stored: Vec<Value> = kind.stored().map(|_| arena.input()).collect();
+    complete(arena, kind, &stored, held)
+}
+
+/// The stored coefficients of a member of a type, as they are written.
+pub(super) fn stored(kind: &TypeDefinition, value: &Multivector) -> impl Iterator<Item = Value> {
+    kind.stored().map(|coefficient| {
+        let found = value.coefficient(coefficient.blade);
+        if coefficient.is_negative {
+            -found
+        } else {
+            found
+        }
+    })
+}
+
+/// A member of a type from its stored coefficients as they are written.
+pub(super) fn from_stored(
+    arena: &mut Arena,
+    kind: &TypeDefinition,
+    stored: &[Value],
+) -> Multivector {
+    complete(arena, kind, stored, false)
 }
 
 /// A value that is known to be a member of a type, with constants for its constant coefficients and
@@ -27,28 +40,23 @@ pub(super) fn rederived(
     kind: &TypeDefinition,
     value: &Multivector,
 ) -> Multivector {
+    let stored: Vec<Value> = stored(kind, value).collect();
+    let facts = value.facts.and(kind.facts);
+    complete(arena, kind, &stored, false).with_facts(facts)
+}
+
+/// A member of a type from its stored coefficients as written; the others follow from the type.
+fn complete(arena: &mut Arena, kind: &TypeDefinition, stored: &[Value], held: bool) -> Multivector {
+    let mut stored = stored.iter().copied();
     let written: Vec<Value> = kind
         .coefficients
         .iter()
         .map(|c| match &c.role {
-            Role::Stored if c.is_negative => -value.coefficient(c.blade),
-            Role::Stored => value.coefficient(c.blade),
-            Role::Constant(constant) => Value::constant(*constant),
+            Role::Stored => stored.next().unwrap_or(Value::ZERO),
+            Role::Constant(value) => Value::constant(*value),
             Role::Derived(_) => Value::ZERO,
         })
         .collect();
-    let facts = value.facts.and(kind.facts);
-    complete(arena, kind, &written, false).with_facts(facts)
-}
-
-/// A member of a type from its coefficients as written, the derived ones of which are computed
-/// here.
-fn complete(
-    arena: &mut Arena,
-    kind: &TypeDefinition,
-    written: &[Value],
-    held: bool,
-) -> Multivector {
     let mut terms = Vec::with_capacity(written.len());
     for (index, coefficient) in kind.coefficients.iter().enumerate() {
         let value = match &coefficient.role {

@@ -1,8 +1,12 @@
 //! Programs to graphs, one step at a time.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
+
+use rustc_hash::FxHashMap;
 
 use super::operand::rederived;
+use super::piece::Pieces;
 use super::projection::{Image, keeps_weight};
 use super::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, Rule, SandwichRule};
 use super::{gram, meet};
@@ -11,7 +15,7 @@ use crate::ir::{Arena, Facts, Function, Multivector, Value};
 use crate::program::{Program, Step, StepId};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they
-/// need.
+/// need. A step with a piece is computed by its graph.
 #[must_use]
 pub fn lower(
     arena: &mut Arena,
@@ -20,6 +24,7 @@ pub fn lower(
     operands: &[Multivector],
     wanted: &[StepId],
     choices: &Choices,
+    pieces: &Pieces<'_>,
 ) -> Lowered {
     let mut uses = vec![0; program.len()];
     // Only steps that the wanted ones need count as readers: checks have left others behind.
@@ -45,12 +50,17 @@ pub fn lower(
         site: None,
         acted: Vec::new(),
         images: Vec::new(),
+        pieces,
         values: vec![Multivector::default(); uses.len()],
         uses,
     };
     let needed = lowering.needed(wanted);
     for (id, step) in program.steps().filter(|(id, _)| needed[id.index()]) {
         lowering.site = Some(id);
+        if let Some(piece) = pieces.get(&id) {
+            lowering.values[id.index()] = piece.lower(lowering.arena, &lowering.values);
+            continue;
+        }
         let value = lowering.step(id, step);
         let facts = value.facts.and(program.stated(id));
         // Terms of the other parity are zero, though the graph does not show it.
@@ -74,6 +84,9 @@ pub fn lower(
     }
 }
 
+/// How many steps deep the factors of an outer product are looked for. Those of a blade are few.
+const DEEPEST: usize = 16;
+
 /// A lowered program.
 pub struct Lowered {
     /// The wanted steps.
@@ -95,6 +108,7 @@ struct Lowering<'a> {
     acted: Vec<StepId>,
     /// The actions so far.
     images: Vec<Image>,
+    pieces: &'a Pieces<'a>,
     values: Vec<Multivector>,
     /// How often each step is read.
     uses: Vec<usize>,
@@ -111,6 +125,7 @@ impl Lowering<'_> {
                 continue;
             }
             let reads = match step {
+                _ if self.pieces.contains_key(&id) => self.pieces[&id].reads(),
                 Step::Binary(product @ (Product::Geometric | Product::Wedge), ..) => {
                     self.factors(id, *product)
                 }
@@ -336,7 +351,7 @@ impl Lowering<'_> {
             _ if is_inner => (Rule::Inner(self.choice.inner), a, Ratio::ONE),
             _ => return None,
         };
-        let [(left, first), (right, second)] = [self.joined(a), self.joined(b)];
+        let [(left, first), (right, second)] = [a, b].map(|id| self.joined(id, DEEPEST));
         let value = match rule {
             Rule::Meet(MeetRule::Factors) => meet::lower(self.arena, self.algebra, &left, &right)?,
             Rule::Inner(InnerRule::Gram) => gram::lower(self.arena, self.algebra, &left, &right)?,
@@ -349,45 +364,50 @@ impl Lowering<'_> {
     /// The operand of a dual, or of its negative, with the factor of `a I⁻¹`.
     fn undualised(&self, id: StepId) -> Option<(StepId, Ratio)> {
         let square = self.algebra.metric().pseudoscalar_square();
+        let (mut id, mut sign) = (id, Ratio::ONE);
+        while let Step::Negative(a) = self.program.step(id) {
+            (id, sign) = (*a, -sign);
+        }
         match self.program.step(id) {
             _ if square.is_zero() => None,
-            Step::Unary(Unary::Dual, a) => Some((*a, Ratio::ONE)),
-            Step::Unary(Unary::Undual, a) => Some((*a, square)),
-            Step::Negative(a) => self.undualised(*a).map(|(a, multiple)| (a, -multiple)),
+            Step::Unary(Unary::Dual, a) => Some((*a, sign)),
+            Step::Unary(Unary::Undual, a) => Some((*a, square * sign)),
             _ => None,
         }
     }
 
     /// The factors of an outer product, or of its reverse or negative; and whether it is the
-    /// negative of their product.
-    fn joined(&self, id: StepId) -> (Vec<Multivector>, bool) {
+    /// negative of their product. A part deeper than some steps is one factor.
+    fn joined(&self, id: StepId, deepest: usize) -> (Vec<Multivector>, bool) {
+        let next = deepest.saturating_sub(1);
         match self.program.step(id) {
+            _ if deepest == 0 || self.pieces.contains_key(&id) => (vec![self.value(id)], false),
             Step::Binary(Product::Wedge, a, b) => {
-                let (mut factors, first) = self.joined(*a);
-                let (others, second) = self.joined(*b);
+                let (mut factors, first) = self.joined(*a, next);
+                let (others, second) = self.joined(*b, next);
                 factors.extend(others);
                 (factors, first != second)
             }
             Step::Unary(Unary::Reverse, a) if self.is_join(*a) => {
-                let (factors, is_negative) = self.joined(*a);
+                let (factors, is_negative) = self.joined(*a, next);
                 let is_reversed = factors.len() % 4 >= 2;
                 (factors, is_negative != is_reversed)
             }
             Step::Negative(a) => {
-                let (factors, is_negative) = self.joined(*a);
+                let (factors, is_negative) = self.joined(*a, next);
                 (factors, !is_negative)
             }
-            _ => (vec![self.values[id.index()].clone()], false),
+            _ => (vec![self.value(id)], false),
         }
     }
 
     /// Whether a step is an outer product, or its reverse or negative.
     fn is_join(&self, id: StepId) -> bool {
-        match self.program.step(id) {
-            Step::Binary(Product::Wedge, ..) => true,
-            Step::Unary(Unary::Reverse, a) | Step::Negative(a) => self.is_join(*a),
-            _ => false,
+        let mut id = id;
+        while let Step::Unary(Unary::Reverse, a) | Step::Negative(a) = self.program.step(id) {
+            id = *a;
         }
+        matches!(self.program.step(id), Step::Binary(Product::Wedge, ..))
     }
 
     /// The result of a rule. If the rule is to be broken, the sign of its last coefficient that is
@@ -403,59 +423,124 @@ impl Lowering<'_> {
     /// too is one factor.
     fn factors(&self, id: StepId, product: Product) -> Vec<StepId> {
         let mut factors = Vec::new();
-        if let Step::Binary(_, a, b) = self.program.step(id) {
-            for part in [*a, *b] {
-                let is_product = matches!(
-                    self.program.step(part),
-                    Step::Binary(other, ..) if *other == product
-                );
-                if is_product && self.uses[part.index()] == 1 {
-                    factors.extend(self.factors(part, product));
-                } else {
-                    factors.push(part);
+        let mut open = vec![id];
+        while let Some(part) = open.pop() {
+            match self.program.step(part) {
+                Step::Binary(other, a, b)
+                    if *other == product && (part == id || self.is_inside(part)) =>
+                {
+                    open.extend([*b, *a]);
                 }
+                _ => factors.push(part),
             }
         }
         factors
     }
 
-    /// A product of factors. `M … ~M` with an even M is the action of a versor.
-    fn chain(&mut self, factors: &[StepId]) -> Multivector {
-        if let [first, middle @ .., last] = factors
-            && !middle.is_empty()
-            && self.is_reverse_of(*first, *last)
-            && is_even(&self.values[first.index()])
-        {
-            let versor = self.values[first.index()].clone();
-            let operand = self.chain(middle);
-            return self.sandwich(&versor, &operand);
-        }
-        // The longest action inside, then the rest from left to right.
-        let (head, tail) = match factors {
-            [single] => return self.values[single.index()].clone(),
-            [head @ .., tail] => (head, tail),
-            [] => return Multivector::default(),
-        };
-        let start = (0..head.len().saturating_sub(1))
-            .find(|&start| self.is_reverse_of(head[start], *tail))
-            .filter(|&start| start > 0 && is_even(&self.values[head[start].index()]));
-        let (left, right) = match start {
-            Some(start) => (self.chain(&factors[..start]), self.chain(&factors[start..])),
-            None => (self.chain(head), self.values[tail.index()].clone()),
-        };
-        let facts = left.facts.of_product(right.facts);
-        left.product(self.arena, self.algebra, Product::Geometric, &right, |_| {
-            true
-        })
-        .with_facts(facts)
+    /// Whether nothing but one other step reads a step, and its product is not computed on its own.
+    fn is_inside(&self, id: StepId) -> bool {
+        self.uses[id.index()] == 1 && !self.pieces.contains_key(&id)
     }
 
-    fn is_reverse_of(&self, a: StepId, b: StepId) -> bool {
-        let reversed = |id: StepId| match self.program.step(id) {
-            Step::Unary(Unary::Reverse, inner) => Some(*inner),
-            _ => None,
+    /// A product of factors. `M … ~M` with an even M is the action of a versor: the longest action
+    /// inside is taken first, then the rest from left to right.
+    fn chain(&mut self, factors: &[StepId]) -> Multivector {
+        let places = Places::new(self.program, factors);
+        let mut open = vec![Part::Factors(0..factors.len())];
+        let mut done: Vec<Multivector> = Vec::new();
+        while let Some(part) = open.pop() {
+            let range = match part {
+                Part::Factors(range) => range,
+                Part::Action(versor) => {
+                    let operand = done.pop().unwrap_or_default();
+                    let versor = self.values[versor.index()].clone();
+                    done.push(self.sandwich(&versor, &operand));
+                    continue;
+                }
+                Part::Product => {
+                    let (right, left) = (done.pop(), done.pop());
+                    let (left, right) = (left.unwrap_or_default(), right.unwrap_or_default());
+                    let facts = left.facts.of_product(right.facts);
+                    let product = Product::Geometric;
+                    let whole = left.product(self.arena, self.algebra, product, &right, |_| true);
+                    done.push(whole.with_facts(facts));
+                    continue;
+                }
+            };
+            if range.len() < 2 {
+                let value = factors[range].first();
+                done.push(value.map_or_else(Default::default, |id| self.value(*id)));
+                continue;
+            }
+            let versor = |place: usize| is_even(&self.values[factors[place].index()]);
+            match places.action(&range).filter(|start| versor(*start)) {
+                Some(start) if start == range.start => {
+                    open.push(Part::Action(factors[start]));
+                    open.push(Part::Factors(start + 1..range.end - 1));
+                }
+                inside => {
+                    let middle = inside.unwrap_or(range.end - 1);
+                    open.push(Part::Product);
+                    open.push(Part::Factors(middle..range.end));
+                    open.push(Part::Factors(range.start..middle));
+                }
+            }
+        }
+        done.pop().unwrap_or_default()
+    }
+
+    fn value(&self, id: StepId) -> Multivector {
+        self.values[id.index()].clone()
+    }
+}
+
+/// What is open of a product of factors.
+enum Part {
+    /// The product of some factors.
+    Factors(Range<usize>),
+    /// The product of the last two values.
+    Product,
+    /// The action of a versor on the last value.
+    Action(StepId),
+}
+
+/// Where factors stand whose reverse is a factor too.
+struct Places {
+    /// For each factor its reverses in the program: what it is the reverse of, and its reverse.
+    reverses: Vec<[Option<StepId>; 2]>,
+    /// The places of each factor, in rising order.
+    places: FxHashMap<StepId, Vec<usize>>,
+}
+
+impl Places {
+    fn new(program: &Program<'_>, factors: &[StepId]) -> Self {
+        let mut places: FxHashMap<StepId, Vec<usize>> = FxHashMap::default();
+        for (place, factor) in factors.iter().enumerate() {
+            places.entry(*factor).or_default().push(place);
+        }
+        let reverses = factors.iter().map(|&factor| {
+            let inner = match program.step(factor) {
+                Step::Unary(Unary::Reverse, inner) => Some(*inner),
+                _ => None,
+            };
+            [inner, program.find(&Step::Unary(Unary::Reverse, factor))]
+        });
+        Self {
+            reverses: reverses.collect(),
+            places,
+        }
+    }
+
+    /// The first of some factors that the last of them is the reverse of, with others between.
+    fn action(&self, range: &Range<usize>) -> Option<usize> {
+        let last = range.end - 1;
+        let first = |reverse: StepId| {
+            let places = self.places.get(&reverse)?;
+            let next = places.partition_point(|place| *place < range.start);
+            places.get(next).copied()
         };
-        reversed(a) == Some(b) || reversed(b) == Some(a)
+        let found = self.reverses[last].into_iter().flatten().filter_map(first);
+        found.min().filter(|place| place + 1 < last)
     }
 }
 

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 
 use super::cost;
 use super::optimise::varying_cost;
-use super::rewrite::{Graph, copied, reads};
+use super::rewrite::{Graph, reads};
 use super::uniformity::Uniformity;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
@@ -151,7 +151,7 @@ impl<'a> Expansion<'a> {
             if self.dependence[id.index()] != Dependence::Mixed {
                 self.images[id.index()] = match self.arena.node(id) {
                     Node::Input(number) => inputs[*number],
-                    node => copied(&mut self.copy, node, &self.images)?,
+                    node => self.copy.copied(node, &self.images)?,
                 };
             }
             self.polynomials[id.index()] = self.polynomial(id)?;

@@ -16,7 +16,7 @@
 use std::collections::BTreeMap;
 
 use super::flatten;
-use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
+use super::rewrite::{Graph, collect_factors, reads, rewrite};
 use super::uniformity::Uniformity;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
@@ -62,7 +62,7 @@ struct Term {
 
 impl Term {
     fn new(arena: &Arena, reads: &[usize], images: &[Value], term: Value) -> Self {
-        let value = image(images, term);
+        let value = term.image(images);
         let mut leaves = Vec::new();
         collect_factors(arena, reads, term.node, &mut leaves);
         let product = leaves.iter().map(|leaf| images[leaf.index()]);

@@ -7,7 +7,7 @@
 //!
 //! It is right because addition is associative and commutative.
 
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, Value};
 
@@ -33,7 +33,7 @@ pub fn flatten(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
         let mut merged = Vec::with_capacity(terms.len());
         let mut shared = Vec::new();
         for &term in terms {
-            let value = image(images, term);
+            let value = term.image(images);
             match copy.node(value.node) {
                 Node::Sum(inner) if reads[term.node.index()] == 1 => {
                     merged.extend(inner.iter().map(|inner| inner.scaled(value.factor)));

@@ -8,7 +8,7 @@
 //!
 //! It is right because addition and multiplication are associative and commutative.
 
-use super::rewrite::{Graph, collect_factors, image, reads, rewrite};
+use super::rewrite::{Graph, collect_factors, reads, rewrite};
 use super::uniformity::Uniformity;
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
@@ -46,7 +46,7 @@ pub fn hoist(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph
         }
         changed = true;
         let values = |parts: Vec<Value>| -> Vec<Value> {
-            parts.into_iter().map(|part| image(images, part)).collect()
+            parts.into_iter().map(|part| part.image(images)).collect()
         };
         let (first, second) = (values(first), values(second));
         Some(match arena.node(id) {

@@ -8,7 +8,7 @@
 //! It is right where the relations hold, which is on the members of the operands' types.
 
 use super::flatten::{collected, price};
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::ir::{Arena, Function, Multivector, Node, Value, plucker};
 
@@ -73,7 +73,7 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
     let everything = vec![1; arena.len()];
     rewrite(arena, outputs, &everything, |copy, id, images| {
         let terms = reduced[id.index()].as_ref()?;
-        Some(copy.sum(terms.iter().map(|&term| image(images, term))))
+        Some(copy.sum(terms.iter().map(|term| term.image(images))))
     })
 }
 

@@ -29,12 +29,12 @@ pub(super) fn collect_factors(
     id: NodeId,
     factors: &mut Vec<NodeId>,
 ) {
-    match arena.node(id) {
-        Node::Product(a, b) if reads[id.index()] == 1 => {
-            collect_factors(arena, reads, *a, factors);
-            collect_factors(arena, reads, *b, factors);
+    let mut open = vec![id];
+    while let Some(id) = open.pop() {
+        match arena.node(id) {
+            Node::Product(a, b) if reads[id.index()] == 1 => open.extend([*b, *a]),
+            _ => factors.push(id),
         }
-        _ => factors.push(id),
     }
 }
 
@@ -84,32 +84,11 @@ fn rewrite_in_order(
             Node::Input(number) => inputs[*number],
             node => match change(&mut copy, id, &images) {
                 Some(changed) => changed,
-                None => copied(&mut copy, node, &images)?,
+                None => copy.copied(node, &images)?,
             },
         };
         images[id.index()] = image;
     }
-    let outputs = outputs.iter().map(|&value| image(&images, value)).collect();
+    let outputs = outputs.iter().map(|value| value.image(&images)).collect();
     Some((copy, outputs))
-}
-
-/// What a value of the source is in the copy.
-pub(super) fn image(images: &[Value], value: Value) -> Value {
-    images[value.node.index()].scaled(value.factor)
-}
-
-pub(super) fn copied(copy: &mut Arena, node: &Node, images: &[Value]) -> Option<Value> {
-    match node {
-        Node::One | Node::Input(_) => Some(Value::ONE),
-        Node::Sum(terms) => match &**terms {
-            [single] => Some(copy.held(image(images, *single))),
-            _ => Some(copy.sum(terms.iter().map(|&term| image(images, term)))),
-        },
-        Node::Product(a, b) => Some(copy.product(images[a.index()], images[b.index()])),
-        Node::Quotient(a, b) => copy.quotient(images[a.index()], images[b.index()]),
-        Node::Function(function, arguments) => {
-            let arguments: Vec<Value> = arguments.iter().map(|&v| image(images, v)).collect();
-            Some(copy.function(*function, &arguments))
-        }
-    }
 }

@@ -10,7 +10,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -189,7 +189,7 @@ impl Search {
                 factor: term.factor,
                 node: nodes[term.place],
             };
-            return image(images, value);
+            return value.image(images);
         };
         let whole = built[number].unwrap_or_else(|| {
             let parts = self.found[number].map(|(place, factor)| {

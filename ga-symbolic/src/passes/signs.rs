@@ -4,7 +4,7 @@
 //! difference that others read as well, the difference is negated, and the others take its
 //! negative: in sums and products this costs nothing.
 
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, reads, rewrite};
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// Negates sums of which more outputs are the negatives; `None` if there are none.
@@ -31,7 +31,7 @@ pub fn choose_signs(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
         if terms.len() < 2 {
             return None;
         }
-        let mut terms: Vec<Value> = terms.iter().map(|&term| image(images, term)).collect();
+        let mut terms: Vec<Value> = terms.iter().map(|term| term.image(images)).collect();
         let mut is_turned = is_wanted(id);
         if is_turned {
             terms.iter_mut().for_each(|term| *term = -*term);

@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 
 use super::flatten::{collected, price};
-use super::rewrite::{Graph, image, reads, rewrite};
+use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
@@ -46,7 +46,7 @@ pub fn substitute(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     }
     rewrite(arena, outputs, &reads, |copy, id, images| {
         let terms = changed.get(&id)?;
-        Some(copy.sum(terms.iter().map(|&term| image(images, term))))
+        Some(copy.sum(terms.iter().map(|term| term.image(images))))
     })
 }
 

@@ -85,6 +85,25 @@ impl Step {
             Self::Select(condition, a, b) => vec![*condition, *a, *b],
         }
     }
+
+    /// The same operation on other steps.
+    #[must_use]
+    pub fn mapped(&self, mut image: impl FnMut(StepId) -> StepId) -> Self {
+        match self {
+            Self::Operand(_) | Self::Constant(..) => self.clone(),
+            Self::Unary(unary, a) => Self::Unary(*unary, image(*a)),
+            Self::Binary(product, a, b) => Self::Binary(*product, image(*a), image(*b)),
+            Self::Sandwich(a, b) => Self::Sandwich(image(*a), image(*b)),
+            Self::Sum(a, b) => Self::Sum(image(*a), image(*b)),
+            Self::Quotient(a, b) => Self::Quotient(image(*a), image(*b)),
+            Self::Negative(a) => Self::Negative(image(*a)),
+            Self::Coefficient(a, blade) => Self::Coefficient(image(*a), *blade),
+            Self::Function(function, arguments) => {
+                Self::Function(*function, arguments.iter().map(|&a| image(a)).collect())
+            }
+            Self::Select(condition, a, b) => Self::Select(image(*condition), image(*a), image(*b)),
+        }
+    }
 }
 
 /// Which grades a multivector has, for all operands. Zero is even.
@@ -117,10 +136,14 @@ pub struct Program<'a> {
     pub operands: Vec<&'a TypeDefinition>,
     steps: Vec<Step>,
     constant: Vec<bool>,
+    /// The fractions that some steps are.
+    numbers: Vec<Option<Ratio>>,
     known: HashMap<Step, StepId>,
     facts: HashMap<StepId, Facts>,
     kinds: HashMap<StepId, &'a TypeDefinition>,
     parities: HashMap<StepId, Parity>,
+    operations: HashMap<StepId, Vec<StepId>>,
+    written: HashMap<StepId, &'a TypeDefinition>,
 }
 
 impl<'a> Program<'a> {
@@ -157,6 +180,19 @@ impl<'a> Program<'a> {
         if let Some(&id) = self.known.get(&step) {
             return id;
         }
+        let number = self.number(&step);
+        let step = match (step, number) {
+            // Functions of fractions and choices by them are exact.
+            (Step::Function(..), Some(number)) => {
+                return self.push(Step::Constant(Blade::SCALAR, number));
+            }
+            (Step::Select(condition, a, b), _) => match self.numbers[condition.index()] {
+                Some(holds) => return if holds.is_zero() { b } else { a },
+                None => Step::Select(condition, a, b),
+            },
+            (step, _) => step,
+        };
+        self.numbers.push(number);
         let id = StepId(self.steps.len());
         let is_constant = !matches!(step, Step::Operand(_))
             && step.reads().iter().all(|read| self.is_constant(*read));
@@ -164,6 +200,25 @@ impl<'a> Program<'a> {
         self.steps.push(step.clone());
         self.known.insert(step, id);
         id
+    }
+
+    /// The fraction that a step is, if it is a number and made of numbers.
+    fn number(&self, step: &Step) -> Option<Ratio> {
+        let of = |id: &StepId| self.numbers[id.index()];
+        let number = match step {
+            Step::Constant(Blade::SCALAR, value) => *value,
+            Step::Binary(Product::Geometric, a, b) => of(a)? * of(b)?,
+            Step::Sum(a, b) => of(a)? + of(b)?,
+            Step::Quotient(a, b) => of(a)? * of(b)?.recip()?,
+            Step::Negative(a) => -of(a)?,
+            Step::Coefficient(a, Blade::SCALAR) => of(a)?,
+            Step::Function(function, arguments) => {
+                let arguments: Option<Vec<Ratio>> = arguments.iter().map(of).collect();
+                function.exact(&arguments?)?
+            }
+            _ => return None,
+        };
+        (!number.is_out_of_range()).then_some(number)
     }
 
     /// The step at a place.
@@ -217,6 +272,36 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn parity(&self, id: StepId) -> Option<Parity> {
         self.parities.get(&id).copied()
+    }
+
+    /// States that a step is what an operation of several steps gives, and its operands.
+    pub fn state_operation(&mut self, id: StepId, operands: Vec<StepId>) {
+        self.operations.entry(id).or_insert(operands);
+    }
+
+    /// The operands of the operation that gives a step, as it is written: those that were stated,
+    /// or else the steps that it reads.
+    #[must_use]
+    pub fn operands_of(&self, id: StepId) -> Vec<StepId> {
+        let stated = self.operations.get(&id).cloned();
+        stated.unwrap_or_else(|| self.step(id).reads())
+    }
+
+    /// The place of a step, if there is one like it.
+    #[must_use]
+    pub fn find(&self, step: &Step) -> Option<StepId> {
+        self.known.get(step).copied()
+    }
+
+    /// States the type by which a step is declared where it is written.
+    pub fn state_written(&mut self, id: StepId, kind: &'a TypeDefinition) {
+        self.written.entry(id).or_insert(kind);
+    }
+
+    /// The type by which a step is declared, if it is.
+    #[must_use]
+    pub fn written(&self, id: StepId) -> Option<&'a TypeDefinition> {
+        self.written.get(&id).copied()
     }
 
     /// States that a step is always a member of a type.

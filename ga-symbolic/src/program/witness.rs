@@ -283,6 +283,35 @@ impl Witness {
         start(algebra, program, seed, self.has_signs)
     }
 
+    /// The values of another program with the same operands, at the same points; none where it has
+    /// no value at one of them.
+    pub(crate) fn of_other(&self, algebra: &Algebra, program: &Program<'_>) -> Option<Self> {
+        let other = |point: &Point| {
+            let mut other = Point {
+                members: point.members.clone(),
+                outcomes: point.outcomes.clone(),
+                ..Point::default()
+            };
+            // A form may be rounded so that a sign in it cannot be decided.
+            let patience = Patience {
+                with_real_roots: false,
+                parts: Parts {
+                    residue: true,
+                    real: false,
+                },
+            };
+            other.extend(algebra, program, &patience).ok()?;
+            Some(other)
+        };
+        Some(Self {
+            searched: program.len(),
+            has_signs: self.has_signs,
+            points: self.points.iter().map(other).collect::<Option<_>>()?,
+            chosen: self.chosen.iter().map(other).collect::<Option<_>>()?,
+            ..Self::default()
+        })
+    }
+
     /// The values of a step.
     pub fn values(&self, id: StepId) -> impl Iterator<Item = &Numbers> {
         self.all().map(move |point| &point.values[id.index()])

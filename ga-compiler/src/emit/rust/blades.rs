@@ -26,6 +26,7 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         outputs,
         choices: lower::Choices::default(),
         literals: Vec::new(),
+        limits: Vec::new(),
     };
     let inputs = fields(&[(kind, format_ident!("blade"))]);
     let code = body(&kernel, context.runtime, &inputs);

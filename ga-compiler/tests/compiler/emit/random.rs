@@ -140,6 +140,7 @@ impl Recipe {
                     .collect(),
                 arena,
                 literals: Vec::new(),
+                limits: Vec::new(),
                 outputs,
                 choices: ga_compiler::lower::Choices::default(),
             },

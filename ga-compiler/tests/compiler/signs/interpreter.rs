@@ -18,8 +18,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// The largest error of a value that is compared, relative to it or to 1.
 const LARGEST_ERROR: f64 = 1e-4;
 
-/// Programs at a point. There is no value where something does not exist, or where rounding decides
-/// a sign.
+/// Programs at a point. There is no value where something does not exist, chosen or not, or where
+/// rounding decides a sign.
 pub(super) struct Interpreter<'a> {
     space: &'a Space,
     v: &'a [f64],
@@ -107,8 +107,9 @@ impl<'a> Interpreter<'a> {
             Scalar::Select(parts) => {
                 let [a, b, first, second] = &**parts;
                 let (a, b) = two(a, b)?;
-                // What is not chosen need not exist.
-                self.scalar(if is_less(a, b)? { first } else { second })?
+                let is_first = is_less(a, b)?;
+                let (first, second) = two(first, second)?;
+                if is_first { first } else { second }
             }
         })
     }
@@ -145,7 +146,9 @@ impl<'a> Interpreter<'a> {
             Vector::Select(conditions, values) => {
                 let [a, b] = &**conditions;
                 let is_first = is_less(self.scalar(a)?, self.scalar(b)?)?;
-                self.vector(&values[usize::from(!is_first)])?
+                let [first, second] = &**values;
+                let (first, second) = (self.vector(first)?, self.vector(second)?);
+                if is_first { first } else { second }
             }
         })
     }

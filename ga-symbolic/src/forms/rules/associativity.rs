@@ -1,14 +1,18 @@
 //! Products in another grouping: `(a b) c = a (b c)`, for the geometric and for the outer product.
 //!
-//! Chains are flat, so what is written in groups has lost them. A group that occurs elsewhere too
-//! is one factor again, so that it is computed once; and a product of three and more is tried in
+//! Chains are flat. A group that occurs elsewhere too is one factor again, so that it is computed
+//! once; and a product of three and more is tried in
 //! two parts at each place.
 
 use crate::algebra::{Product, Ratio};
 use crate::forms::FormRule;
 use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+use crate::limit::SearchLimit;
 
 const RULE: Option<FormRule> = Some(FormRule::Associativity);
+
+/// The longest product in which groups are looked for.
+const LONGEST_SEARCHED: usize = 32;
 
 /// The longest product of which all groupings are tried.
 const LONGEST: usize = 4;
@@ -19,20 +23,37 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
     else {
         return;
     };
-    if way.rule == RULE {
+    // Powers are grouped by another rule.
+    if way.rule == RULE || factors.iter().all(|factor| *factor == factors[0]) {
         return;
     }
     let whole = factors.len();
+    if whole > LONGEST_SEARCHED {
+        classes.reached.push(SearchLimit::Factors);
+        return;
+    }
     for start in 0..whole {
         for end in start + 2..=whole {
-            let operation = Operation::Product(*product, factors[start..end].to_vec());
+            let part = &factors[start..end];
+            let operation = Operation::Product(*product, part.to_vec());
             if end - start < whole
                 && let Some(group) = classes.known(&operation)
             {
                 let mut grouped = factors[..start].to_vec();
-                grouped.push(group.class);
-                grouped.extend(&factors[end..]);
-                add(classes, id, way, *product, grouped, group.factor);
+                let mut factor = Ratio::ONE;
+                let mut rest = &factors[start..];
+                // Where it comes again, it is one factor again.
+                while let Some((first, others)) = rest.split_first() {
+                    if rest.starts_with(part) {
+                        grouped.push(group.class);
+                        factor = factor * group.factor;
+                        rest = &rest[part.len()..];
+                    } else {
+                        grouped.push(*first);
+                        rest = others;
+                    }
+                }
+                add(classes, id, way, *product, grouped, factor);
             }
         }
     }

@@ -9,7 +9,8 @@ use crate::algebra::Product;
 use crate::forms::FormRule;
 use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
-/// The longest product that is split.
+/// The longest product that is split at each place. A longer one is split before its last factor
+/// only, and so on, until all act one after the other.
 const LONGEST: usize = 6;
 
 pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
@@ -18,12 +19,15 @@ pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
         return;
     };
     if let Some((factors, _)) = classes.factors(Product::Geometric, versor)
-        && factors.len() <= LONGEST
         && factors
             .iter()
             .all(|factor| classes.parity(*factor).is_some())
     {
-        for place in 1..factors.len() {
+        let first = match factors.len() {
+            length if length > LONGEST => length - 1,
+            _ => 1,
+        };
+        for place in first..factors.len() {
             let (outer, inner) = factors.split_at(place);
             let (Some(outer), Some(inner)) = (
                 classes.chain(Product::Geometric, outer, rule),

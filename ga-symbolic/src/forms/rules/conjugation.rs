@@ -26,17 +26,7 @@ pub(in crate::forms) fn as_action(
     parts: &[ClassId],
     rule: Option<FormRule>,
 ) -> Option<Term> {
-    let mut factors = Vec::new();
-    let mut scale = Ratio::ONE;
-    for part in parts {
-        match classes.factors(Product::Geometric, *part) {
-            Some((inner, own)) => {
-                scale = scale * own;
-                factors.extend(inner);
-            }
-            None => factors.push(*part),
-        }
-    }
+    let (factors, scale) = classes.flat(Product::Geometric, parts);
     let (first, last) = ends(classes, &factors)?;
     if (first, last) != (0, factors.len() - 1) || factors.len() < 3 {
         return None;

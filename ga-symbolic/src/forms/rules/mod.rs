@@ -24,6 +24,7 @@ use rustc_hash::FxHashMap;
 
 use super::classes::{ClassId, Classes, Operation, Way};
 use crate::algebra::Product;
+use crate::limit::SearchLimit;
 
 /// A rule: looks at one way to a class and proposes others.
 type Apply = fn(&mut Classes<'_>, ClassId, &Way);
@@ -121,6 +122,7 @@ pub(super) fn saturate(classes: &mut Classes<'_>) {
                         (rule.apply)(classes, id, &way);
                     }
                     if classes.ways > limit {
+                        classes.reached.push(SearchLimit::Ways);
                         return;
                     }
                 }
