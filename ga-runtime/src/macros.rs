@@ -128,6 +128,9 @@
 ///
 /// # Limits
 ///
+/// An algebra has at most 128 types and 8192 products. The squares of the types' numbers of blades
+/// have at most the sum 131,072, that of two types of 256 blades, and all products together at most
+/// 131,072 terms, twice as many as the geometric product of two multivectors of eight dimensions.
 /// The coefficient of a blade nests at most 128 levels deep and has at most 1024 operators. Basis
 /// vectors, blades and types cannot be named like a keyword of Rust, since fields cannot.
 #[macro_export]

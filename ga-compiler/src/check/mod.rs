@@ -1,6 +1,7 @@
 //! Checks declarations: names are resolved to blades and types, and every error is found.
 
 mod basis;
+mod limits;
 mod polynomial;
 mod products;
 mod types;
@@ -32,6 +33,8 @@ pub fn check_with_warnings(
     syntax: DeclarationSyntax,
     runtime: TokenStream,
 ) -> syn::Result<(Definition, Vec<Warning>)> {
+    limits::check_types(&syntax.types)?;
+    limits::check_products(&syntax.products)?;
     let mut diagnostics = Diagnostics::default();
     let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
     let is_sound = diagnostics.count() == 0;

@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 use syn::Ident;
 
+use super::limits;
 use crate::algebra::{Algebra, Blade};
 use crate::define::{Operation, ProductDefinition, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Diagnostics;
@@ -17,6 +18,7 @@ pub(super) fn check(
     diagnostics: &mut Diagnostics,
 ) -> Vec<ProductDefinition> {
     let mut products: Vec<ProductDefinition> = Vec::new();
+    let mut terms = 0;
     for line in syntax {
         let Some(operation) = Operation::from_name(&line.operation.to_string()) else {
             let message = format!("unknown operation `{}`", line.operation);
@@ -65,6 +67,21 @@ pub(super) fn check(
                 operands,
                 span: line.operation.span(),
             };
+            if terms <= limits::MAX_TERMS {
+                let kinds: Vec<_> = operands.iter().map(|&o| &types[o]).collect();
+                terms += limits::terms(algebra, operation, &kinds);
+                if terms > limits::MAX_TERMS {
+                    let message = format!(
+                        "{} has too many terms: the products of an algebra have at most {} together",
+                        context.title(),
+                        limits::MAX_TERMS
+                    );
+                    diagnostics.error(line.operation.span(), message);
+                }
+            }
+            if terms > limits::MAX_TERMS {
+                continue;
+            }
             match context.result(&result, diagnostics) {
                 Some(Found::Result(result)) => products.push(ProductDefinition {
                     operation,

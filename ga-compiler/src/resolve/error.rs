@@ -4,8 +4,8 @@ use std::fmt;
 
 use crate::parse::{MAX_NESTING, Place};
 
-use super::limits::{MAX_CALL_DEPTH, MAX_CALLS, MAX_LEVELS};
-use crate::program::{MAX_STEPS, OperationError};
+use super::limits::{MAX_CALL_DEPTH, MAX_CALLS, MAX_LEVELS, MAX_OPERANDS};
+use crate::program::OperationError;
 
 /// An error in a function, with its place in the source.
 #[derive(Clone, Debug)]
@@ -150,7 +150,10 @@ impl fmt::Display for ResolveErrorKind {
         match self {
             Self::NoOperands => f.write_str("no members of the operands' types were found"),
             Self::TooManyOperands => {
-                write!(f, "the operands hold more than {MAX_STEPS} values together")
+                write!(
+                    f,
+                    "the operands hold more than {MAX_OPERANDS} values together"
+                )
             }
             Self::UnknownType(name, hint) => write!(f, "unknown type `{name}`{hint}"),
             Self::UnknownName(name, hint) => write!(

@@ -22,6 +22,7 @@ use std::rc::Rc;
 
 use syn::Ident;
 
+use self::limits::MAX_OPERANDS;
 use crate::algebra::Product;
 use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Warning;
@@ -32,7 +33,7 @@ use crate::parse::{
     ShapeSyntax,
 };
 use crate::program::build::Builder;
-use crate::program::{MAX_STEPS, Mismatch, Program, Step, StepId, Witness};
+use crate::program::{Mismatch, Program, Step, StepId, Witness};
 use crate::signature::{Operand, Shape};
 
 type Result<T> = std::result::Result<T, ResolveError>;
@@ -202,7 +203,7 @@ impl<'a, 's> Resolver<'a, 's> {
         for operand in &function.operands {
             let shape = self.shape(&operand.shape)?;
             let place = Place::of(operand.name.span());
-            if uniform.len().saturating_add(size(&shape)) > MAX_STEPS {
+            if uniform.len().saturating_add(size(&shape)) > MAX_OPERANDS {
                 return Err(ResolveError::new(ResolveErrorKind::TooManyOperands, place));
             }
             let bound = self.operand(&shape, operand)?;

@@ -330,11 +330,11 @@ fn errors_say_what_was_found() {
         ),
         (
             "fn f(a: [[Scalar; 1024]; 1024], b: Scalar) -> Scalar { b }",
-            "the operands hold more than 1048576 values together",
+            "the operands hold more than 16384 values together",
         ),
         (
             "fn f(a: [[[[Scalar; 1024]; 1024]; 1024]; 1024]) -> Scalar { 1 }",
-            "the operands hold more than 1048576 values together",
+            "the operands hold more than 16384 values together",
         ),
     ] {
         assert_eq!(message(function), text);

@@ -165,3 +165,49 @@ fn emitted_code_reads_like_written_code() {
         assert!(code.contains(&body), "{body}\nis not in\n{code}");
     }
 }
+
+/// Declarations that would take very long are refused, each with the bound.
+#[test]
+fn sizes_are_bounded() {
+    let names: Vec<_> = "abcdefghi"
+        .chars()
+        .map(|c| quote::format_ident!("x{c}"))
+        .collect();
+    let blades = |dimension: usize| {
+        let blade = |bits: usize| {
+            let letters = names[..dimension].iter().enumerate();
+            let letters = letters.filter(|(place, _)| bits >> place & 1 == 1);
+            let joined: String = letters
+                .map(|(_, name)| name.to_string().split_off(1))
+                .collect();
+            quote::format_ident!("x{joined}")
+        };
+        let rest: Vec<_> = (1..1 << dimension).map(blade).collect();
+        quote! { scalar, #(#rest),* }
+    };
+    let refused = |declaration: TokenStream| match check(declaration) {
+        Ok(_) => panic!("accepted"),
+        Err(messages) => messages.join("; "),
+    };
+    let (nine, seven) = (blades(9), blades(7));
+    let (all, first) = (&names, &names[..7]);
+    let large = quote! { mod a { basis #(#all),*; signature 9; struct M { #nine } } };
+    assert!(refused(large).contains("that of two types of 256 blades"));
+    let pairs = first.iter().flat_map(|a| first.iter().map(move |b| (a, b)));
+    let entries = pairs.filter(|(a, b)| a <= b).map(|(a, b)| {
+        let value = if a == b { 2 } else { 1 };
+        quote! { #a*#b = #value }
+    });
+    let many = quote! { mod a {
+        basis #(#first),*; metric #(#entries),*;
+        struct M { #seven }
+        products { geometric(M, M); }
+    } };
+    assert!(refused(many).contains("at most 131072 together"));
+    let types: Vec<_> = (0..=128).map(|k| quote::format_ident!("T{k}")).collect();
+    let many = quote! { mod a { basis xa; signature 1; #(struct #types { xa })* } };
+    assert!(refused(many).contains("at most 128 types"));
+    let line = quote! { wedge({#(#types),*}, {#(#types),*}); };
+    let many = quote! { mod a { basis xa; signature 1; struct T0 { xa } products { #line } } };
+    assert!(refused(many).contains("at most 8192 products"));
+}
