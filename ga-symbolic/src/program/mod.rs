@@ -141,6 +141,7 @@ pub struct Program<'a> {
     parities: HashMap<StepId, Parity>,
     operations: HashMap<StepId, Vec<StepId>>,
     written: HashMap<StepId, &'a TypeDefinition>,
+    has_signs: bool,
 }
 
 impl<'a> Program<'a> {
@@ -181,6 +182,11 @@ impl<'a> Program<'a> {
         let is_constant = !matches!(step, Step::Operand(_))
             && step.reads().iter().all(|read| self.is_constant(*read));
         self.constant.push(is_constant);
+        // The root of a square is its absolute value.
+        self.has_signs |= matches!(
+            step,
+            Step::Function(Function::Absolute | Function::SquareRoot, _)
+        );
         self.steps.push(step.clone());
         self.known.insert(step, id);
         id
@@ -202,6 +208,17 @@ impl<'a> Program<'a> {
     pub fn steps(&self) -> impl DoubleEndedIterator<Item = (StepId, &Step)> {
         let ids = (0..self.steps.len()).map(StepId);
         ids.zip(&self.steps)
+    }
+
+    /// The steps from a place on.
+    pub(crate) fn steps_from(&self, place: usize) -> impl Iterator<Item = (StepId, &Step)> {
+        let rest = self.steps.get(place..).unwrap_or_default();
+        (place..).map(StepId).zip(rest)
+    }
+
+    /// Whether there are absolute values or roots.
+    pub(crate) fn has_signs(&self) -> bool {
+        self.has_signs
     }
 
     /// The number of steps.

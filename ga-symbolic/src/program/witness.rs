@@ -69,14 +69,7 @@ impl Witness {
     /// Evaluates the steps that were added since the last time. `false` where no point is found at
     /// which all of them exist: something is divided by zero everywhere.
     pub fn extend(&mut self, algebra: &Algebra, program: &Program<'_>) -> bool {
-        // The root of a square is its absolute value.
-        let is_sign = |step: &Step| {
-            matches!(
-                step,
-                Step::Function(Function::Absolute | Function::SquareRoot, _)
-            )
-        };
-        let signs = if program.steps.iter().any(is_sign) {
+        let signs = if program.has_signs() {
             POINTS_WITH_SIGNS
         } else {
             0
@@ -123,7 +116,7 @@ impl Witness {
         for point in std::mem::take(&mut self.chosen) {
             self.settle_chosen(algebra, program, point);
         }
-        for (id, step) in program.steps().skip(self.covered) {
+        for (id, step) in program.steps_from(self.covered) {
             for goal in choices::goals(program, id) {
                 let is_shown = |point: &Point| {
                     let mut goal = goal.iter();
@@ -341,7 +334,7 @@ impl Point {
         program: &Program<'_>,
         with_real_roots: bool,
     ) -> Result<(), StepId> {
-        for (id, step) in program.steps().skip(self.values.len()) {
+        for (id, step) in program.steps_from(self.values.len()) {
             if let Step::Function(function, arguments) = step
                 && let Some((_, holds)) = self.wanted.iter().find(|(wanted, _)| *wanted == id)
             {
@@ -431,8 +424,7 @@ fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
     };
     if points.len() >= POINTS_WITH_CHOICES
         || program
-            .steps()
-            .skip(covered)
+            .steps_from(covered)
             .filter_map(random)
             .next()
             .is_none()
