@@ -1,5 +1,7 @@
 //! Calls: of operations, of coefficients, and of functions, which are copied in.
 
+use std::collections::BTreeMap;
+
 use syn::Ident;
 
 use super::condition::SELECT;
@@ -125,7 +127,7 @@ impl<'s> Resolver<'_, 's> {
     ) -> Result<Bound> {
         self.check_call(name, function)?;
         check_count(name, function.operands.len(), arguments)?;
-        let mut scope = Vec::new();
+        let mut scope = BTreeMap::new();
         for (operand, argument) in function.operands.iter().zip(arguments) {
             let value = self.formula(argument)?;
             let shape = self.shape(&operand.shape)?;
@@ -139,7 +141,7 @@ impl<'s> Resolver<'_, 's> {
                 let kind = ResolveErrorKind::NotBlade(what, found);
                 return Err(ResolveError::new(kind, argument.place()));
             }
-            scope.push((operand.name.clone(), value));
+            scope.insert(operand.name.to_string(), value);
         }
         std::mem::swap(&mut self.scope, &mut scope);
         let caller = std::mem::replace(&mut self.block, block);

@@ -177,12 +177,11 @@ impl<'s> Resolver<'_, 's> {
     }
 
     fn name(&mut self, name: &Ident) -> Result<Bound> {
-        let bound = self.scope.iter().rev().find(|(known, _)| known == name);
-        if let Some((_, bound)) = bound {
-            return Ok(bound.clone());
-        }
         let place = Place::of(name.span());
         let name = name.to_string();
+        if let Some(bound) = self.scope.get(&name) {
+            return Ok(bound.clone());
+        }
         if let Some(kind) = self.definition.type_named(&name) {
             if kind.is_constant() {
                 return operator_value(self.constant_member(kind), place);
@@ -205,8 +204,7 @@ impl<'s> Resolver<'_, 's> {
             }
             Err(NameError::Ambiguous(readings)) => ResolveErrorKind::AmbiguousBlade(name, readings),
             Err(_) => {
-                let scope = self.scope.iter().map(|(known, _)| known.to_string());
-                let hint = nearest(&name, scope);
+                let hint = nearest(&name, self.scope.keys().cloned());
                 ResolveErrorKind::UnknownName(name, hint)
             }
         };

@@ -18,6 +18,7 @@ mod zero;
 pub use error::{ResolveError, ResolveErrorKind, ValueCount};
 pub(crate) use shape::resolve_shape;
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use syn::Ident;
@@ -91,7 +92,7 @@ pub fn resolve_with<'a>(
         },
         block,
         explain,
-        scope: Vec::new(),
+        scope: BTreeMap::new(),
         callers: vec![function],
         calls: 0,
         level: 0,
@@ -183,8 +184,8 @@ struct Resolver<'a, 's> {
     /// The functions that may be called.
     block: &'s Block,
     explain: &'s dyn Fn(&Mismatch<'_, '_>) -> String,
-    /// The values that have a name, the innermost last.
-    scope: Vec<(Ident, Bound)>,
+    /// The values that have a name; of several of one name the last.
+    scope: BTreeMap<String, Bound>,
     /// The functions that are being copied in, each called by the one before.
     callers: Vec<&'s FunctionSyntax>,
     /// How many calls have been copied in.
@@ -285,7 +286,7 @@ impl<'a, 's> Resolver<'a, 's> {
     /// Names of values and of functions are kept apart, so that a value may have the name of a
     /// function.
     fn bind(&mut self, name: &Ident, bound: Bound) {
-        self.scope.push((name.clone(), bound));
+        self.scope.insert(name.to_string(), bound);
     }
 
     fn body(&mut self, function: &'s FunctionSyntax) -> Result<Bound> {

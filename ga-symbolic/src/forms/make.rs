@@ -223,6 +223,23 @@ impl Classes<'_> {
         rule: Option<FormRule>,
     ) -> Made {
         let (flat, moved) = self.flat(product, parts);
+        self.chain_of(product, parts, flat, moved, rule)
+    }
+
+    /// A geometric product of classes as they are, whatever they are made of.
+    pub(super) fn grouped(&mut self, parts: &[ClassId], rule: Option<FormRule>) -> Made {
+        self.chain_of(Product::Geometric, parts, parts.to_vec(), Ratio::ONE, rule)
+    }
+
+    /// The product of some parts, which is a multiple of that of all their factors.
+    fn chain_of(
+        &mut self,
+        product: Product,
+        parts: &[ClassId],
+        flat: Vec<ClassId>,
+        moved: Ratio,
+        rule: Option<FormRule>,
+    ) -> Made {
         let (flat, sign) = self.in_order(product, flat);
         let factor = moved * sign;
         if let [single] = flat.as_slice() {

@@ -238,7 +238,7 @@ impl Lowering<'_> {
         let own = self.sites.iter().find(|(site, _)| Some(*site) == self.site);
         let rule = own.map_or(self.choice.sandwich, |(_, rule)| *rule);
         if let Some(site) = self.site
-            && !self.acted.contains(&site)
+            && self.acted.last() != Some(&site)
         {
             self.acted.push(site);
         }

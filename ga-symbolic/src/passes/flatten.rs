@@ -26,13 +26,32 @@ pub fn flatten(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     if !has_work {
         return None;
     }
+    // The sums that are taken apart where they are read, however deep they stand.
+    let mut is_inner = vec![false; arena.len()];
+    for id in arena.ids().filter(|id| reads[id.index()] > 0) {
+        if let Node::Sum(terms) = arena.node(id) {
+            for term in terms.iter().filter(|term| is_sum(term)) {
+                is_inner[term.node.index()] = reads[term.node.index()] == 1;
+            }
+        }
+    }
     rewrite(arena, outputs, &reads, |copy, id, images| {
         let Node::Sum(terms) = arena.node(id) else {
             return None;
         };
+        if is_inner[id.index()] {
+            return Some(Value::ZERO);
+        }
         let mut merged = Vec::with_capacity(terms.len());
         let mut shared = Vec::new();
-        for &term in terms {
+        let mut open: Vec<Value> = terms.iter().rev().copied().collect();
+        while let Some(term) = open.pop() {
+            if is_inner[term.node.index()]
+                && let Node::Sum(inner) = arena.node(term.node)
+            {
+                open.extend(inner.iter().rev().map(|inner| inner.scaled(term.factor)));
+                continue;
+            }
             let value = term.image(images);
             match copy.node(value.node) {
                 Node::Sum(inner) if reads[term.node.index()] == 1 => {

@@ -10,7 +10,7 @@
 use super::flatten::{collected, price};
 use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::ir::{Arena, Function, Multivector, Node, Value, plucker};
+use crate::ir::{Arena, Function, Multivector, Node, NodeId, Value, plucker};
 
 /// The values that are zero by the facts of an operand: the coefficients of `M ~M − 1` for a unit
 /// versor, of `X²` for a null X, and the Plücker relations of a blade.
@@ -45,6 +45,12 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
     if known.is_empty() {
         return None;
     }
+    let mut places: Vec<Vec<usize>> = vec![Vec::new(); arena.len()];
+    for (place, relation) in known.iter().enumerate() {
+        for term in relation {
+            places[term.node.index()].push(place);
+        }
+    }
     let reads = reads(arena, outputs);
     let is_sensitive = sensitive(arena);
     let mut reduced: Vec<Option<Vec<Value>>> = vec![None; arena.len()];
@@ -52,13 +58,7 @@ pub fn reduce(arena: &Arena, outputs: &[Value], relations: &[Value]) -> Option<G
         if let Node::Sum(terms) = arena.node(id)
             && reads[id.index()] > 0
         {
-            // A sum can only take in nodes that come before it.
-            let earlier: Vec<&[Value]> = known
-                .iter()
-                .map(Vec::as_slice)
-                .filter(|relation| relation.iter().all(|term| term.node < id))
-                .collect();
-            let next = cheaper(arena, terms, &earlier, &reads);
+            let next = cheaper(arena, id, terms, (&known, &places), &reads);
             let is_kept = is_sensitive[id.index()]
                 && next
                     .as_ref()
@@ -115,11 +115,13 @@ fn without_sums(arena: &Arena, value: Value) -> Vec<Value> {
     }
 }
 
-/// The terms of a sum, reduced while it gets cheaper; `None` if it does not.
+/// The terms of a sum, reduced while it gets cheaper; `None` if it does not. The relations are
+/// given with the places of those that have each node.
 fn cheaper(
     arena: &Arena,
+    id: NodeId,
     terms: &[Value],
-    known: &[&[Value]],
+    (known, places): (&[Vec<Value>], &[Vec<usize>]),
     reads: &[usize],
 ) -> Option<Vec<Value>> {
     // Factors come last: the next passes often find a place for them where they cost nothing.
@@ -137,8 +139,17 @@ fn cheaper(
     let mut improved = false;
     loop {
         let current = best.1.clone();
-        for relation in known {
-            for shared in *relation {
+        let mut near: Vec<usize> = current
+            .iter()
+            .filter(|term| term.node != Arena::ONE)
+            .flat_map(|term| places[term.node.index()].iter().copied())
+            .collect();
+        near.sort_unstable();
+        near.dedup();
+        // A sum can only take in nodes that come before it.
+        let near = near.into_iter().map(|place| &known[place]);
+        for relation in near.filter(|relation| relation.iter().all(|term| term.node < id)) {
+            for shared in relation {
                 let Some(term) = current.iter().find(|term| term.node == shared.node) else {
                     continue;
                 };

@@ -75,6 +75,9 @@ struct Scales<'a> {
     total: usize,
 }
 
+/// Of how many multiples the most useful is looked for.
+const MOST_CANDIDATES: usize = 64;
+
 /// The cost of a multiplication for every element, where one in the prologue costs 1.
 const VARYING: usize = 1 << 20;
 
@@ -223,17 +226,30 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// Adds multiples that serve several products, the most useful first.
+    /// Adds multiples that serve several products, the most useful first. Of many, every one that
+    /// saves.
     fn add_multiples(&mut self) {
         loop {
-            let mut best: Option<(usize, NodeId, Ratio)> = None;
+            let candidates = self.candidates();
             let before = self.total;
-            for (id, multiple) in self.candidates() {
+            if candidates.len() > MOST_CANDIDATES {
+                for (id, multiple) in candidates {
+                    let least = self.total;
+                    let undo = self.serve(id, multiple);
+                    if self.total >= least {
+                        self.restore(undo);
+                    }
+                }
+                if self.total == before {
+                    return;
+                }
+                continue;
+            }
+            let mut best: Option<(usize, NodeId, Ratio)> = None;
+            for (id, multiple) in candidates {
                 let undo = self.serve(id, multiple);
                 let after = self.total;
-                for (product, sides) in undo.into_iter().rev() {
-                    self.set_product(product, sides);
-                }
+                self.restore(undo);
                 if after < best.map_or(before, |(least, ..)| least) {
                     best = Some((after, id, multiple));
                 }
@@ -242,6 +258,12 @@ impl<'a> Scales<'a> {
                 return;
             };
             self.serve(id, multiple);
+        }
+    }
+
+    fn restore(&mut self, undo: Vec<(NodeId, [Ratio; 2])>) {
+        for (product, sides) in undo.into_iter().rev() {
+            self.set_product(product, sides);
         }
     }
 

@@ -144,6 +144,7 @@ pub struct Program<'a> {
     parities: HashMap<StepId, Parity>,
     operations: HashMap<StepId, Vec<StepId>>,
     written: HashMap<StepId, &'a TypeDefinition>,
+    has_signs: bool,
 }
 
 impl<'a> Program<'a> {
@@ -197,6 +198,12 @@ impl<'a> Program<'a> {
         let is_constant = !matches!(step, Step::Operand(_))
             && step.reads().iter().all(|read| self.is_constant(*read));
         self.constant.push(is_constant);
+        // The root of a square is its absolute value.
+        self.has_signs |= match &step {
+            Step::Function(function, _) => function.depends_on_signs(),
+            Step::Select(..) => true,
+            _ => false,
+        };
         self.steps.push(step.clone());
         self.known.insert(step, id);
         id
@@ -237,6 +244,17 @@ impl<'a> Program<'a> {
     pub fn steps(&self) -> impl DoubleEndedIterator<Item = (StepId, &Step)> {
         let ids = (0..self.steps.len()).map(StepId);
         ids.zip(&self.steps)
+    }
+
+    /// The steps from a place on.
+    pub(crate) fn steps_from(&self, place: usize) -> impl Iterator<Item = (StepId, &Step)> {
+        let rest = self.steps.get(place..).unwrap_or_default();
+        (place..).map(StepId).zip(rest)
+    }
+
+    /// Whether there are absolute values or roots.
+    pub(crate) fn has_signs(&self) -> bool {
+        self.has_signs
     }
 
     /// The number of steps.

@@ -58,8 +58,7 @@ pub struct Witness {
     tried: u64,
     tried_reals: u64,
     tried_with_outcomes: u64,
-    /// How many steps were looked at for signs, and whether one of them depends on one.
-    searched: usize,
+    /// Whether a step depends on a sign.
     has_signs: bool,
     /// How many steps there were when the points showed all outcomes.
     covered: usize,
@@ -124,14 +123,7 @@ impl Witness {
 
     /// Gives real numbers to the points once a step depends on a sign.
     fn look_for_signs(&mut self, algebra: &Algebra, program: &Program<'_>) {
-        let is_sign = |step: &Step| match step {
-            Step::Function(function, _) => function.depends_on_signs(),
-            Step::Select(..) => true,
-            _ => false,
-        };
-        let had_signs = self.has_signs;
-        self.has_signs |= program.steps[self.searched..].iter().any(is_sign);
-        self.searched = program.len();
+        let had_signs = std::mem::replace(&mut self.has_signs, program.has_signs());
         if self.has_signs == had_signs {
             return;
         }
@@ -164,7 +156,7 @@ impl Witness {
         for point in std::mem::take(&mut self.chosen) {
             self.settle_chosen(algebra, program, point);
         }
-        for (id, step) in program.steps().skip(self.covered) {
+        for (id, step) in program.steps_from(self.covered) {
             for goal in choices::goals(program, id) {
                 let is_shown = |point: &Point| {
                     let mut goal = goal.iter();
@@ -304,7 +296,6 @@ impl Witness {
             Some(other)
         };
         Some(Self {
-            searched: program.len(),
             has_signs: self.has_signs,
             points: self.points.iter().map(other).collect::<Option<_>>()?,
             chosen: self.chosen.iter().map(other).collect::<Option<_>>()?,
@@ -416,7 +407,7 @@ impl Point {
         program: &Program<'_>,
         patience: &Patience,
     ) -> Result<(), (StepId, Parts)> {
-        for (id, step) in program.steps().skip(self.values.len()) {
+        for (id, step) in program.steps_from(self.values.len()) {
             if let Step::Function(function, arguments) = step
                 && let Some((_, holds)) = self.wanted.iter().find(|(wanted, _)| *wanted == id)
             {
@@ -542,8 +533,7 @@ fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
     };
     if points.len() >= POINTS_WITH_CHOICES
         || program
-            .steps()
-            .skip(covered)
+            .steps_from(covered)
             .filter_map(random)
             .next()
             .is_none()

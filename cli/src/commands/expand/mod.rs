@@ -89,7 +89,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<()> {
             .get_or_insert_with(|| quote::format_ident!("closure"));
     }
     let text = written(arguments, &algebra, &functions)?;
+    for note in notes(&functions) {
+        eprintln!("{note}");
+    }
     output::print(&text)
+}
+
+/// Where the search for the cheapest code was cut short.
+fn notes(functions: &[CompiledFunction]) -> Vec<String> {
+    let of = |function: &CompiledFunction| {
+        let name = function.name.as_ref().map(ToString::to_string);
+        let name = name.unwrap_or_default();
+        let limits = function.kernel.limits.clone().into_iter();
+        limits.map(move |limit| format!("note: `{name}`: {}", limit.note()))
+    };
+    functions.iter().flat_map(of).collect()
 }
 
 fn written(

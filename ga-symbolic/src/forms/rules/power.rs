@@ -24,11 +24,11 @@ pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
         let whole = Term::of(base);
         if let Some(reverse) = classes.unary(Unary::Reverse, whole, RULE)
             && let Some(double) = classes.sum(&[whole, reverse], RULE)
-            && let Some(product) = classes.product(Product::Geometric, double, whole, RULE)
+            && let Some(product) = classes.grouped(&[double.class, base], RULE)
             && let Some(one) = classes.one()
         {
             let minus = one.scaled(-one.factor);
-            classes.sum(&[product, minus], RULE);
+            classes.sum(&[product.scaled(double.factor), minus], RULE);
         }
     } else if factors.len() % 2 == 1 {
         if let Some(rest) = classes.chain(Product::Geometric, rest, RULE) {
