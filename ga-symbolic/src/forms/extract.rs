@@ -464,6 +464,7 @@ fn state<'a>(
             program.state_kind(step, kind);
         }
     }
+    program.state_blades(step, classes.blades(id));
     facts.unit_versor |= factor.abs() == Ratio::ONE && classes.known_unit(id);
     program.state(step, facts);
     program.state_parity(

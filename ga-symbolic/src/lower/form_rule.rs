@@ -34,11 +34,13 @@ pub enum FormRule {
     Vector,
     /// `a · (M b ~M) = (~M a M) · b`.
     Adjoint,
+    /// `(s a) ∘ b = s (a ∘ b)` for a scalar s.
+    ScalarFactor,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -54,6 +56,7 @@ impl FormRule {
         Self::Difference,
         Self::Vector,
         Self::Adjoint,
+        Self::ScalarFactor,
     ];
 
     /// The rule in words.
@@ -75,6 +78,7 @@ impl FormRule {
             Self::Difference => "join with a difference",
             Self::Vector => "product with a vector",
             Self::Adjoint => "adjoint action",
+            Self::ScalarFactor => "scalar factor",
         }
     }
 }

@@ -58,6 +58,10 @@ pub fn lower(
             Some(parity) => value.filtered(|blade| parity.allows(blade)),
             None => value,
         };
+        let value = match program.blades(id) {
+            Some(blades) => value.filtered(|blade| blades.contains(&blade)),
+            None => value,
+        };
         let value = value.with_facts(facts);
         lowering.values[id.index()] = match program.kind(id) {
             Some(kind) if choices.all.rederive => {

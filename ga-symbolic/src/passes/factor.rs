@@ -233,7 +233,24 @@ impl Products {
                     rest.all(|node| uniformity.is_uniform(arena, *node))
                 });
             let saved = if is_known { 2 * fewer } else { fewer };
-            let gain = (if is_moved { saved + fewer } else { saved }, saved);
+            // A product with another uniform factor is multiplied by both at once.
+            let is_first = uniformity.is_uniform(arena, *common);
+            let has_other = |member: &&Member| {
+                let mut rest = member.rest.iter();
+                is_first && rest.any(|node| uniformity.is_uniform(arena, *node))
+            };
+            let others = members.iter().filter(has_other).count();
+            if others > fewer {
+                continue;
+            }
+            let gain = (
+                if is_moved {
+                    saved + fewer
+                } else {
+                    saved - others
+                },
+                saved,
+            );
             if best.is_none_or(|(most, _)| gain > most) {
                 best = Some((gain, *common));
             }

@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 
 use super::rewrite::{Graph, reads, with_first};
 use super::uniformity::Uniformity;
-use super::{cost, factor, flatten, hoist, reduce, scale, share, substitute};
+use super::{cost, factor, flatten, hoist, proportional, reduce, scale, share, substitute};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, Value};
 
@@ -18,6 +18,11 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     let mut starts = Vec::new();
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
+    for start in &mut starts {
+        if let Some(graph) = proportional(&start.0, &start.1) {
+            *start = graph;
+        }
+    }
     let mut best = Candidate::new((arena, outputs), uniform);
     let mut seen = FxHashSet::default();
     for start in &starts {

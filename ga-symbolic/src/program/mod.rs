@@ -120,6 +120,7 @@ pub struct Program<'a> {
     facts: HashMap<StepId, Facts>,
     kinds: HashMap<StepId, &'a TypeDefinition>,
     parities: HashMap<StepId, Parity>,
+    blades: HashMap<StepId, Vec<Blade>>,
 }
 
 impl<'a> Program<'a> {
@@ -216,6 +217,17 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn parity(&self, id: StepId) -> Option<Parity> {
         self.parities.get(&id).copied()
+    }
+
+    /// States all blades that a step has. Those of others cancel, though its terms need not show it.
+    pub fn state_blades(&mut self, id: StepId, blades: Vec<Blade>) {
+        self.blades.insert(id, blades);
+    }
+
+    /// The blades that were stated of a step.
+    #[must_use]
+    pub fn blades(&self, id: StepId) -> Option<&[Blade]> {
+        self.blades.get(&id).map(Vec::as_slice)
     }
 
     /// States that a step is always a member of a type.

@@ -163,7 +163,7 @@ fn what_is_chosen_for_products_rounds_well() {
 }
 
 /// Functions with the rules for forms.
-const FORMS: [(FormRule, &str); 23] = [
+const FORMS: [(FormRule, &str); 24] = [
     (
         FormRule::Vector,
         "p: Point, a: DualPlane -> RoundVector { (p ^ a) * inverse(a) }",
@@ -252,6 +252,10 @@ const FORMS: [(FormRule, &str); 23] = [
     (
         FormRule::Reversal,
         "m: Motor, n: Motor -> DualQuaternion { rev(m * n) }",
+    ),
+    (
+        FormRule::ScalarFactor,
+        "s: Scalar, a: Point, b: Point, c: Point -> Circle { (s * (a ^ b)) ^ c }",
     ),
 ];
 
