@@ -40,7 +40,7 @@ impl<'a> Task<'a> {
         match &self.choices {
             Some(choices) if choices.forms.is_empty() => self.by_choices(choices),
             Some(choices) => match self.forms(MOST_FORMS, Some(choices)).pop() {
-                Some((task, _)) => task.by_choices(choices),
+                Some(candidate) => candidate.task.by_choices(choices),
                 None => self.by_choices(choices),
             },
             None => cheapest(self),
@@ -56,9 +56,8 @@ impl<'a> Task<'a> {
         staged.unwrap_or_else(|| self.optimised(self.lowered(choices)))
     }
 
-    /// Tasks for other forms of the program, with the rules that lead to them; with choices, for
-    /// those that their rules lead to.
-    fn forms(&self, most: usize, choices: Option<&Choices>) -> Vec<(Self, Vec<FormRule>)> {
+    /// Tasks for other forms of the program; with choices, for those that their rules lead to.
+    fn forms(&self, most: usize, choices: Option<&Choices>) -> Vec<Candidate<'a>> {
         let Some(witness) = self.witness else {
             return Vec::new();
         };
@@ -83,21 +82,42 @@ impl<'a> Task<'a> {
                 witness: None,
                 ..self.clone()
             };
-            (task, form.rules)
+            Candidate {
+                task,
+                rules: form.rules,
+                frame: form.frame,
+            }
         };
         found.into_iter().map(task).collect()
     }
 }
 
+/// A task for another form of a program.
+struct Candidate<'a> {
+    task: Task<'a>,
+    /// The rules that lead to it.
+    rules: Vec<FormRule>,
+    /// From which point it is seen.
+    frame: usize,
+}
+
 fn cheapest(task: &Task<'_>) -> Kernel {
-    let mut forms = task.forms(MOST_FORMS, None);
-    let (best, rules) = match forms.len() {
-        0 => (task.clone(), Vec::new()),
-        1 => forms.swap_remove(0),
-        _ => cheapest_form(forms),
+    let forms = task.forms(MOST_FORMS, None);
+    let best = match forms.len() {
+        0 => vec![Candidate {
+            task: task.clone(),
+            rules: Vec::new(),
+            frame: 0,
+        }],
+        1 => forms,
+        _ => cheapest_forms(forms),
     };
-    let mut kernel = by_best_choices(&best);
-    kernel.choices.forms = rules;
+    let kernels = best.into_iter().map(|best| {
+        let mut kernel = by_best_choices(&best.task);
+        kernel.choices.forms = best.rules;
+        kernel
+    });
+    let kernel = kernels.min_by_key(Kernel::rank).expect("a form");
     // A form that is cheap as it is may hide that terms vanish when coefficients are collected.
     if kernel.choices.forms.is_empty() {
         kernel
@@ -106,13 +126,14 @@ fn cheapest(task: &Task<'_>) -> Kernel {
     }
 }
 
-/// The form that gives the cheapest graph by some common rules.
-fn cheapest_form<'a>(forms: Vec<(Task<'a>, Vec<FormRule>)>) -> (Task<'a>, Vec<FormRule>) {
+/// The form that gives the cheapest graph by some common rules; where that is seen from a point,
+/// also the cheapest that is not, which other rules may make cheaper yet.
+fn cheapest_forms(forms: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     let mut lowered: Vec<_> = forms
         .into_iter()
         .filter_map(|form| {
-            let tried = common_choices(&form.0).into_iter().map(|choices| {
-                let graph = form.0.lowered(&choices);
+            let tried = common_choices(&form.task).into_iter().map(|choices| {
+                let graph = form.task.lowered(&choices);
                 (graph.rank(), graph)
             });
             let (rank, graph) = tried.min_by_key(|(rank, _)| *rank)?;
@@ -122,17 +143,33 @@ fn cheapest_form<'a>(forms: Vec<(Task<'a>, Vec<FormRule>)>) -> (Task<'a>, Vec<Fo
     lowered.sort_by_key(|(rank, ..)| *rank);
     let mut seen = FxHashSet::default();
     lowered.retain(|(_, graph, _)| seen.insert(graph.fingerprint()));
-    lowered.truncate(MOST_FINISHED);
-    let limit = lowered.first().map_or(0, |(rank, ..)| rank.0 + rank.0 / 3);
+    // Of each frame the first besides, since terms may only cancel in the passes.
+    let mut frames = FxHashSet::default();
+    let mut number = 0;
+    lowered.retain(|(.., form)| {
+        number += 1;
+        frames.insert(form.frame) || number <= MOST_FINISHED
+    });
+    let limit = lowered.first().map_or(0, |(rank, ..)| rank.0 + rank.0 / 2);
+    let mut has_written = false;
+    let mut is_first_as_written =
+        |form: &Candidate<'_>| form.frame == 0 && !std::mem::replace(&mut has_written, true);
     let finished = lowered
         .into_iter()
-        .filter(|(rank, ..)| rank.0 <= limit)
+        .filter(|(rank, _, form)| rank.0 <= limit || is_first_as_written(form))
         .map(|(_, graph, form)| {
-            let kernel = staged(&form.0, form.0.optimised(graph));
+            let kernel = staged(&form.task, form.task.optimised(graph));
             (kernel.rank(), form)
         });
-    let best = finished.min_by_key(|(rank, _)| *rank);
-    best.expect("a form").1
+    let mut finished: Vec<_> = finished.collect();
+    finished.sort_by_key(|(rank, _)| *rank);
+    let mut finished = finished.into_iter();
+    let Some((_, first)) = finished.next() else {
+        return Vec::new();
+    };
+    let as_written = finished.find(|(_, form)| first.frame != 0 && form.frame == 0);
+    let others = as_written.map(|(_, form)| form);
+    std::iter::once(first).chain(others).collect()
 }
 
 /// Rules that are tried to compare forms.
@@ -205,8 +242,17 @@ impl Search<'_, '_> {
             .steps()
             .any(|(_, step)| matches!(step, Step::Quotient(..)));
         if has_quotient {
+            // Which action is cheapest depends on what it is divided by.
             for projection in ProjectionRule::ALL {
                 self.improve(|choice| choice.projection = projection);
+                for sandwich in SandwichRule::ALL {
+                    if has_sandwich(program) && projection != ProjectionRule::Division {
+                        self.improve(|choice| {
+                            choice.projection = projection;
+                            choice.sandwich = sandwich;
+                        });
+                    }
+                }
             }
         }
         if has_product(program, &[Product::Wedge]) {

@@ -369,6 +369,7 @@ pub(super) fn extract<'a>(
         program,
         wanted,
         rules,
+        frame: 0,
     }
 }
 
@@ -464,7 +465,7 @@ fn state<'a>(
             program.state_kind(step, kind);
         }
     }
-    program.state_blades(step, classes.blades(id));
+    program.state_support(step, classes.support(id, factor));
     facts.unit_versor |= factor.abs() == Ratio::ONE && classes.known_unit(id);
     program.state(step, facts);
     program.state_parity(

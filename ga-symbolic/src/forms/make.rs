@@ -57,6 +57,9 @@ impl Classes<'_> {
                 return Some(Term::of(a.class).scaled(factor));
             }
         }
+        if let Some(number) = self.number_within(b.class, a.class) {
+            return Some(Term::of(a.class).scaled(factor / number));
+        }
         // `a / (x/y) = a y / x`, also where y is zero: what is divided by infinity is zero.
         if let Some((x, y, scale)) = self.as_quotient(b.class) {
             let dividend = self.product(Product::Geometric, a, y, rule)?;

@@ -22,6 +22,7 @@
 mod classes;
 mod estimate;
 mod extract;
+mod frame;
 mod import;
 mod make;
 mod rules;
@@ -31,7 +32,7 @@ pub use crate::lower::FormRule;
 use crate::algebra::Algebra;
 use crate::define::{Role, TypeDefinition};
 use crate::lower::{Choices, Rule};
-use crate::program::{Program, StepId, Witness};
+use crate::program::{Program, Step, StepId, Witness};
 use classes::{ClassId, Classes, Term};
 use extract::{Costs, Known, extract};
 
@@ -43,6 +44,8 @@ pub(crate) struct Form<'a> {
     pub(crate) wanted: Vec<StepId>,
     /// The rules that led to it.
     pub(crate) rules: Vec<FormRule>,
+    /// From which of the program's points it is seen, counted from 1; 0 is as it is written.
+    pub(crate) frame: usize,
 }
 
 /// The largest program that is taken apart.
@@ -50,7 +53,7 @@ const MOST_STEPS: usize = 160;
 
 /// What forms are made of.
 pub(crate) struct Source<'s, 'a> {
-    pub(crate) algebra: &'s Algebra,
+    pub(crate) algebra: &'a Algebra,
     pub(crate) program: &'s Program<'a>,
     /// The values of its steps.
     pub(crate) witness: &'s Witness,
@@ -60,32 +63,63 @@ pub(crate) struct Source<'s, 'a> {
     pub(crate) wanted: &'s [StepId],
 }
 
-/// The forms of a program that look cheapest, the best first.
+/// How many forms are taken of a program that is seen from a point.
+const MOST_IN_FRAME: usize = 2;
+
+/// The forms of a program that look cheapest, the best first, and some as they are seen from its
+/// points.
 pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Vec<Form<'a>> {
-    let Some((mut classes, known, terms)) = classes_of(source) else {
+    let Some(mut found) = cheapest_of(source, most) else {
         return Vec::new();
     };
+    for (place, moved) in frame::frames(source).iter().enumerate() {
+        let forms = cheapest_of(&moved.source(source), MOST_IN_FRAME);
+        let forms = forms.into_iter().flatten();
+        found.extend(forms.map(|form| seen_from_a_point(form, place + 1)));
+    }
+    found
+}
+
+fn cheapest_of<'a>(source: &Source<'_, 'a>, most: usize) -> Option<Vec<Form<'a>>> {
+    let (mut classes, known, terms) = classes_of(source)?;
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
     let selections = costs.selections(&classes, &ids, Some(most));
     let operands = &source.program.operands;
-    selections
+    let forms = selections
         .iter()
-        .map(|selection| extract(&mut classes, operands, &known, selection, &terms, None))
-        .collect()
+        .map(|selection| extract(&mut classes, operands, &known, selection, &terms, None));
+    Some(forms.collect())
+}
+
+fn seen_from_a_point(mut form: Form<'_>, frame: usize) -> Form<'_> {
+    form.rules.push(FormRule::Frame);
+    form.frame = frame;
+    form
 }
 
 /// The cheapest form that uses one of some rules, if there is one.
 pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Form<'a>> {
+    let broken = match choices.all.broken {
+        Some(Rule::Form(rule)) => Some(rule),
+        _ => None,
+    };
+    if choices.forms.contains(&FormRule::Frame) {
+        let moved = frame::frames(source).into_iter().next();
+        let forms = moved.and_then(|moved| cheapest_of(&moved.source(source), 1));
+        let forms = forms.into_iter().flatten();
+        return forms
+            .map(|form| match broken {
+                Some(FormRule::Frame) => negated(seen_from_a_point(form, 1)),
+                _ => seen_from_a_point(form, 1),
+            })
+            .collect();
+    }
     let Some((mut classes, known, terms)) = classes_of(source) else {
         return Vec::new();
     };
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
-    let broken = match choices.all.broken {
-        Some(Rule::Form(rule)) => Some(rule),
-        _ => None,
-    };
     let operands = &source.program.operands;
     let selections = costs.selections(&classes, &ids, None);
     let mut forms = selections
@@ -95,6 +129,14 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Fo
         .find(|form| form.rules.iter().any(|rule| choices.forms.contains(rule)))
         .into_iter()
         .collect()
+}
+
+/// The negative of a form, as a broken rule gives it.
+fn negated(mut form: Form<'_>) -> Form<'_> {
+    for wanted in &mut form.wanted {
+        *wanted = form.program.push(Step::Negative(*wanted));
+    }
+    form
 }
 
 fn classes_of<'a, 's>(

@@ -36,11 +36,13 @@ pub enum FormRule {
     Adjoint,
     /// `(s a) ∘ b = s (a ∘ b)` for a scalar s.
     ScalarFactor,
+    /// `f(a, b) = T f(~T a T, ~T b T) ~T` for a translation T.
+    Frame,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -57,6 +59,7 @@ impl FormRule {
         Self::Vector,
         Self::Adjoint,
         Self::ScalarFactor,
+        Self::Frame,
     ];
 
     /// The rule in words.
@@ -79,6 +82,7 @@ impl FormRule {
             Self::Vector => "product with a vector",
             Self::Adjoint => "adjoint action",
             Self::ScalarFactor => "scalar factor",
+            Self::Frame => "seen from a point",
         }
     }
 }

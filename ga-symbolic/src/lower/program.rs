@@ -8,7 +8,7 @@ use super::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, Rule
 use super::{gram, meet};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Function, Multivector, Value};
-use crate::program::{Program, Step, StepId};
+use crate::program::{Program, Step, StepId, Support};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they
 /// need.
@@ -58,8 +58,16 @@ pub fn lower(
             Some(parity) => value.filtered(|blade| parity.allows(blade)),
             None => value,
         };
-        let value = match program.blades(id) {
-            Some(blades) => value.filtered(|blade| blades.contains(&blade)),
+        let value = match program.support(id) {
+            Some(support) => {
+                let all = value;
+                let value = supported(lowering.arena, &all, support);
+                let mut images = lowering.images.iter_mut();
+                if let Some(image) = images.find(|image| image.value.terms() == all.terms()) {
+                    image.value = value.clone();
+                }
+                value
+            }
             None => value,
         };
         let value = value.with_facts(facts);
@@ -461,6 +469,16 @@ impl Lowering<'_> {
         };
         reversed(a) == Some(b) || reversed(b) == Some(a)
     }
+}
+
+/// A value without the coefficients that cancel, and with the numbers that some of them are.
+fn supported(arena: &mut Arena, value: &Multivector, support: &Support) -> Multivector {
+    let terms = support.iter().map(|&(blade, number)| {
+        let found = value.coefficient(blade);
+        (blade, number.map_or(found, Value::constant))
+    });
+    let terms: Vec<_> = terms.collect();
+    Multivector::new(arena, terms)
 }
 
 fn is_even(value: &Multivector) -> bool {

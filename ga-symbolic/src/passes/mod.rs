@@ -4,6 +4,7 @@ mod coefficients;
 mod cost;
 mod factor;
 mod flatten;
+mod fraction;
 mod hoist;
 mod optimise;
 mod proportional;
@@ -20,8 +21,9 @@ mod uniformity;
 
 pub(crate) use coefficients::{Collected, uniform_coefficients};
 pub use cost::{Cost, cost};
-pub use factor::factor;
+pub use factor::{factor, factor_together};
 pub use flatten::flatten;
+pub use fraction::fraction;
 pub use hoist::{hoist, hoist as part};
 pub use optimise::optimise;
 pub(crate) use optimise::varying_cost;

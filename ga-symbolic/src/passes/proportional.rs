@@ -1,7 +1,8 @@
-//! Sums that are products of another sum.
+//! Sums that are multiples of one sum.
 //!
 //! With `n = x² + y² + z²` computed anyway, `(a x)² + (a y)² + (a z)²` is `a² n`, even where `a x` is
 //! needed elsewhere: what is written out of products that others read too has a factor in common.
+//! So it is with two such sums, of which neither is n.
 //!
 //! It is right by the distributive law.
 
@@ -17,45 +18,69 @@ const LONGEST: usize = 12;
 /// The factors of a product in order.
 type Monomial = Vec<NodeId>;
 
-/// Writes sums as products of earlier ones; `None` where there are none.
+/// Writes sums with a factor and a sum in common as products; `None` where there are none.
 #[must_use]
 pub fn proportional(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     let reads = reads(arena, outputs);
-    let mut known: FxHashMap<Vec<(Ratio, Monomial)>, (NodeId, Ratio, Monomial)> =
-        FxHashMap::default();
-    let mut found: FxHashMap<NodeId, (NodeId, Ratio, Monomial)> = FxHashMap::default();
+    let mut groups: FxHashMap<Rest, Vec<Multiple>> = FxHashMap::default();
     for id in arena.ids().filter(|id| reads[id.index()] > 0) {
-        let Node::Sum(terms) = arena.node(id) else {
-            continue;
-        };
-        let Some((scale, common, rest)) = divided(arena, terms) else {
-            continue;
-        };
-        match known.get(&rest) {
-            None => {
-                known.insert(rest, (id, scale, common));
-            }
-            Some((other, other_scale, part)) => {
-                if let Some(factors) = without(&common, part)
-                    && factors.len() < cost(arena, terms, &reads)
-                {
-                    found.insert(id, (*other, scale / *other_scale, factors));
-                }
-            }
+        if let Node::Sum(terms) = arena.node(id)
+            && let Some((multiple, rest)) = divided(arena, id, terms)
+        {
+            groups.entry(rest).or_default().push(multiple);
         }
     }
-    if found.is_empty() {
+    groups.retain(|rest, multiples| {
+        let before = multiples
+            .iter()
+            .map(|multiple| match arena.node(multiple.id) {
+                Node::Sum(terms) => cost(arena, terms, &reads),
+                _ => 0,
+            });
+        let products = rest
+            .iter()
+            .map(|(_, factors)| factors.len().saturating_sub(1));
+        let common = multiples.iter().map(|multiple| multiple.common.len());
+        let after = products.sum::<usize>() + rest.len() - 1 + common.sum::<usize>();
+        multiples.len() > 1 && after < before.sum::<usize>()
+    });
+    if groups.is_empty() {
         return None;
     }
+    let mut found: FxHashMap<NodeId, (&Rest, &Multiple)> = FxHashMap::default();
+    for (rest, multiples) in &groups {
+        found.extend(
+            multiples
+                .iter()
+                .map(|multiple| (multiple.id, (rest, multiple))),
+        );
+    }
     rewrite(arena, outputs, &reads, |copy, id, images| {
-        let (other, scale, factors) = found.get(&id)?;
-        let mut multiple = Value::ONE;
-        for factor in factors {
-            multiple = copy.product(multiple, images[factor.index()]);
+        let (rest, multiple) = found.get(&id)?;
+        let product = |copy: &mut Arena, first: Value, factors: &[NodeId]| {
+            factors.iter().fold(first, |whole, factor| {
+                copy.product(whole, images[factor.index()])
+            })
+        };
+        let mut terms = Vec::with_capacity(rest.len());
+        for (scale, factors) in *rest {
+            terms.push(product(copy, Value::ONE, factors).scaled(*scale));
         }
-        Some(copy.product(multiple, images[other.index()]).scaled(*scale))
+        let sum = copy.sum(terms);
+        Some(product(copy, sum, &multiple.common).scaled(multiple.scale))
     })
 }
+
+/// A sum that is a multiple of another.
+struct Multiple {
+    id: NodeId,
+    scale: Ratio,
+    /// The factors that all of its terms have.
+    common: Monomial,
+}
+
+/// The terms without what they have in common, the first with the number 1 in front.
+type Rest = Vec<(Ratio, Monomial)>;
 
 /// What it costs to add some terms up, and the products that only this sum needs.
 fn cost(arena: &Arena, terms: &[Value], reads: &[usize]) -> usize {
@@ -65,9 +90,8 @@ fn cost(arena: &Arena, terms: &[Value], reads: &[usize]) -> usize {
     terms.iter().filter(is_own).count() + terms.len() - 1
 }
 
-/// A sum as a number, the factors that all terms have in common, and the rest, whose first number
-/// is 1.
-fn divided(arena: &Arena, terms: &[Value]) -> Option<(Ratio, Monomial, Vec<(Ratio, Monomial)>)> {
+/// What is common to all terms of a sum, and the rest.
+fn divided(arena: &Arena, id: NodeId, terms: &[Value]) -> Option<(Multiple, Rest)> {
     if !(2..=LONGEST).contains(&terms.len()) {
         return None;
     }
@@ -97,7 +121,8 @@ fn divided(arena: &Arena, terms: &[Value]) -> Option<(Ratio, Monomial, Vec<(Rati
     for (factor, _) in &mut monomials {
         *factor = *factor / scale;
     }
-    Some((scale, common, monomials))
+    let multiple = Multiple { id, scale, common };
+    Some((multiple, monomials))
 }
 
 /// The factors that remain of a product; `None` where it has not all of the others.

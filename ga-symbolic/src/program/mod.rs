@@ -109,6 +109,9 @@ impl Parity {
     }
 }
 
+/// The blades of a step, each with its coefficient where that is the same for all operands.
+pub type Support = Vec<(Blade, Option<Ratio>)>;
+
 /// The steps of a function. A step comes after everything that it reads.
 #[derive(Clone, Default)]
 pub struct Program<'a> {
@@ -120,7 +123,7 @@ pub struct Program<'a> {
     facts: HashMap<StepId, Facts>,
     kinds: HashMap<StepId, &'a TypeDefinition>,
     parities: HashMap<StepId, Parity>,
-    blades: HashMap<StepId, Vec<Blade>>,
+    supports: HashMap<StepId, Support>,
 }
 
 impl<'a> Program<'a> {
@@ -219,15 +222,15 @@ impl<'a> Program<'a> {
         self.parities.get(&id).copied()
     }
 
-    /// States all blades that a step has. Those of others cancel, though its terms need not show it.
-    pub fn state_blades(&mut self, id: StepId, blades: Vec<Blade>) {
-        self.blades.insert(id, blades);
+    /// States the blades that a step has. Others cancel, though its terms need not show it.
+    pub fn state_support(&mut self, id: StepId, support: Support) {
+        self.supports.insert(id, support);
     }
 
     /// The blades that were stated of a step.
     #[must_use]
-    pub fn blades(&self, id: StepId) -> Option<&[Blade]> {
-        self.blades.get(&id).map(Vec::as_slice)
+    pub fn support(&self, id: StepId) -> Option<&Support> {
+        self.supports.get(&id)
     }
 
     /// States that a step is always a member of a type.
