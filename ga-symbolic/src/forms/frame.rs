@@ -144,17 +144,8 @@ impl<'a> Frame<'a> {
                 let image = of(a)?;
                 return self.coefficient(id, image, *a, *blade);
             }
-            Step::Unary(unary, a) => Step::Unary(*unary, of(a)?),
-            Step::Binary(product, a, b) => Step::Binary(*product, of(a)?, of(b)?),
-            Step::Sandwich(a, b) => Step::Sandwich(of(a)?, of(b)?),
-            Step::Sum(a, b) => Step::Sum(of(a)?, of(b)?),
-            Step::Quotient(a, b) => Step::Quotient(of(a)?, of(b)?),
-            Step::Negative(a) => Step::Negative(of(a)?),
-            Step::Function(function, parts) => {
-                let parts: Option<Vec<StepId>> = parts.iter().map(of).collect();
-                Step::Function(*function, parts?)
-            }
             Step::Select(..) => return None,
+            _ => step.mapped(|part| of(&part).unwrap_or(part)),
         };
         let image = self.builder.push(next).ok()?;
         if let Some(kind) = source.program.kind(id) {

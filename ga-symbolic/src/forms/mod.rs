@@ -26,6 +26,7 @@ mod frame;
 mod import;
 mod make;
 mod rules;
+mod unnormalised;
 
 pub use crate::lower::FormRule;
 
@@ -72,12 +73,21 @@ pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Vec<Form<'a>
     let Some(mut found) = cheapest_of(source, most) else {
         return Vec::new();
     };
-    for (place, moved) in frame::frames(source).iter().enumerate() {
+    for (place, (rule, moved)) in others(source).iter().enumerate() {
         let forms = cheapest_of(&moved.source(source), MOST_IN_FRAME);
         let forms = forms.into_iter().flatten();
-        found.extend(forms.map(|form| seen_from_a_point(form, place + 1)));
+        found.extend(forms.map(|form| led_to(form, *rule, place + 1)));
     }
     found
+}
+
+/// Programs that give the same by rules for whole programs.
+fn others<'a>(source: &Source<'_, 'a>) -> Vec<(FormRule, frame::Moved<'a>)> {
+    let frames = frame::frames(source).into_iter();
+    let frames = frames.map(|moved| (FormRule::Frame, moved));
+    let unnormalised = unnormalised::unnormalised(source);
+    let unnormalised = unnormalised.map(|moved| (FormRule::Unnormalised, moved));
+    frames.chain(unnormalised).collect()
 }
 
 fn cheapest_of<'a>(source: &Source<'_, 'a>, most: usize) -> Option<Vec<Form<'a>>> {
@@ -92,8 +102,8 @@ fn cheapest_of<'a>(source: &Source<'_, 'a>, most: usize) -> Option<Vec<Form<'a>>
     Some(forms.collect())
 }
 
-fn seen_from_a_point(mut form: Form<'_>, frame: usize) -> Form<'_> {
-    form.rules.push(FormRule::Frame);
+fn led_to(mut form: Form<'_>, rule: FormRule, frame: usize) -> Form<'_> {
+    form.rules.push(rule);
     form.frame = frame;
     form
 }
@@ -104,16 +114,14 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Vec<Fo
         Some(Rule::Form(rule)) => Some(rule),
         _ => None,
     };
-    if choices.forms.contains(&FormRule::Frame) {
-        let moved = frame::frames(source).into_iter().next();
-        let forms = moved.and_then(|moved| cheapest_of(&moved.source(source), 1));
-        let forms = forms.into_iter().flatten();
-        return forms
-            .map(|form| match broken {
-                Some(FormRule::Frame) => negated(seen_from_a_point(form, 1)),
-                _ => seen_from_a_point(form, 1),
-            })
-            .collect();
+    let others = others(source).into_iter();
+    if let Some((rule, moved)) = { others }.find(|(rule, _)| choices.forms.contains(rule)) {
+        let forms = cheapest_of(&moved.source(source), 1).into_iter().flatten();
+        let forms = forms.map(|form| led_to(form, rule, 1));
+        return match broken == Some(rule) {
+            true => forms.map(negated).collect(),
+            false => forms.collect(),
+        };
     }
     let Some((mut classes, known, terms)) = classes_of(source) else {
         return Vec::new();

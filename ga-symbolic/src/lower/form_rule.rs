@@ -38,11 +38,13 @@ pub enum FormRule {
     ScalarFactor,
     /// `f(a, b) = T f(~T a T, ~T b T) ~T` for a translation T.
     Frame,
+    /// `M X ~M = N X ~N / (N ~N)` for `M = N/√(N ~N)`.
+    Unnormalised,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -60,6 +62,7 @@ impl FormRule {
         Self::Adjoint,
         Self::ScalarFactor,
         Self::Frame,
+        Self::Unnormalised,
     ];
 
     /// The rule in words.
@@ -83,6 +86,7 @@ impl FormRule {
             Self::Adjoint => "adjoint action",
             Self::ScalarFactor => "scalar factor",
             Self::Frame => "seen from a point",
+            Self::Unnormalised => "action without a root",
         }
     }
 }

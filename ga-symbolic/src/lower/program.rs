@@ -294,13 +294,20 @@ impl Lowering<'_> {
         if let Some(quotient) = rule.lower(self.arena, self.algebra, image, weight) {
             return Some(quotient);
         }
-        if !keeps_weight(self.algebra, &image.versor, weight) {
-            return None;
-        }
         let (versor, operand) = (image.versor.clone(), image.operand.clone());
-        let rule = image.rule;
+        let sandwich = image.rule;
         let operand = self.unit_weight(&operand, weight)?;
-        Some(self.acted(rule, &versor, &operand))
+        let value = self.acted(sandwich, &versor, &operand);
+        if keeps_weight(self.algebra, &versor, weight) {
+            return Some(value);
+        }
+        let image = Image {
+            rule: sandwich,
+            versor,
+            operand,
+            value,
+        };
+        rule.lower(self.arena, self.algebra, &image, weight)
     }
 
     fn join(&mut self, factors: &[Multivector]) -> Multivector {

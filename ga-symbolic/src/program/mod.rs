@@ -86,6 +86,26 @@ impl Step {
     }
 }
 
+impl Step {
+    /// The same operation on other steps.
+    pub(crate) fn mapped(&self, of: impl Fn(StepId) -> StepId) -> Self {
+        match self {
+            Self::Operand(_) | Self::Constant(..) => self.clone(),
+            Self::Unary(unary, a) => Self::Unary(*unary, of(*a)),
+            Self::Negative(a) => Self::Negative(of(*a)),
+            Self::Coefficient(a, blade) => Self::Coefficient(of(*a), *blade),
+            Self::Binary(product, a, b) => Self::Binary(*product, of(*a), of(*b)),
+            Self::Sandwich(a, b) => Self::Sandwich(of(*a), of(*b)),
+            Self::Sum(a, b) => Self::Sum(of(*a), of(*b)),
+            Self::Quotient(a, b) => Self::Quotient(of(*a), of(*b)),
+            Self::Function(function, arguments) => {
+                Self::Function(*function, arguments.iter().map(|a| of(*a)).collect())
+            }
+            Self::Select(condition, a, b) => Self::Select(of(*condition), of(*a), of(*b)),
+        }
+    }
+}
+
 /// Which grades a multivector has, for all operands. Zero is even.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parity {
