@@ -51,9 +51,9 @@ impl<'a> Task<'a> {
                     [] => None,
                     _ => self.forms(MOST_FORMS, Some(choices)).0.pop(),
                 };
-                let task = other.as_ref().map_or(self, |(task, _)| task);
+                let task = other.as_ref().map_or(self, |other| &other.task);
                 let stepwise = match choices.is_stepwise {
-                    true => self.stepwise(&[(task.clone(), Vec::new())], DEPTH, |_| true),
+                    true => self.stepwise(&[Candidate::as_written(task)], DEPTH, |_| true),
                     false => None,
                 };
                 stepwise.unwrap_or_else(|| task.by_choices(choices))
@@ -78,7 +78,7 @@ impl<'a> Task<'a> {
         // cheaper before their graphs are merged. Otherwise other spellings of the same, which have
         // other operations, would cost more.
         let is_complete = !found.limits.iter().any(|limit| limit.is_cut());
-        let mut tasks = vec![(self.clone(), Vec::new())];
+        let mut tasks = vec![Candidate::as_written(self)];
         tasks.extend(forms);
         let is_accepted = |price| !is_complete || price < found.rank();
         match self.stepwise(&tasks, depth, is_accepted) {
@@ -94,7 +94,7 @@ impl<'a> Task<'a> {
     /// operations cost least together, if that is accepted.
     fn stepwise(
         &self,
-        forms: &[FormTask<'a>],
+        forms: &[Candidate<'a>],
         depth: usize,
         is_accepted: impl Fn((usize, usize)) -> bool,
     ) -> Option<Kernel> {
@@ -103,7 +103,7 @@ impl<'a> Task<'a> {
             .filter(|witness| witness.points().next().is_some())?;
         let mut types = Types::new(self);
         let mut found = Vec::new();
-        for (task, rules) in forms {
+        for Candidate { task, rules, .. } in forms {
             let witness = given.of_other(self.algebra, &task.program);
             let operations = witness.and_then(|witness| types.operations(task, &witness));
             found.extend(operations.map(|operations| (task, rules, operations)));
@@ -141,7 +141,7 @@ impl<'a> Task<'a> {
         &self,
         most: usize,
         choices: Option<&Choices>,
-    ) -> (Vec<FormTask<'a>>, Vec<SearchLimit>) {
+    ) -> (Vec<Candidate<'a>>, Vec<SearchLimit>) {
         let Some(witness) = self.witness else {
             return Default::default();
         };
@@ -166,27 +166,56 @@ impl<'a> Task<'a> {
                 witness: None,
                 ..self.clone()
             };
-            (task, form.rules)
+            Candidate {
+                task,
+                rules: form.rules,
+                frame: form.frame,
+            }
         };
         (found.forms.into_iter().map(task).collect(), found.limits)
     }
 }
 
-/// A task for another form of a program, and the rules that led to it.
-type FormTask<'a> = (Task<'a>, Vec<FormRule>);
+/// A task for another form of a program.
+#[derive(Clone)]
+struct Candidate<'a> {
+    task: Task<'a>,
+    /// The rules that lead to it.
+    rules: Vec<FormRule>,
+    /// From which point it is seen.
+    frame: usize,
+}
+
+impl<'a> Candidate<'a> {
+    fn as_written(task: &Task<'a>) -> Self {
+        Self {
+            task: task.clone(),
+            rules: Vec::new(),
+            frame: 0,
+        }
+    }
+}
 
 /// The cheapest kernel of some forms of a task.
-fn cheapest<'a>(task: &Task<'a>, mut forms: Vec<FormTask<'a>>, limits: Vec<SearchLimit>) -> Kernel {
+fn cheapest<'a>(
+    task: &Task<'a>,
+    mut forms: Vec<Candidate<'a>>,
+    limits: Vec<SearchLimit>,
+) -> Kernel {
     // Of a long program there may be no form as cheap as it is as it is written.
     if forms.is_empty() || limits.iter().any(|limit| limit.is_cut()) {
-        forms.push((task.clone(), Vec::new()));
+        forms.push(Candidate::as_written(task));
     }
-    let (best, rules) = match forms.len() {
-        1 => forms.swap_remove(0),
-        _ => cheapest_form(forms),
+    let best = match forms.len() {
+        1 => forms,
+        _ => cheapest_forms(forms),
     };
-    let mut kernel = by_best_choices(&best);
-    kernel.choices.forms = rules;
+    let kernels = best.into_iter().map(|best| {
+        let mut kernel = by_best_choices(&best.task);
+        kernel.choices.forms = best.rules;
+        kernel
+    });
+    let mut kernel = kernels.min_by_key(Kernel::rank).expect("a form");
     // A form that is cheap as it is may hide that terms vanish when coefficients are collected.
     if !kernel.choices.forms.is_empty() {
         kernel = staged(task, kernel);
@@ -197,13 +226,14 @@ fn cheapest<'a>(task: &Task<'a>, mut forms: Vec<FormTask<'a>>, limits: Vec<Searc
     kernel
 }
 
-/// The form that gives the cheapest graph by some common rules.
-fn cheapest_form<'a>(forms: Vec<FormTask<'a>>) -> FormTask<'a> {
+/// The form that gives the cheapest graph by some common rules; where that is seen from a point,
+/// also the cheapest that is not, which other rules may make cheaper yet.
+fn cheapest_forms(forms: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     let mut lowered: Vec<_> = forms
         .into_iter()
         .filter_map(|form| {
-            let tried = common_choices(&form.0).into_iter().map(|choices| {
-                let graph = form.0.lowered(&choices);
+            let tried = common_choices(&form.task).into_iter().map(|choices| {
+                let graph = form.task.lowered(&choices);
                 (graph.rank(), graph)
             });
             let (rank, graph) = tried.min_by_key(|(rank, _)| *rank)?;
@@ -213,17 +243,33 @@ fn cheapest_form<'a>(forms: Vec<FormTask<'a>>) -> FormTask<'a> {
     lowered.sort_by_key(|(rank, ..)| *rank);
     let mut seen = FxHashSet::default();
     lowered.retain(|(_, graph, _)| seen.insert(graph.fingerprint()));
-    lowered.truncate(MOST_FINISHED);
-    let limit = lowered.first().map_or(0, |(rank, ..)| rank.0 + rank.0 / 3);
+    // Of each frame the first besides, since terms may only cancel in the passes.
+    let mut frames = FxHashSet::default();
+    let mut number = 0;
+    lowered.retain(|(.., form)| {
+        number += 1;
+        frames.insert(form.frame) || number <= MOST_FINISHED
+    });
+    let limit = lowered.first().map_or(0, |(rank, ..)| rank.0 + rank.0 / 2);
+    let mut has_written = false;
+    let mut is_first_as_written =
+        |form: &Candidate<'_>| form.frame == 0 && !std::mem::replace(&mut has_written, true);
     let finished = lowered
         .into_iter()
-        .filter(|(rank, ..)| rank.0 <= limit)
+        .filter(|(rank, _, form)| rank.0 <= limit || is_first_as_written(form))
         .map(|(_, graph, form)| {
-            let kernel = staged(&form.0, form.0.optimised(graph));
+            let kernel = staged(&form.task, form.task.optimised(graph));
             (kernel.rank(), form)
         });
-    let best = finished.min_by_key(|(rank, _)| *rank);
-    best.expect("a form").1
+    let mut finished: Vec<_> = finished.collect();
+    finished.sort_by_key(|(rank, _)| *rank);
+    let mut finished = finished.into_iter();
+    let Some((_, first)) = finished.next() else {
+        return Vec::new();
+    };
+    let as_written = finished.find(|(_, form)| first.frame != 0 && form.frame == 0);
+    let others = as_written.map(|(_, form)| form);
+    std::iter::once(first).chain(others).collect()
 }
 
 /// Rules that are tried to compare forms.
@@ -307,8 +353,17 @@ impl Search<'_, '_> {
             .steps()
             .any(|(_, step)| matches!(step, Step::Quotient(..)));
         if has_quotient {
+            // Which action is cheapest depends on what it is divided by.
             for projection in ProjectionRule::ALL {
                 self.improve(|choice| choice.projection = projection);
+                for sandwich in SandwichRule::ALL {
+                    if has_sandwich(program) && projection != ProjectionRule::Division {
+                        self.improve(|choice| {
+                            choice.projection = projection;
+                            choice.sandwich = sandwich;
+                        });
+                    }
+                }
             }
         }
         if has_product(program, &[Product::Wedge]) {

@@ -166,13 +166,13 @@ const PRODUCTS: [Row; 9] = [
         "a: Point, b: Point, c: Point, d: Point -> Scalar",
         "a: Place, b: Place, c: Place, d: Place -> Scalar",
         "scalar_product(a ^ b, c ^ d)",
-        cost(16, 30, 0),
+        cost(21, 22, 0),
     ),
     (
         "a: Point, b: Point, c: Point, d: Point -> Scalar",
         "a: Place, b: Place, c: Place, d: Place -> Scalar",
         "(a ^ b) | (c ^ d)",
-        cost(16, 30, 0),
+        cost(21, 22, 0),
     ),
     (
         "a: Point, b: Point, c: Point -> Scalar",

@@ -164,7 +164,7 @@ const KERNELS: [Row; 23] = [
         "sandwich(s, p) / sandwich(s, p).ORIGIN",
         Operations {
             divisions: 1,
-            ..cost(23, 13, 0)
+            ..cost(16, 14, 0)
         },
     ),
 ];

@@ -10,7 +10,7 @@ use ga_compiler::task::Task;
 use crate::algebras::cga3;
 
 /// For each rule a function in which it applies.
-const CASES: [(FormRule, &str); 15] = [
+const CASES: [(FormRule, &str); 17] = [
     (
         FormRule::Reversal,
         "fn f(a: Motor, b: Motor) -> Motor { rev(a * b) }",
@@ -67,6 +67,14 @@ const CASES: [(FormRule, &str); 15] = [
     (
         FormRule::Distribution,
         "fn f(a: RoundVector, b: RoundVector, c: RoundVector) -> PointPair { (a ^ b) + (a ^ c) }",
+    ),
+    (
+        FormRule::Frame,
+        "fn f(a: Point, b: Point, c: Point) -> Point { point(a ^ b ^ c) }",
+    ),
+    (
+        FormRule::ScalarFactor,
+        "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> PointPair { (s * a) ^ b }",
     ),
 ];
 

@@ -3,6 +3,7 @@
 mod accuracy;
 mod action_counts;
 mod algebras;
+mod by_hand;
 mod components;
 mod counts;
 mod declarations;

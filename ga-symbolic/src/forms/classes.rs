@@ -28,6 +28,7 @@ use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Function, Number, Residue};
 use crate::limit::SearchLimit;
 use crate::member::{Numbers, numbers};
+use crate::program::Support;
 
 /// The place of a class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -138,10 +139,10 @@ pub(super) struct Classes<'a> {
     known: FxHashMap<Operation, Term>,
     by_value: FxHashMap<Vec<u64>, Vec<ClassId>>,
     pub(super) ways: usize,
-    /// Whether something with limits is zero at all points: `x/y*y - x`, or `abs(x) - x` besides
-    /// the root of x. It is not zero where its limits are not kept.
-    pub(super) has_limited_zero: bool,
-    /// The limits that were reached.
+    /// The limits of what is zero at all points: of `x/y*y - x`, or of `abs(x) - x` besides the root
+    /// of x. It is not zero where its limits are not kept.
+    limits_of_zeros: Vec<Limit>,
+    /// The limits of the search that were reached.
     pub(super) reached: Vec<SearchLimit>,
 }
 
@@ -153,7 +154,7 @@ impl<'a> Classes<'a> {
             known: FxHashMap::default(),
             by_value: FxHashMap::default(),
             ways: 0,
-            has_limited_zero: false,
+            limits_of_zeros: Vec::new(),
             reached: Vec::new(),
         }
     }
@@ -181,16 +182,47 @@ impl<'a> Classes<'a> {
 
     /// The coefficients of vectors that are the same for all operands.
     pub(super) fn constants(&self, id: ClassId) -> Vec<(Blade, Ratio)> {
+        let coefficients = self.coefficients(id).into_iter();
+        coefficients
+            .filter(|(blade, _)| blade.grade() == 1)
+            .filter_map(|(blade, number)| Some((blade, number?)))
+            .collect()
+    }
+
+    /// The blades that a multiple of a class has, with the numbers that some coefficients are. Where
+    /// all are, one must tell whether the class exists.
+    pub(super) fn support(&self, id: ClassId, factor: Ratio) -> Support {
+        let mut support = self.coefficients(id);
+        let is_open = support.iter().any(|(_, number)| number.is_none());
+        let is_told = is_open || self.class(id).limits.is_empty();
+        for (_, number) in &mut support {
+            *number = number.filter(|_| is_told).map(|number| number * factor);
+        }
+        support
+    }
+
+    /// The blades that a class has, with the number that a coefficient is for all operands.
+    fn coefficients(&self, id: ClassId) -> Support {
         let values = &self.class(id).values;
-        let Some(first) = values.first() else {
-            return Vec::new();
+        let number = |blade: Blade| {
+            let first = *values.first()?.get(&blade)?;
+            let is_same = values.iter().all(|value| value.get(&blade) == Some(&first));
+            constant(first).filter(|_| is_same)
         };
-        let constant = |(blade, number): (&Blade, &Number)| {
-            let is_same = values.iter().all(|value| value.get(blade) == Some(number));
-            let factor = fraction(number.residue()?).filter(|_| is_same && blade.grade() == 1)?;
-            (Number::from_ratio(factor) == *number).then_some((*blade, factor))
-        };
-        first.iter().filter_map(constant).collect()
+        let blades = self.blades(id).into_iter();
+        blades.map(|blade| (blade, number(blade))).collect()
+    }
+
+    /// The number that a scalar is for all operands, as far as it exists, if the other value exists
+    /// nowhere else.
+    pub(super) fn number_within(&self, id: ClassId, other: ClassId) -> Option<Ratio> {
+        let class = self.class(id);
+        let (first, rest) = class.values.split_first()?;
+        let is_number = first.len() == 1 && rest.iter().all(|value| value == first);
+        let number = first.get(&Blade::SCALAR).filter(|_| is_number)?;
+        let limits = &self.class(other).limits;
+        let is_within = class.limits.iter().all(|limit| limits.contains(limit));
+        constant(*number).filter(|_| is_within)
     }
 
     /// The grades that a class has, as a set of bits.
@@ -299,7 +331,7 @@ impl<'a> Classes<'a> {
         limits.sort();
         limits.dedup();
         if values.iter().all(Numbers::is_empty) {
-            self.has_limited_zero |= !limits.is_empty();
+            self.limits_of_zeros.extend(limits);
             let zero = Term {
                 class: ClassId(0),
                 factor: Ratio::ZERO,
@@ -342,6 +374,14 @@ impl<'a> Classes<'a> {
         };
         self.add_way(operation, term, rule);
         Some(term)
+    }
+
+    /// Whether a value exists only where all that was found to be zero does, so that it does not
+    /// matter that this was left out.
+    pub(super) fn covers_zeros(&self, made: Option<Term>) -> bool {
+        let limits = made.map_or(&[][..], |term| &self.class(term.class).limits);
+        let mut zeros = self.limits_of_zeros.iter();
+        zeros.all(|limit| limits.contains(limit))
     }
 
     /// Marks an operand as uniform.
@@ -482,4 +522,10 @@ fn fraction(residue: Residue) -> Option<Ratio> {
     let units = [Ratio::ONE, Ratio::integer(-1)].into_iter();
     let mut units = units.filter(|unit| Residue::from_ratio(*unit) == residue);
     units.next().or_else(|| residue.to_ratio(LARGEST))
+}
+
+/// The fraction of small height that a number is.
+fn constant(number: Number) -> Option<Ratio> {
+    let found = fraction(number.residue()?)?;
+    (Number::from_ratio(found) == number).then_some(found)
 }

@@ -478,6 +478,7 @@ pub(super) fn extract<'a>(
         program,
         wanted,
         rules,
+        frame: 0,
     }
 }
 
@@ -573,6 +574,7 @@ fn state<'a>(
             program.state_kind(step, kind);
         }
     }
+    program.state_support(step, classes.support(id, factor));
     facts.unit_versor |= factor.abs() == Ratio::ONE && classes.known_unit(id);
     program.state(step, facts);
     program.state_parity(

@@ -12,7 +12,7 @@ use crate::program::{Program, Step, StepId, Witness};
 /// The classes of the steps that some steps need; `None` for those that are zero or not needed.
 /// There are none at all where the values at the points of the witness do not tell what is equal:
 /// where there are choices, which do not show every outcome, and where a step is zero only as far
-/// as it exists.
+/// as it exists, and what is wanted exists elsewhere too.
 pub(super) fn import(
     classes: &mut Classes<'_>,
     program: &Program<'_>,
@@ -90,11 +90,14 @@ pub(super) fn import(
         };
         made[id.index()] = next;
     }
-    (!classes.has_limited_zero).then_some(made)
+    let mut wanted = wanted.iter();
+    wanted
+        .all(|id| classes.covers_zeros(made[id.index()]))
+        .then_some(made)
 }
 
 /// Whether a step is wanted, or one reads it that is.
-fn needed(program: &Program<'_>, wanted: &[StepId]) -> Vec<bool> {
+pub(super) fn needed(program: &Program<'_>, wanted: &[StepId]) -> Vec<bool> {
     let mut is_needed = vec![false; program.len()];
     for id in wanted {
         is_needed[id.index()] = true;

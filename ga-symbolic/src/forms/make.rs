@@ -61,6 +61,14 @@ impl Classes<'_> {
                 return Some(Term::of(a.class).scaled(factor));
             }
         }
+        if let Some(number) = self.number_within(b.class, a.class) {
+            return Some(Term::of(a.class).scaled(factor / number));
+        }
+        // `a / (x/y) = a y / x`, also where y is zero: what is divided by infinity is zero.
+        if let Some((x, y, scale)) = self.as_quotient(b.class) {
+            let dividend = self.product(Product::Geometric, a, y, rule)?;
+            return self.quotient(dividend, x.scaled(scale * b.factor), rule);
+        }
         let of = |classes: &Self| {
             classes.each_of_two(a.class, b.class, |a, b| {
                 let divisor = numbers::coefficient(b, Blade::SCALAR);
@@ -69,6 +77,19 @@ impl Classes<'_> {
         };
         self.insert(Operation::Quotient(a.class, b.class), of, rule)
             .map(|term| term.scaled(factor))
+    }
+
+    /// The dividend, the divisor and the factor in front of a class that is written as a quotient.
+    fn as_quotient(&self, id: ClassId) -> Option<(Term, Term, Ratio)> {
+        self.class(id)
+            .ways
+            .iter()
+            .find_map(|way| match way.operation {
+                Operation::Quotient(a, b) if way.rule.is_none() => {
+                    Some((Term::of(a), Term::of(b), way.factor))
+                }
+                _ => None,
+            })
     }
 
     pub(super) fn function(

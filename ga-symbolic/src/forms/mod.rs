@@ -22,9 +22,11 @@
 mod classes;
 mod estimate;
 mod extract;
+mod frame;
 mod import;
 mod make;
 mod rules;
+mod unnormalised;
 
 pub use crate::lower::FormRule;
 
@@ -32,7 +34,7 @@ use crate::algebra::Algebra;
 use crate::define::{Role, TypeDefinition};
 use crate::limit::SearchLimit;
 use crate::lower::{Choices, Rule};
-use crate::program::{Program, StepId, Witness};
+use crate::program::{Program, Step, StepId, Witness};
 use classes::{ClassId, Classes, Term};
 use extract::{Costs, Known, extract};
 
@@ -44,6 +46,8 @@ pub(crate) struct Form<'a> {
     pub(crate) wanted: Vec<StepId>,
     /// The rules that led to it.
     pub(crate) rules: Vec<FormRule>,
+    /// From which of the program's points it is seen, counted from 1; 0 is as it is written.
+    pub(crate) frame: usize,
 }
 
 /// The forms of a program that were found, and the limits that were reached.
@@ -58,7 +62,7 @@ const MOST_STEPS: usize = 160;
 
 /// What forms are made of.
 pub(crate) struct Source<'s, 'a> {
-    pub(crate) algebra: &'s Algebra,
+    pub(crate) algebra: &'a Algebra,
     pub(crate) program: &'s Program<'a>,
     /// The values of its steps.
     pub(crate) witness: &'s Witness,
@@ -68,9 +72,13 @@ pub(crate) struct Source<'s, 'a> {
     pub(crate) wanted: &'s [StepId],
 }
 
-/// The forms of a program that look cheapest, the best first.
+/// How many forms are taken of a program that is seen from a point.
+const MOST_IN_FRAME: usize = 2;
+
+/// The forms of a program that look cheapest, the best first, and some as they are seen from its
+/// points.
 pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Found<'a> {
-    let (mut classes, known, terms) = match classes_of(source) {
+    let mut found = match cheapest_of(source, most) {
         Ok(found) => found,
         Err(limits) => {
             return Found {
@@ -79,6 +87,28 @@ pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Found<'a> {
             };
         }
     };
+    for (place, (rule, moved)) in others(source).iter().enumerate() {
+        let other = cheapest_of(&moved.source(source), MOST_IN_FRAME).unwrap_or_default();
+        let forms = other.forms.into_iter();
+        found
+            .forms
+            .extend(forms.map(|form| led_to(form, *rule, place + 1)));
+    }
+    found
+}
+
+/// Programs that give the same by rules for whole programs.
+fn others<'a>(source: &Source<'_, 'a>) -> Vec<(FormRule, frame::Moved<'a>)> {
+    let frames = frame::frames(source).into_iter();
+    let frames = frames.map(|moved| (FormRule::Frame, moved));
+    let unnormalised = unnormalised::unnormalised(source);
+    let unnormalised = unnormalised.map(|moved| (FormRule::Unnormalised, moved));
+    frames.chain(unnormalised).collect()
+}
+
+/// The forms of a program that look cheapest; otherwise the limits for which there are none.
+fn cheapest_of<'a>(source: &Source<'_, 'a>, most: usize) -> Result<Found<'a>, Vec<SearchLimit>> {
+    let (mut classes, known, terms) = classes_of(source)?;
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
     let selections = costs.selections(&classes, &ids, Some(most));
@@ -87,23 +117,42 @@ pub(crate) fn cheapest<'a>(source: &Source<'_, 'a>, most: usize) -> Found<'a> {
         .iter()
         .map(|selection| extract(&mut classes, operands, &known, selection, &terms, None))
         .collect();
-    Found {
+    Ok(Found {
         forms,
         limits: classes.reached,
-    }
+    })
+}
+
+fn led_to(mut form: Form<'_>, rule: FormRule, frame: usize) -> Form<'_> {
+    form.rules.push(rule);
+    form.frame = frame;
+    form
 }
 
 /// The cheapest form that uses one of some rules, if there is one.
 pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Found<'a> {
+    let broken = match choices.all.broken {
+        Some(Rule::Form(rule)) => Some(rule),
+        _ => None,
+    };
+    let others = others(source).into_iter();
+    if let Some((rule, moved)) = { others }.find(|(rule, _)| choices.forms.contains(rule)) {
+        let found = cheapest_of(&moved.source(source), 1).unwrap_or_default();
+        let forms = found.forms.into_iter();
+        let forms = forms.map(|form| led_to(form, rule, 1));
+        return Found {
+            forms: match broken == Some(rule) {
+                true => forms.map(negated).collect(),
+                false => forms.collect(),
+            },
+            limits: Vec::new(),
+        };
+    }
     let Ok((mut classes, known, terms)) = classes_of(source) else {
         return Found::default();
     };
     let ids: Vec<ClassId> = terms.iter().flatten().map(|term| term.class).collect();
     let costs = Costs::new(&mut classes);
-    let broken = match choices.all.broken {
-        Some(Rule::Form(rule)) => Some(rule),
-        _ => None,
-    };
     let operands = &source.program.operands;
     let selections = costs.selections(&classes, &ids, None);
     let mut forms = selections
@@ -114,6 +163,14 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Found<
         forms: form.into_iter().collect(),
         limits: Vec::new(),
     }
+}
+
+/// The negative of a form, as a broken rule gives it.
+fn negated(mut form: Form<'_>) -> Form<'_> {
+    for wanted in &mut form.wanted {
+        *wanted = form.program.push(Step::Negative(*wanted));
+    }
+    form
 }
 
 /// The classes of a program; otherwise the limits for which there are none.

@@ -34,11 +34,17 @@ pub enum FormRule {
     Vector,
     /// `a · (M b ~M) = (~M a M) · b`.
     Adjoint,
+    /// `(s a) ∘ b = s (a ∘ b)` for a scalar s.
+    ScalarFactor,
+    /// `f(a, b) = T f(~T a T, ~T b T) ~T` for a translation T.
+    Frame,
+    /// `M X ~M = N X ~N / (N ~N)` for `M = N/√(N ~N)`.
+    Unnormalised,
 }
 
 impl FormRule {
     /// Every rule.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 18] = [
         Self::Reversal,
         Self::Associativity,
         Self::Conjugation,
@@ -54,6 +60,9 @@ impl FormRule {
         Self::Difference,
         Self::Vector,
         Self::Adjoint,
+        Self::ScalarFactor,
+        Self::Frame,
+        Self::Unnormalised,
     ];
 
     /// The rule in words.
@@ -75,6 +84,9 @@ impl FormRule {
             Self::Difference => "join with a difference",
             Self::Vector => "product with a vector",
             Self::Adjoint => "adjoint action",
+            Self::ScalarFactor => "scalar factor",
+            Self::Frame => "seen from a point",
+            Self::Unnormalised => "action without a root",
         }
     }
 }

@@ -12,7 +12,7 @@ use super::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, Rule
 use super::{gram, meet};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Function, Multivector, Value};
-use crate::program::{Program, Step, StepId};
+use crate::program::{Program, Step, StepId, Support};
 
 /// Lowers the wanted steps of a program over operands that are already in the arena, and what they
 /// need. A step with a piece is computed by its graph.
@@ -66,6 +66,18 @@ pub fn lower(
         // Terms of the other parity are zero, though the graph does not show it.
         let value = match program.parity(id) {
             Some(parity) => value.filtered(|blade| parity.allows(blade)),
+            None => value,
+        };
+        let value = match program.support(id) {
+            Some(support) => {
+                let all = value;
+                let value = supported(lowering.arena, &all, support);
+                let mut images = lowering.images.iter_mut();
+                if let Some(image) = images.find(|image| image.value.terms() == all.terms()) {
+                    image.value = value.clone();
+                }
+                value
+            }
             None => value,
         };
         let value = value.with_facts(facts);
@@ -297,13 +309,20 @@ impl Lowering<'_> {
         if let Some(quotient) = rule.lower(self.arena, self.algebra, image, weight) {
             return Some(quotient);
         }
-        if !keeps_weight(self.algebra, &image.versor, weight) {
-            return None;
-        }
         let (versor, operand) = (image.versor.clone(), image.operand.clone());
-        let rule = image.rule;
+        let sandwich = image.rule;
         let operand = self.unit_weight(&operand, weight)?;
-        Some(self.acted(rule, &versor, &operand))
+        let value = self.acted(sandwich, &versor, &operand);
+        if keeps_weight(self.algebra, &versor, weight) {
+            return Some(value);
+        }
+        let image = Image {
+            rule: sandwich,
+            versor,
+            operand,
+            value,
+        };
+        rule.lower(self.arena, self.algebra, &image, weight)
     }
 
     fn join(&mut self, factors: &[Multivector]) -> Multivector {
@@ -542,6 +561,16 @@ impl Places {
         let found = self.reverses[last].into_iter().flatten().filter_map(first);
         found.min().filter(|place| place + 1 < last)
     }
+}
+
+/// A value without the coefficients that cancel, and with the numbers that some of them are.
+fn supported(arena: &mut Arena, value: &Multivector, support: &Support) -> Multivector {
+    let terms = support.iter().map(|&(blade, number)| {
+        let found = value.coefficient(blade);
+        (blade, number.map_or(found, Value::constant))
+    });
+    let terms: Vec<_> = terms.collect();
+    Multivector::new(arena, terms)
 }
 
 fn is_even(value: &Multivector) -> bool {

@@ -11,7 +11,8 @@
 //!   `i ~V = ~(V i) = ~(A i) = i ~A`. The part of grade 2 gives the coefficients of λ y but that of
 //!   i, and `y² = 0` gives that.
 //! - For a further versor U that keeps the weight, `U y ~U` divided by its weight is
-//!   `U (y divided by its weight) ~U`.
+//!   `U (y divided by its weight) ~U`. For any other U that is divided by its weight once more,
+//!   since a multiple of y has the same multiple as image.
 
 use super::null_image::{half_image, pair_of, vector};
 use super::null_pair::NullPair;

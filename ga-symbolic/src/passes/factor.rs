@@ -15,6 +15,8 @@
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashSet;
+
 use super::flatten;
 use super::rewrite::{Graph, collect_factors, reads, rewrite};
 use super::uniformity::Uniformity;
@@ -24,10 +26,45 @@ use crate::ir::{Arena, Node, NodeId, Value};
 /// Takes out common factors; `None` where there are none.
 #[must_use]
 pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
-    let reads = reads(arena, outputs);
+    with_reads(arena, outputs, uniform, &reads(arena, outputs))
+}
+
+/// Takes out common factors of sums and differences of the same products too, out of both:
+/// `a b + a c` and `a b − a c` become `a (b + c)` and `a (b − c)`, where other factors may stand in
+/// place of a. `None` where there are no such sums.
+#[must_use]
+pub fn factor_together(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Graph> {
+    let mut reads = reads(arena, outputs);
+    let mut known: FxHashSet<Vec<NodeId>> = FxHashSet::default();
+    let mut has_changed = false;
+    for id in arena.ids() {
+        if let Node::Sum(terms) = arena.node(id)
+            && reads[id.index()] > 0
+        {
+            let nodes: Vec<NodeId> = terms.iter().map(|term| term.node).collect();
+            if known.contains(&nodes) {
+                has_changed = true;
+                for node in nodes {
+                    reads[node.index()] -= 1;
+                }
+            } else {
+                known.insert(nodes);
+            }
+        }
+    }
+    has_changed.then(|| with_reads(arena, outputs, uniform, &reads))?
+}
+
+/// Takes out common factors, where products that are read once belong to their readers.
+fn with_reads(
+    arena: &Arena,
+    outputs: &[Value],
+    uniform: &[bool],
+    reads: &[usize],
+) -> Option<Graph> {
     let is_candidate = |id: NodeId| match arena.node(id) {
         Node::Sum(terms) if reads[id.index()] > 0 => {
-            has_common_factor(arena, terms, &reads) || has_common_constant(terms)
+            has_common_factor(arena, terms, reads) || has_common_constant(terms)
         }
         _ => false,
     };
@@ -35,7 +72,7 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
         return None;
     }
     let mut uniformity = Uniformity::new(uniform);
-    rewrite(arena, outputs, &reads, |copy, id, images| {
+    rewrite(arena, outputs, reads, |copy, id, images| {
         let Node::Sum(terms) = arena.node(id) else {
             return None;
         };
@@ -44,7 +81,7 @@ pub fn factor(arena: &Arena, outputs: &[Value], uniform: &[bool]) -> Option<Grap
         }
         let terms: Vec<Term> = terms
             .iter()
-            .map(|&term| Term::new(arena, &reads, images, term))
+            .map(|&term| Term::new(arena, reads, images, term))
             .collect();
         let terms = with_variables_taken_out(copy, terms, &mut uniformity);
         let terms = with_constants_taken_out(copy, &terms);
@@ -233,7 +270,24 @@ impl Products {
                     rest.all(|node| uniformity.is_uniform(arena, *node))
                 });
             let saved = if is_known { 2 * fewer } else { fewer };
-            let gain = (if is_moved { saved + fewer } else { saved }, saved);
+            // A product with another uniform factor is multiplied by both at once.
+            let is_first = uniformity.is_uniform(arena, *common);
+            let has_other = |member: &&Member| {
+                let mut rest = member.rest.iter();
+                is_first && rest.any(|node| uniformity.is_uniform(arena, *node))
+            };
+            let others = members.iter().filter(has_other).count();
+            if others > fewer {
+                continue;
+            }
+            let gain = (
+                if is_moved {
+                    saved + fewer
+                } else {
+                    saved - others
+                },
+                saved,
+            );
             if best.is_none_or(|(most, _)| gain > most) {
                 best = Some((gain, *common));
             }

@@ -4,7 +4,10 @@ use rustc_hash::FxHashSet;
 
 use super::rewrite::{Graph, reads, with_first};
 use super::uniformity::Uniformity;
-use super::{cost, factor, flatten, hoist, reduce, scale, share, substitute};
+use super::{
+    cost, factor, factor_together, flatten, fraction, hoist, proportional, reduce, scale, share,
+    substitute,
+};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, Value};
 
@@ -18,6 +21,11 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
     let mut starts = Vec::new();
     starts.extend(reduced(&arena, &outputs, relations));
     starts.push(flatten(&arena, &outputs).unwrap_or_else(|| (arena.clone(), outputs.clone())));
+    for start in &mut starts {
+        if let Some(graph) = proportional(&start.0, &start.1) {
+            *start = graph;
+        }
+    }
     let mut best = Candidate::new((arena, outputs), uniform);
     let mut seen = FxHashSet::default();
     for start in &starts {
@@ -25,6 +33,7 @@ pub fn optimise(arena: Arena, outputs: Vec<Value>, uniform: &[bool], relations: 
             if !seen.insert(graph.0.fingerprint(&graph.1)) {
                 continue;
             }
+            let graph = apply(graph, fraction);
             let graph = apply(graph, substitute);
             let graph = apply(graph, |arena, outputs| hoist(arena, outputs, uniform));
             // What follows saves multiples by constants at most.
@@ -88,6 +97,8 @@ fn restructured(start: &Graph, uniform: &[bool]) -> Vec<Graph> {
     if is_same {
         results.push(start.clone());
     }
+    let together = factor_together(&start.0, &start.1, uniform);
+    results.extend(together.map(|graph| apply(graph, share)));
     results
 }
 

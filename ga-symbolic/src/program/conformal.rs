@@ -29,7 +29,7 @@ impl<'a> Conformal<'a> {
 
     /// The model whose points have a type, if they are null vectors with two coefficients fewer
     /// than the space has, that have the same inner product with one null vector alone.
-    fn of(algebra: &Algebra, kind: &'a TypeDefinition) -> Option<Self> {
+    pub(crate) fn of(algebra: &Algebra, kind: &'a TypeDefinition) -> Option<Self> {
         let dimension = algebra.dimension();
         let stored = kind.stored().count();
         let is_candidate = kind.facts_are_implied

@@ -129,6 +129,9 @@ impl Parity {
     }
 }
 
+/// The blades of a step, each with its coefficient where that is the same for all operands.
+pub type Support = Vec<(Blade, Option<Ratio>)>;
+
 /// The steps of a function. A step comes after everything that it reads.
 #[derive(Clone, Default)]
 pub struct Program<'a> {
@@ -145,6 +148,7 @@ pub struct Program<'a> {
     operations: HashMap<StepId, Vec<StepId>>,
     written: HashMap<StepId, &'a TypeDefinition>,
     has_signs: bool,
+    supports: HashMap<StepId, Support>,
 }
 
 impl<'a> Program<'a> {
@@ -320,6 +324,17 @@ impl<'a> Program<'a> {
     #[must_use]
     pub fn written(&self, id: StepId) -> Option<&'a TypeDefinition> {
         self.written.get(&id).copied()
+    }
+
+    /// States the blades that a step has. Others cancel, though its terms need not show it.
+    pub fn state_support(&mut self, id: StepId, support: Support) {
+        self.supports.insert(id, support);
+    }
+
+    /// The blades that were stated of a step.
+    #[must_use]
+    pub fn support(&self, id: StepId) -> Option<&Support> {
+        self.supports.get(&id)
     }
 
     /// States that a step is always a member of a type.

@@ -79,7 +79,12 @@ impl<'a> Builder<'a> {
     }
 
     /// The point `u − ½ u² N` of a vector u with `u·N = 1`.
-    fn on_the_cone(&mut self, model: &Conformal<'a>, infinity: StepId, u: StepId) -> Outcome {
+    pub(crate) fn on_the_cone(
+        &mut self,
+        model: &Conformal<'a>,
+        infinity: StepId,
+        u: StepId,
+    ) -> Outcome {
         let square = self.push(Step::Binary(Product::ScalarProduct, u, u))?;
         let half = self.scaled(square, -1, 2)?;
         let change = self.geometric(half, infinity)?;
@@ -104,7 +109,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A constant vector.
-    fn vector(&mut self, terms: &[(Blade, Ratio)]) -> Outcome {
+    pub(crate) fn vector(&mut self, terms: &[(Blade, Ratio)]) -> Outcome {
         let mut sum = None;
         for (blade, value) in terms {
             let term = self.push(Step::Constant(*blade, *value))?;

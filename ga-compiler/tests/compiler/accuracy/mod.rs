@@ -163,7 +163,7 @@ fn what_is_chosen_for_products_rounds_well() {
 }
 
 /// Functions with the rules for forms.
-const FORMS: [(FormRule, &str); 23] = [
+const FORMS: [(FormRule, &str); 28] = [
     (
         FormRule::Vector,
         "p: Point, a: DualPlane -> RoundVector { (p ^ a) * inverse(a) }",
@@ -252,6 +252,28 @@ const FORMS: [(FormRule, &str); 23] = [
     (
         FormRule::Reversal,
         "m: Motor, n: Motor -> DualQuaternion { rev(m * n) }",
+    ),
+    (
+        FormRule::Frame,
+        "a: Point, b: Point, c: Point -> Point { point(a ^ b ^ c) }",
+    ),
+    (
+        FormRule::Frame,
+        "p: Point, a: Point, b: Point -> Point { point((p | (a ^ b ^ ei)) * inverse(a ^ b ^ ei)) }",
+    ),
+    (
+        FormRule::Frame,
+        "c: Point, r: Scalar, p: Point -> Point { point(sandwich(c - r * r / 2 * ei, p)) }",
+    ),
+    (
+        FormRule::Frame,
+        "p: Point, d: Direction, c: Point, r: Scalar -> Scalar {
+            norm_squared((p ^ d) & undual(c - r * r / 2 * ei))
+        }",
+    ),
+    (
+        FormRule::ScalarFactor,
+        "s: Scalar, a: Point, b: Point, c: Point -> Circle { (s * (a ^ b)) ^ c }",
     ),
 ];
 

@@ -105,7 +105,7 @@ const OTHERS: &[(&str, &str, [usize; 2])] = &[
     (
         "uniform s: Similarity, x: Line -> Line",
         "sandwich(s, x)",
-        [27, 18],
+        [24, 18],
     ),
     (
         "uniform v: EvenVersor, x: Point -> RoundVector",

@@ -14,6 +14,7 @@ mod outermorphism;
 mod power;
 mod quotient;
 mod reversal;
+mod scalar_factor;
 mod vector;
 
 pub(super) use conjugation::as_action;
@@ -48,7 +49,7 @@ impl Applied {
     }
 }
 
-const RULES: [Applied; 15] = [
+const RULES: [Applied; 16] = [
     Applied {
         is_for_actions: true,
         ..Applied::new(reversal::apply)
@@ -68,6 +69,7 @@ const RULES: [Applied; 15] = [
     Applied::new(quotient::apply),
     Applied::new(vector::apply),
     Applied::new(adjoint::apply),
+    Applied::new(scalar_factor::apply),
     Applied {
         is_for_short: true,
         ..Applied::new(distribution::apply)
