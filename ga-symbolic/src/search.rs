@@ -37,6 +37,12 @@ const MOST_OPERATIONS: usize = 1 << 16;
 /// How deep operations are compiled by themselves: those of a function, and those of their forms.
 const DEPTH: usize = 2;
 
+/// The rules for actions that are tried together with each rule for what is divided by a weight.
+const PROJECTED: [SandwichRule; 2] = [
+    SandwichRule::UnitCommutator,
+    SandwichRule::NullImageCommutator,
+];
+
 /// How often the kinds of rules are gone through.
 const MOST_ROUNDS: usize = 3;
 
@@ -356,7 +362,7 @@ impl Search<'_, '_> {
             // Which action is cheapest depends on what it is divided by.
             for projection in ProjectionRule::ALL {
                 self.improve(|choice| choice.projection = projection);
-                for sandwich in SandwichRule::ALL {
+                for sandwich in PROJECTED {
                     if has_sandwich(program) && projection != ProjectionRule::Division {
                         self.improve(|choice| {
                             choice.projection = projection;

@@ -15,6 +15,42 @@ const CGA3: &[Row] = &[
         "m * exp(t * log(rev(m) * n))",
         226,
     ),
+    (
+        "p: Point, d: Direction, c: Point, r: Scalar -> Scalar",
+        "norm_squared((p ^ d) & undual(c - r * r / 2 * ei))",
+        23,
+    ),
+    (
+        "c: Point, r: Scalar, p: Point -> Point",
+        "point(sandwich(c - r * r / 2 * ei, p))",
+        16,
+    ),
+    (
+        "p: Point, a: Point, b: Point -> Point",
+        "let l = a ^ b ^ ei; point((p | l) * inverse(l))",
+        23,
+    ),
+    (
+        "s: Similarity, t: Similarity, x: Point -> Point",
+        "point(sandwich(s * t, x))",
+        106,
+    ),
+    (
+        "a: Point, b: Point, c: Point -> Point",
+        "point(a ^ b ^ c)",
+        56,
+    ),
+    (
+        "p: Point, d: Direction, s: DualSphere -> (Point, Point)",
+        "endpoints((p ^ d) & undual(s))",
+        54,
+    ),
+    (
+        "a: Motor, b: Motor, c: Motor, d: Motor, k: Scalar, l: Scalar, m: Scalar, n: Scalar, \
+         x: Point -> Point",
+        "sandwich(normalize(k * a + l * b + m * c + n * d), x)",
+        104,
+    ),
 ];
 
 const PGA3: &[Row] = &[

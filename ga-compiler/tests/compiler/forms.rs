@@ -10,7 +10,7 @@ use ga_compiler::task::Task;
 use crate::algebras::cga3;
 
 /// For each rule a function in which it applies.
-const CASES: [(FormRule, &str); 17] = [
+const CASES: [(FormRule, &str); 18] = [
     (
         FormRule::Reversal,
         "fn f(a: Motor, b: Motor) -> Motor { rev(a * b) }",
@@ -71,6 +71,12 @@ const CASES: [(FormRule, &str); 17] = [
     (
         FormRule::Frame,
         "fn f(a: Point, b: Point, c: Point) -> Point { point(a ^ b ^ c) }",
+    ),
+    (
+        FormRule::Unnormalised,
+        "fn f(m: Motor, n: Motor, t: Scalar, p: Point) -> Point {
+            sandwich(normalize(m + t * n), p)
+        }",
     ),
     (
         FormRule::ScalarFactor,

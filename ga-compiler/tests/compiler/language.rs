@@ -42,7 +42,7 @@ const KERNELS: [(&str, &str); 16] = [
     ),
     (
         "fn f(uniform s: Sphere, l: Line) -> Point { endpoints(l & s).0 }",
-        "34 mul, 18 add, 1 div, 1 sqrt, 1 other",
+        "31 mul, 18 add, 2 div, 1 sqrt, 1 other",
     ),
     (
         "fn f(m: Motor, v: RoundVector) -> Point { sandwich(m, point(v)) }",
@@ -50,7 +50,7 @@ const KERNELS: [(&str, &str); 16] = [
     ),
     (
         "fn f(a: Point, b: Point, c: Point) -> Point { point(a ^ b ^ c) }",
-        "42 mul, 30 add, 1 div",
+        "31 mul, 24 add, 1 div",
     ),
     (
         "fn f(o: Point, p: Point, q: Point) -> Point { select((o | p) > (o | q), p, q) }",

@@ -25,12 +25,8 @@ use crate::program::{Program, Step, StepId};
 /// The program in which versors act without being normalised, if there are some.
 pub(super) fn unnormalised<'a>(source: &Source<'_, 'a>) -> Option<Moved<'a>> {
     let is_needed = super::import::needed(source.program, source.wanted);
-    let is_action = |(id, step): (StepId, &Step)| {
-        let Step::Sandwich(versor, _) = step else {
-            return false;
-        };
-        is_needed[id.index()] && sum(source.program, *versor).is_some()
-    };
+    let is_action =
+        |(id, _): (StepId, &Step)| is_needed[id.index()] && action(source.program, id).is_some();
     if !source.program.steps().any(is_action) {
         return None;
     }
@@ -55,11 +51,10 @@ pub(super) fn unnormalised<'a>(source: &Source<'_, 'a>) -> Option<Moved<'a>> {
             let next = step.mapped(|read| images[read.index()].unwrap_or(read));
             image = builder.push(next).ok()?;
         }
-        if let Step::Sandwich(versor, operand) = step
-            && let Some(versor) = sum(source.program, *versor)
-            && let Some(action) = acted(source, &mut builder, versor, *operand, id)
+        if let Some((versor, operand)) = action(source.program, id)
+            && let Some(found) = acted(source, &mut builder, versor, operand, id)
         {
-            image = action;
+            image = found;
             has_changed = true;
         }
         images[id.index()] = Some(image);
@@ -70,6 +65,25 @@ pub(super) fn unnormalised<'a>(source: &Source<'_, 'a>) -> Option<Moved<'a>> {
         witness: builder.witness,
         wanted: wanted?,
     })
+}
+
+/// The versor N and the operand of a step that is the action of N normalised.
+fn action(program: &Program<'_>, id: StepId) -> Option<(StepId, StepId)> {
+    let parts = |id: StepId| match *program.step(id) {
+        Step::Binary(Product::Geometric, a, b) => Some((a, b)),
+        _ => None,
+    };
+    let is_reverse = |id: StepId, of: StepId| *program.step(id) == Step::Unary(Unary::Reverse, of);
+    let (versor, operand) = match *program.step(id) {
+        Step::Sandwich(versor, operand) => (versor, operand),
+        _ => {
+            let (left, right) = parts(id)?;
+            let first = parts(left).filter(|(versor, _)| is_reverse(right, *versor));
+            let last = parts(right).filter(|(_, reverse)| is_reverse(*reverse, left));
+            first.or(last.map(|(operand, _)| (left, operand)))?
+        }
+    };
+    Some((sum(program, versor)?, operand))
 }
 
 /// What a versor is the multiple of that has norm 1.

@@ -98,7 +98,13 @@ fn restructured(start: &Graph, uniform: &[bool]) -> Vec<Graph> {
         results.push(start.clone());
     }
     let together = factor_together(&start.0, &start.1, uniform);
-    results.extend(together.map(|graph| apply(graph, share)));
+    let price = |graph: &Graph| cost(&graph.0, &graph.1).total();
+    let least = results.iter().map(price).min();
+    results.extend(
+        together
+            .map(|graph| apply(graph, share))
+            .filter(|graph| least.is_none_or(|least| price(graph) < least)),
+    );
     results
 }
 

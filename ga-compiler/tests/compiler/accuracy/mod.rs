@@ -9,7 +9,7 @@ mod twofold;
 
 use ga_compiler::define::Definition;
 use ga_compiler::forms::FormRule;
-use ga_compiler::ir::{Node, Value};
+use ga_compiler::ir::{Function, Node, Value};
 use ga_compiler::kernel::{Kernel, wanted};
 use ga_compiler::lower::{
     Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule,
@@ -163,7 +163,7 @@ fn what_is_chosen_for_products_rounds_well() {
 }
 
 /// Functions with the rules for forms.
-const FORMS: [(FormRule, &str); 28] = [
+const FORMS: [(FormRule, &str); 29] = [
     (
         FormRule::Vector,
         "p: Point, a: DualPlane -> RoundVector { (p ^ a) * inverse(a) }",
@@ -270,6 +270,10 @@ const FORMS: [(FormRule, &str); 28] = [
         "p: Point, d: Direction, c: Point, r: Scalar -> Scalar {
             norm_squared((p ^ d) & undual(c - r * r / 2 * ei))
         }",
+    ),
+    (
+        FormRule::Unnormalised,
+        "m: Motor, n: Motor, t: Scalar, p: Point -> Point { sandwich(normalize(m + t * n), p) }",
     ),
     (
         FormRule::ScalarFactor,
@@ -445,7 +449,10 @@ fn evaluate<N: Number>(kernel: &Kernel, inputs: &[N]) -> Vec<N> {
             }
             Node::Product(a, b) => results[a.index()].product(results[b.index()]),
             Node::Quotient(a, b) => results[a.index()].quotient(results[b.index()]),
-            Node::Function(..) => panic!("kernels of arithmetic only"),
+            Node::Function(Function::SquareRoot, arguments) => {
+                scaled(&results, &arguments[0]).root()
+            }
+            Node::Function(..) => panic!("kernels of arithmetic and roots only"),
         };
         results.push(result);
     }

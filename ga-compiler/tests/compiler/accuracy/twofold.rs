@@ -8,6 +8,7 @@ pub(crate) trait Number: Copy {
     fn sum(self, other: Self) -> Self;
     fn product(self, other: Self) -> Self;
     fn quotient(self, other: Self) -> Self;
+    fn root(self) -> Self;
 
     fn of_ratio(ratio: Ratio) -> Self {
         let [numerator, denominator] =
@@ -31,6 +32,10 @@ impl Number for f64 {
 
     fn quotient(self, other: Self) -> Self {
         self / other
+    }
+
+    fn root(self) -> Self {
+        self.sqrt()
     }
 }
 
@@ -79,6 +84,16 @@ impl Number for Twofold {
         let rest = rest.sum(other.product(Self::of(-second)));
         exact_sum(first, second).sum(Self::of(rest.high / other.high))
     }
+
+    /// One step of Newton's method from the root of the high part.
+    fn root(self) -> Self {
+        let first = self.high.sqrt();
+        if first == 0.0 {
+            return Self::of(0.0);
+        }
+        let rest = self.sum(Self::of(first).product(Self::of(-first)));
+        exact_sum(first, rest.high / (2.0 * first))
+    }
 }
 
 #[test]
@@ -86,6 +101,9 @@ fn a_third_has_32_digits() {
     let three = Twofold::of(3.0);
     let third = Twofold::of(1.0).quotient(three);
     let rest = third.product(three).sum(Twofold::of(-1.0));
+    assert!(rest.high.abs() < 1e-31, "{rest:?}");
+    let root = three.root();
+    let rest = root.product(root).sum(Twofold::of(-3.0));
     assert!(rest.high.abs() < 1e-31, "{rest:?}");
     let far = Twofold::of(1e16)
         .sum(Twofold::of(1.0))

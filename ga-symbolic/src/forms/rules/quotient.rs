@@ -1,13 +1,14 @@
 //! Quotients by scalars and products: `(a/s) b = (a b)/s = a (b/s)`, by linearity. The divisor is
 //! the same in all of them, so that they exist for the same operands; so it is in `a/s = (1/s) a`.
+//! In `(a/s)/(b/s) = a/b` the divisor s cancels.
 
-use crate::algebra::Product;
+use crate::algebra::{Product, Ratio};
 use crate::forms::FormRule;
 use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
 const RULE: Option<FormRule> = Some(FormRule::Quotient);
 
-pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
+pub(super) fn apply(classes: &mut Classes<'_>, id: ClassId, way: &Way) {
     match &way.operation {
         Operation::Product(product, factors) => {
             for (place, factor) in factors.iter().enumerate() {
@@ -20,6 +21,7 @@ pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
             }
         }
         Operation::Quotient(a, divisor) => {
+            reduced(classes, id, way.factor, *a, *divisor);
             if let Some(one) = classes.one()
                 && *a != one.class
                 && let Some(inverse) = classes.quotient(one, Term::of(*divisor), RULE)
@@ -43,10 +45,29 @@ pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {
     }
 }
 
-fn quotient(
-    classes: &Classes<'_>,
-    id: ClassId,
-) -> Option<(ClassId, ClassId, crate::algebra::Ratio)> {
+/// `(a/s)/(b/s) = a/b`, which the class has as a way: it exists where that does, too.
+fn reduced(classes: &mut Classes<'_>, id: ClassId, factor: Ratio, a: ClassId, b: ClassId) {
+    let quotients = |id: ClassId| {
+        let ways = classes.class(id).ways.iter();
+        ways.filter_map(|way| match way.operation {
+            Operation::Quotient(a, divisor) => Some((a, divisor, way.factor)),
+            _ => None,
+        })
+        .collect::<Vec<_>>()
+    };
+    let (dividends, divisors) = (quotients(a), quotients(b));
+    for (a, common, first) in &dividends {
+        for (b, _, second) in divisors.iter().filter(|(_, other, _)| other == common) {
+            let term = Term {
+                class: id,
+                factor: *second / (factor * *first),
+            };
+            classes.add_way(Operation::Quotient(*a, *b), term, RULE);
+        }
+    }
+}
+
+fn quotient(classes: &Classes<'_>, id: ClassId) -> Option<(ClassId, ClassId, Ratio)> {
     let mut ways = classes.class(id).ways.iter();
     ways.find_map(|way| match way.operation {
         Operation::Quotient(a, divisor) => Some((a, divisor, way.factor)),
