@@ -25,6 +25,7 @@ mod extract;
 mod import;
 mod make;
 mod rules;
+mod shared;
 
 pub use crate::lower::FormRule;
 
@@ -116,10 +117,11 @@ pub(crate) fn by_rules<'a>(source: &Source<'_, 'a>, choices: &Choices) -> Found<
     }
 }
 
+/// The classes of a program, what is known of them, and the wanted ones.
+type Imported<'s, 'a> = (Classes<'s>, Known<'a>, Vec<Option<Term>>);
+
 /// The classes of a program; otherwise the limits for which there are none.
-fn classes_of<'a, 's>(
-    source: &Source<'s, 'a>,
-) -> Result<(Classes<'s>, Known<'a>, Vec<Option<Term>>), Vec<SearchLimit>> {
+fn classes_of<'a, 's>(source: &Source<'s, 'a>) -> Result<Imported<'s, 'a>, Vec<SearchLimit>> {
     let Source {
         algebra,
         program,

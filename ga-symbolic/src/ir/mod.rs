@@ -15,6 +15,7 @@ mod function;
 mod multivector;
 mod plucker;
 mod residue;
+mod splice;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
