@@ -55,7 +55,7 @@ pub(crate) struct Found<'a> {
 }
 
 /// The largest program that is taken apart.
-const MOST_STEPS: usize = 160;
+const MOST_STEPS: usize = 320;
 
 /// What forms are made of.
 pub(crate) struct Source<'s, 'a> {
