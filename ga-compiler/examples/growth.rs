@@ -3,11 +3,14 @@
 //! table of it.
 
 use std::error::Error;
-use std::fmt::Write;
+use std::fmt::Write as _;
 
 use ga_compiler::{check_types, compile};
 
-const KINDS: [(&str, fn(usize) -> String); 6] = [
+/// Writes a function of some size.
+type Write = fn(usize) -> String;
+
+const KINDS: [(&str, Write); 6] = [
     ("length", length),
     ("sharing", sharing),
     ("nesting", nesting),

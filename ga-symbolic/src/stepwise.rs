@@ -166,8 +166,8 @@ impl<'a> Types<'a> {
         (operations.order.len() > 1).then_some(operations)
     }
 
-    /// Of the declared types the smallest that a step is always a member of, those with facts first;
-    /// or else one of its blades; none of zero.
+    /// Of the declared types the smallest that a step is always a member of, those with facts
+    /// first; or else one of its blades; none of zero.
     fn kind(&mut self, id: StepId, witness: &Witness) -> Option<Kind> {
         let blades = witness.blades(id);
         if blades.is_empty() {

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use ga_compiler::define::{Definition, SCALAR_TYPE};
+use ga_compiler::limit::SearchLimit;
 use ga_compiler::{check, compile, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -231,6 +232,76 @@ fn squares_of_squares_are_computed_once() {
             );
         }
     }
+}
+
+/// What a limit of the search leaves out is no cliff.
+#[test]
+fn long_functions_cost_in_proportion() {
+    let cga3 = algebras::cga3();
+    let all = |count: usize, term: &dyn Fn(usize) -> String, by: &str| {
+        let terms: Vec<String> = (0..count).map(term).collect();
+        terms.join(by)
+    };
+    let images = |n: usize| {
+        let images = all(n, &|i| format!("sandwich(m, x[{i}])"), ", ");
+        format!("fn f(m: Motor, x: [Point; {n}]) -> [Point; {n}] {{ [{images}] }}")
+    };
+    let wedges = |n: usize| {
+        let wedges = all(n - 1, &|i| format!("(x[{i}] ^ x[{}])", i + 1), " + ");
+        format!("fn f(x: [Point; {n}]) -> PointPair {{ {wedges} }}")
+    };
+    let inner = |n: usize| {
+        let row = |i: usize| {
+            all(
+                n - 1 - i,
+                &|j| format!("(x[{i}] | x[{}])", i + 1 + j),
+                " + ",
+            )
+        };
+        let rows = all(n - 1, &|i| format!("let s{i} = {};", row(i)), " ");
+        let sum = all(n - 1, &|i| format!("s{i}"), " + ");
+        format!("fn f(x: [Point; {n}]) -> Scalar {{ {rows} {sum} }}")
+    };
+    let kinds: [&dyn Fn(usize) -> String; 3] = [&images, &wedges, &inner];
+    for write in kinds {
+        let mut half = cost(&cga3, &write(8)).expect("eight");
+        for n in [16, 32, 64] {
+            let text = write(n);
+            let found = cost(&cga3, &text).expect("twice as many");
+            assert!(found <= 2 * half + 12, "{found}, {half} for half: {text}");
+            half = found;
+        }
+    }
+    let motors = all(8, &|i| format!("m[{i}]"), " * ");
+    let nested = (0..8)
+        .rev()
+        .fold("x".to_owned(), |x, i| format!("sandwich(m[{i}], {x})"));
+    for body in [format!("sandwich({motors}, x)"), nested] {
+        let text = format!("fn f(m: [Motor; 8], x: Point) -> Point {{ {body} }}");
+        assert_eq!(cost(&cga3, &text), Some(168 + 144), "{text}");
+    }
+    for (exponent, stated) in [(8, 42 + 12), (16, 55 + 16), (32, 68 + 20), (64, 81 + 24)] {
+        let power = all(exponent, &|_| "m".to_owned(), " * ");
+        let text = format!("fn f(m: Motor) -> Motor {{ {power} }}");
+        assert_eq!(cost(&cga3, &text), Some(stated), "{text}");
+    }
+}
+
+#[test]
+fn limits_are_noted() {
+    let cga3 = algebras::cga3();
+    let long: String = (0..400)
+        .map(|place| format!("let v{} = v{place} * w; ", place + 1))
+        .collect();
+    let long = format!("fn f(v0: Motor, w: Motor) -> Motor {{ {long} v400 }}");
+    assert!(
+        algebras::compile(&cga3, &long)
+            .kernel
+            .limits
+            .contains(&SearchLimit::Steps)
+    );
+    let short = "fn f(v: Motor, w: Motor) -> Motor { v * w }";
+    assert_eq!(algebras::compile(&cga3, short).kernel.limits, []);
 }
 
 #[test]

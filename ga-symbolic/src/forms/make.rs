@@ -305,8 +305,8 @@ impl Classes<'_> {
         (parts.to_vec(), Ratio::ONE)
     }
 
-    /// Adds a geometric product of some parts as it is written, besides that of all their factors: a
-    /// part may be read elsewhere too.
+    /// Adds a geometric product of some parts as it is written, besides that of all their factors:
+    /// a part may be read elsewhere too.
     pub(super) fn add_written(&mut self, parts: &[ClassId], whole: Term) {
         let (parts, sign) = self.in_order(Product::Geometric, parts.to_vec());
         if parts.len() > 1 {

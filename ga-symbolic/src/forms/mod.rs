@@ -26,6 +26,7 @@ mod frame;
 mod import;
 mod make;
 mod rules;
+mod shared;
 mod unnormalised;
 
 pub use crate::lower::FormRule;
@@ -58,7 +59,7 @@ pub(crate) struct Found<'a> {
 }
 
 /// The largest program that is taken apart.
-const MOST_STEPS: usize = 160;
+const MOST_STEPS: usize = 320;
 
 /// What forms are made of.
 pub(crate) struct Source<'s, 'a> {
@@ -173,10 +174,11 @@ fn negated(mut form: Form<'_>) -> Form<'_> {
     form
 }
 
+/// The classes of a program, what is known of them, and the wanted ones.
+type Imported<'s, 'a> = (Classes<'s>, Known<'a>, Vec<Option<Term>>);
+
 /// The classes of a program; otherwise the limits for which there are none.
-fn classes_of<'a, 's>(
-    source: &Source<'s, 'a>,
-) -> Result<(Classes<'s>, Known<'a>, Vec<Option<Term>>), Vec<SearchLimit>> {
+fn classes_of<'a, 's>(source: &Source<'s, 'a>) -> Result<Imported<'s, 'a>, Vec<SearchLimit>> {
     let Source {
         algebra,
         program,

@@ -17,6 +17,7 @@ mod number;
 mod plucker;
 mod real;
 mod residue;
+mod splice;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;

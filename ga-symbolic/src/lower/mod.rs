@@ -1,5 +1,6 @@
 //! From programs to the graph: operands become inputs, products become sums of products.
 
+mod chain;
 mod choice;
 mod form_rule;
 pub mod gram;

@@ -15,7 +15,7 @@ use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, NodeId, Value};
 
 /// The longest sum that is examined: the number of pairs grows with its square.
-const LONGEST: usize = 40;
+const LONGEST: usize = 64;
 
 /// Shares common parts; `None` where there are none.
 #[must_use]
