@@ -40,7 +40,8 @@ pub trait Sandwich<B> {
     fn sandwich(self, other: B) -> Self::Output;
 }
 
-/// The bound of a geometric product that is not declared, so that the error says how to. No type implements it.
+/// The bound of a geometric product that is not declared, so that the error says how to declare it.
+/// No type implements it.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "the product `{V} * {Self}` is not declared",

@@ -3,10 +3,11 @@
 //!
 //! Each has an implementation whose bound is never satisfied, and the trait of that bound has the
 //! message. These traits are those of ga-runtime, with the types as they are printed: an attribute
-//! with the bare names would not be known in a module without the prelude. rustc comes to look at that bound only where the operator may exist for some right
-//! operand, so a type without a declared product has one with a type that has no values. Since each
-//! of these costs time when the algebra is built, a large algebra has them only for the geometric
-//! products of rigid versors with what they move, which newcomers write.
+//! with the bare names would not be known in a module without the prelude. rustc comes to look at
+//! that bound only where the operator may exist for some right operand, so a type without a
+//! declared product has one with a type that has no values. Since each of these costs time when the
+//! algebra is built, a large algebra has them only for the geometric products of rigid versors with
+//! what they move, which newcomers write.
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
