@@ -39,3 +39,57 @@ pub trait Sandwich<B> {
     /// The action of `self` on `other`.
     fn sandwich(self, other: B) -> Self::Output;
 }
+
+/// The bound of a geometric product that is not declared, so that the error says how to declare it.
+/// No type implements it.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the product `{V} * {Self}` is not declared",
+    label = "not a declared product",
+    note = "a versor moves an element by `versor.transform(element)`",
+    note = "the line `geometric({V}, {Self});` in `products` of the algebra would declare it, with the \
+            bare names of the types",
+    note = "in `ga!` there are all products of all types"
+)]
+pub trait GeometricFactor<V> {}
+
+/// The same of an outer product. No type implements it.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the product `{V} ^ {Self}` is not declared",
+    label = "not a declared product",
+    note = "the line `wedge({V}, {Self});` in `products` of the algebra would declare it, with the \
+            bare names of the types",
+    note = "in `ga!` there are all products of all types"
+)]
+pub trait WedgeFactor<V> {}
+
+/// The same of a left contraction. No type implements it.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the product `{V} | {Self}` is not declared",
+    label = "not a declared product",
+    note = "the line `left_contraction({V}, {Self});` in `products` of the algebra would declare it, with the \
+            bare names of the types",
+    note = "in `ga!` there are all products of all types"
+)]
+pub trait ContractionFactor<V> {}
+
+/// The same of a regressive product. No type implements it.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the product `{V} & {Self}` is not declared",
+    label = "not a declared product",
+    note = "the line `vee({V}, {Self});` in `products` of the algebra would declare it, with the \
+            bare names of the types",
+    note = "in `ga!` there are all products of all types"
+)]
+pub trait VeeFactor<V> {}
+
+/// The bound of a product that is always zero. No type implements it.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "this product of `{V}` and `{Self}` is zero for all operands, so it is not declared",
+    label = "always zero"
+)]
+pub trait VanishingFactor<V> {}

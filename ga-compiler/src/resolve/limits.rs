@@ -1,6 +1,7 @@
 //! How many operands a function has, and how deep its calls and formulas may go.
 
-/// How many multivectors the operands of a function may hold together. Each is drawn at many points.
+/// How many multivectors the operands of a function may hold together. Each is drawn at many
+/// points.
 pub(super) const MAX_OPERANDS: usize = 1 << 14;
 
 /// How deep calls of functions may go.

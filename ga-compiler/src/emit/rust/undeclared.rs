@@ -2,12 +2,14 @@
 //! would declare it.
 //!
 //! Each has an implementation whose bound is never satisfied, and the trait of that bound has the
-//! message. rustc comes to look at that bound only where the operator may exist for some right
-//! operand, so a type without a declared product has one with a type that has no values. Since each
-//! of these costs time when the algebra is built, a large algebra has them only for the geometric
-//! products of rigid versors with what they move, which newcomers write.
+//! message. These traits are those of ga-runtime, with the types as they are printed: an attribute
+//! with the bare names would not be known in a module without the prelude. rustc comes to look at
+//! that bound only where the operator may exist for some right operand, so a type without a
+//! declared product has one with a type that has no values. Since each of these costs time when the
+//! algebra is built, a large algebra has them only for the geometric products of rigid versors with
+//! what they move, which newcomers write.
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::context::Context;
@@ -19,19 +21,19 @@ use crate::define::{Operation, ProductDefinition, TypeDefinition};
 /// Up to how many types all pairs have messages.
 const LARGEST: usize = 10;
 
-/// The operators with their products.
+/// The products that have operators, with the bounds of ga-runtime.
 const OPERATORS: [(Product, &str); 4] = [
-    (Product::Geometric, "*"),
-    (Product::Wedge, "^"),
-    (Product::LeftContraction, "|"),
-    (Product::Vee, "&"),
+    (Product::Geometric, "GeometricFactor"),
+    (Product::Wedge, "WedgeFactor"),
+    (Product::LeftContraction, "ContractionFactor"),
+    (Product::Vee, "VeeFactor"),
 ];
 
 pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     let types = &context.definition.types;
     let is_small = types.len() <= LARGEST;
-    let (mut traits, mut implementations) = (TokenStream::new(), TokenStream::new());
-    for (product, symbol) in OPERATORS {
+    let mut implementations = TokenStream::new();
+    for (product, bound) in OPERATORS {
         let operation = Operation::Product(product);
         for (left, kind) in types.iter().enumerate() {
             let mut is_met = false;
@@ -49,12 +51,11 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
                 let undeclared = Undeclared {
                     context,
                     product,
-                    symbol,
+                    bound,
                     operands,
                 };
-                // Notes of rustc show where these are: at the name of the algebra.
+                // Notes of rustc show where this is: at the name of the algebra.
                 let span = context.definition.name.span();
-                traits.extend(placed(undeclared.bound(), span));
                 implementations.extend(placed(undeclared.implementation(), span));
                 is_met = true;
             }
@@ -63,11 +64,7 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
             }
         }
     }
-    quote! {
-        #[doc(hidden)]
-        pub mod __undeclared { #traits }
-        #implementations
-    }
+    implementations
 }
 
 fn is_declared(context: &Context<'_>, operation: Operation, operands: [usize; 2]) -> bool {
@@ -122,7 +119,7 @@ fn without_values(context: &Context<'_>, product: Product, kind: &TypeDefinition
 struct Undeclared<'a> {
     context: &'a Context<'a>,
     product: Product,
-    symbol: &'static str,
+    bound: &'static str,
     operands: [usize; 2],
 }
 
@@ -131,46 +128,12 @@ impl Undeclared<'_> {
         self.operands.map(|index| self.context.kind(index))
     }
 
-    /// A name that no other pair has, whatever the types are called.
-    fn name(&self) -> Ident {
-        let [left, right] = self.operands;
-        format_ident!("{}_{left}_{right}", self.product.name())
-    }
-
-    /// The trait that is never implemented, with the message.
-    fn bound(&self) -> TokenStream {
-        let (name, [left, right]) = (self.name(), self.types().map(|kind| &kind.name));
-        let symbol = self.symbol;
-        let message = format!("the product `{left} {symbol} {right}` is not declared");
-        let line = if self.is_zero() {
-            "it is zero for all operands".to_owned()
-        } else {
-            format!(
-                "the line `{}({left}, {right});` in `products` of `{}` would declare it",
-                self.product.name(),
-                self.context.definition.name
-            )
-        };
-        let sandwich = is_declared(self.context, Operation::Sandwich, self.operands);
-        let sandwich = (sandwich && self.product == Product::Geometric).then(|| {
-            quote! { note = "a versor moves an element by `versor.transform(element)`", }
-        });
-        quote! {
-            #[diagnostic::on_unimplemented(
-                message = #message,
-                label = "not a declared product",
-                #sandwich
-                note = #line,
-                note = "in `ga!` there are all products of all types"
-            )]
-            #[allow(non_camel_case_types)]
-            pub trait #name {}
-        }
-    }
-
     fn implementation(&self) -> TokenStream {
         let runtime = self.context.runtime;
-        let name = self.name();
+        let bound = match self.is_zero() {
+            true => format_ident!("VanishingFactor"),
+            false => format_ident!("{}", self.bound),
+        };
         let [left, right] = self.types().map(|kind| self.context.path(kind));
         let face = product_face(self.context, self.product);
         let (operator, method) = (&face.path, format_ident!("{}", face.method));
@@ -178,7 +141,7 @@ impl Undeclared<'_> {
             #[doc(hidden)]
             impl<S: #runtime::scalar::Ring> #operator<#right> for #left
             where
-                #right: __undeclared::#name,
+                #right: #runtime::products::#bound<#left>,
             {
                 type Output = #right;
                 fn #method(self, other: #right) -> #right { other }
