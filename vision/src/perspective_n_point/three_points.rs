@@ -5,6 +5,11 @@ use ga_runtime::vga3::Vector;
 
 use crate::polynomial::real_roots;
 
+/// Two second radii of which both miss the square of the third side by less than this part of it
+/// belong to two poses, as where the rays and the sides are alike in a mirror. The root is double
+/// then, and known to half of its digits or less.
+const EQUAL: f64 = 1e-4;
+
 /// The motions from the world to a camera's frame that take three points onto three rays from the
 /// camera's centre, by the unit directions of the rays: up to four.
 ///
@@ -27,11 +32,18 @@ pub fn three_points(points: [Point<f64>; 3], directions: [Vector<f64>; 3]) -> Ve
         if !s.is_finite() || v <= 0.0 {
             continue;
         }
-        // Both second radii on the first two rays; the third side selects.
+        // Both second radii on the first two rays. The third side selects: from the other one, Newton
+        // steps would walk to the pose of another root, and not always all the way.
         let half = (cosines[2] * cosines[2] - 1.0 + squares[2] / (s * s))
             .max(0.0)
             .sqrt();
-        for u in [cosines[2] + half, cosines[2] - half] {
+        let missed = |u: f64| {
+            let squared = (u * u + v * v - 2.0 * u * v * cosines[0]) * s * s;
+            (squared - squares[0]).abs()
+        };
+        let both = [cosines[2] + half, cosines[2] - half];
+        let limit = (EQUAL * squares[0]).max(missed(both[0]).min(missed(both[1])));
+        for u in both.into_iter().filter(|u| missed(*u) <= limit) {
             let Some(radii) = polished([s, u * s, v * s], squares, cosines) else {
                 continue;
             };

@@ -126,18 +126,62 @@ proptest! {
     fn three_points_have_the_truth_among_their_poses(
         axis in vector(1.0), angle in -1.0..1.0, z in 2.5..6.0, first in 0..50_usize,
     ) {
-        let truth = motor(axis, angle, [0.1, -0.2, z]);
         let points = cloud(60, 0.4);
         let points: [Point<f64>; 3] = std::array::from_fn(|k| points[first + k * k]);
         let [p, q, r] = points.map(Vector::from);
         prop_assume!((q - p).cross(r - p).length() > 0.05);
-        let directions = points.map(|p| {
-            Vector::from(truth.transform(p)).normalized().unwrap()
+        has_the_truth_among_its_poses(points, motor(axis, angle, [0.1, -0.2, z]))?;
+    }
+}
+
+/// The poses of three points, which a camera in the true pose sees.
+fn poses_of_seen(points: [Point<f64>; 3], truth: Motor<f64>) -> Vec<Motor<f64>> {
+    let directions = points.map(|p| Vector::from(truth.transform(p)).normalized().unwrap());
+    three_points(points, directions)
+}
+
+fn has_the_truth_among_its_poses(
+    points: [Point<f64>; 3],
+    truth: Motor<f64>,
+) -> Result<(), TestCaseError> {
+    let found = poses_of_seen(points, truth);
+    let far = found.iter().map(|m| far(*m, truth, &points));
+    let nearest = far.fold(f64::INFINITY, f64::min);
+    prop_assert!(nearest < 1e-6, "{nearest:e}");
+    prop_assert!(found.len() <= 4, "{}", found.len());
+    Ok(())
+}
+
+/// Two of the four poses differ by half a thousandth of the distance.
+#[test]
+fn poses_next_to_each_other_are_found_once() {
+    let points = cloud(60, 0.4);
+    let axis = [
+        -0.6247296996699491,
+        -0.24476706053332462,
+        -0.7160283921155094,
+    ];
+    let truth = motor(axis, 0.11463725858694168, [0.1, -0.2, 3.048670777397367]);
+    has_the_truth_among_its_poses([9, 10, 13].map(|k| points[k]), truth).unwrap();
+}
+
+/// The middle one of three points whose sides and rays are alike in a mirror has two places on its
+/// ray for the same places of the others: the radii add up to twice the part of theirs along it.
+#[test]
+fn both_places_of_a_point_in_the_mirror_are_found() {
+    let places = [[-0.5, 0.0, 0.0], [0.0, 0.6, 0.3], [0.5, 0.0, 0.0]];
+    let points = places.map(Point::<f64>::from);
+    let truth = motor([0.0, 0.0, 1.0], 0.0, [0.0, 0.1, 3.0]);
+    let [p, q, _] = points.map(|p| Vector::from(truth.transform(p)));
+    let along = p.dot(q) / q.length();
+    for radius in [q.length(), 2.0 * along - q.length()] {
+        let is_found = poses_of_seen(points, truth).iter().any(|pose| {
+            let [first, middle, last] = points.map(|p| Vector::from(pose.transform(p)).length());
+            (first - p.length()).abs() < 1e-9
+                && (middle - radius).abs() < 1e-9
+                && (last - p.length()).abs() < 1e-9
         });
-        let found = three_points(points, directions);
-        let nearest = found.iter().map(|m| far(*m, truth, &points)).fold(f64::INFINITY, f64::min);
-        prop_assert!(nearest < 1e-6, "{nearest:e}");
-        prop_assert!(found.len() <= 4, "{}", found.len());
+        assert!(is_found, "{radius}");
     }
 }
 
