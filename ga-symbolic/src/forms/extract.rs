@@ -285,7 +285,7 @@ enum State {
 
 impl Selection {
     /// The operations in the order of their classes, with all factors of associative products
-    /// together, however they are grouped.
+    /// together, however they are grouped. A group that is read twice is a factor.
     fn operations(&self, classes: &Classes<'_>) -> Vec<Operation> {
         let mut order = self.order.clone();
         order.sort_unstable();
@@ -296,11 +296,21 @@ impl Selection {
             }
             _ => None,
         };
+        let mut readers = vec![0_usize; self.ways.len()];
         let mut is_inner = vec![false; self.ways.len()];
-        for (product, factors) in order.iter().filter_map(|id| associative(*id)) {
-            for factor in factors {
-                is_inner[factor.index()] |= associative(*factor).is_some_and(|(p, _)| p == product);
+        for id in &order {
+            for read in operation(*id).reads() {
+                readers[read.index()] += 1;
             }
+            if let Some((product, factors)) = associative(*id) {
+                for factor in factors {
+                    let inner = associative(*factor);
+                    is_inner[factor.index()] = inner.is_some_and(|(p, _)| p == product);
+                }
+            }
+        }
+        for (is_inner, readers) in is_inner.iter_mut().zip(readers) {
+            *is_inner &= readers == 1;
         }
         let mut operations = Vec::new();
         for &id in order.iter().filter(|id| !is_inner[id.index()]) {
@@ -312,7 +322,9 @@ impl Selection {
             let mut open: Vec<ClassId> = factors.iter().rev().copied().collect();
             while let Some(next) = open.pop() {
                 match associative(next) {
-                    Some((inner, factors)) if inner == product => open.extend(factors.iter().rev()),
+                    Some((_, factors)) if is_inner[next.index()] => {
+                        open.extend(factors.iter().rev());
+                    }
                     _ => flat.push(next),
                 }
             }
