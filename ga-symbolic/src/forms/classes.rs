@@ -5,10 +5,10 @@
 //!
 //! Two multivectors are taken as equal if they are equal at the random points of the program's
 //! witness, in residues and, where signs matter, in real numbers. For polynomials and quotients of
-//! them an error has a probability below 2⁻⁵⁰, by the lemma of Schwartz and Zippel. So a rule only proposes an operation: what it gives is computed,
-//! and decides the class it joins. A rule that is wrong proposes an operation that joins another
-//! class, and is not used for this one. Only where a rule states a way directly, since it groups
-//! what was there, is nothing computed.
+//! them an error has a probability below 2⁻⁵⁰, by the lemma of Schwartz and Zippel. So a rule only
+//! proposes an operation: what it gives is computed, and decides the class it joins. A rule that is
+//! wrong proposes an operation that joins another class, and is not used for this one. Only where a
+//! rule states a way directly, since it groups what was there, is nothing computed.
 //!
 //! Equal values at the points do not mean equal formulas everywhere where there are choices, which
 //! hold at random there, and where a root keeps the sign of its argument fixed. Such programs are
@@ -139,8 +139,8 @@ pub(super) struct Classes<'a> {
     known: FxHashMap<Operation, Term>,
     by_value: FxHashMap<Vec<u64>, Vec<ClassId>>,
     pub(super) ways: usize,
-    /// The limits of what is zero at all points: of `x/y*y - x`, or of `abs(x) - x` besides the root
-    /// of x. It is not zero where its limits are not kept.
+    /// The limits of what is zero at all points: of `x/y*y - x`, or of `abs(x) - x` besides the
+    /// root of x. It is not zero where its limits are not kept.
     limits_of_zeros: Vec<Limit>,
     /// The limits of the search that were reached.
     pub(super) reached: Vec<SearchLimit>,
@@ -189,8 +189,8 @@ impl<'a> Classes<'a> {
             .collect()
     }
 
-    /// The blades that a multiple of a class has, with the numbers that some coefficients are. Where
-    /// all are, one must tell whether the class exists.
+    /// The blades that a multiple of a class has, with the numbers that some coefficients are.
+    /// Where all are, one must tell whether the class exists.
     pub(super) fn support(&self, id: ClassId, factor: Ratio) -> Support {
         let mut support = self.coefficients(id);
         let is_open = support.iter().any(|(_, number)| number.is_none());
@@ -271,8 +271,9 @@ impl<'a> Classes<'a> {
         self.class(id).is_unit == Some(true)
     }
 
-    /// The order of classes that does not depend on how formulas are written: operands first, then by
-    /// the operands that they are computed from, so that images are in the order of what is moved.
+    /// The order of classes that does not depend on how formulas are written: operands first, then
+    /// by the operands that they are computed from, so that images are in the order of what is
+    /// moved.
     pub(super) fn compare(&self, a: ClassId, b: ClassId) -> Ordering {
         let key = |id: ClassId| {
             let class = self.class(id);

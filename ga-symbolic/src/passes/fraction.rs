@@ -1,9 +1,9 @@
 //! Quotients by one divisor whose dividends have factors in common.
 //!
-//! `a x/d, a y/d, a z/d → q = a/d; q x, q y, q z`: one division and three multiplications instead of
-//! three of each. Where no single factor is in all terms, as in `(a x + b u)/d, (a y + b v)/d, …`,
-//! a few are divided: `a/d` and `b/d`. A factor that all terms have, and that the divisor has twice, cancels once: so the
-//! divisor is zero where it was before.
+//! `a x/d, a y/d, a z/d → q = a/d; q x, q y, q z`: one division and three multiplications instead
+//! of three of each. Where no single factor is in all terms, as in `(a x + b u)/d, (a y + b v)/d,
+//! …`, a few are divided: `a/d` and `b/d`. A factor that all terms have, and that the divisor has
+//! twice, cancels once: so the divisor is zero where it was before.
 //!
 //! A product with a quotient is the quotient of a product: `b (x/d) = (b x)/d`.
 //!

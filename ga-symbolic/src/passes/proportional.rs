@@ -1,8 +1,8 @@
 //! Sums that are multiples of one sum.
 //!
-//! With `n = x² + y² + z²` computed anyway, `(a x)² + (a y)² + (a z)²` is `a² n`, even where `a x` is
-//! needed elsewhere: what is written out of products that others read too has a factor in common.
-//! So it is with two such sums, of which neither is n.
+//! With `n = x² + y² + z²` computed anyway, `(a x)² + (a y)² + (a z)²` is `a² n`, even where `a x`
+//! is needed elsewhere: what is written out of products that others read too has a factor in
+//! common. So it is with two such sums, of which neither is n.
 //!
 //! It is right by the distributive law.
 

@@ -1,8 +1,8 @@
 //! Several quotients by one divisor become products with its reciprocal.
 //!
 //! `a/d, b/d, c/d → r = 1/d; a r, b r, c r`: a division takes as long as several multiplications,
-//! and cannot be pipelined as well. Two quotients stay, each with one rounding. A number by which all
-//! of them are multiplied is multiplied with r.
+//! and cannot be pipelined as well. Two quotients stay, each with one rounding. A number by which
+//! all of them are multiplied is multiplied with r.
 
 use std::collections::BTreeMap;
 
@@ -42,8 +42,8 @@ pub fn reciprocal(arena: &Arena, outputs: &[Value]) -> Option<Graph> {
     })
 }
 
-/// For each divisor the number by which all quotients are multiplied where they are read; none where
-/// there are several.
+/// For each divisor the number by which all quotients are multiplied where they are read; none
+/// where there are several.
 fn multiples(arena: &Arena, outputs: &[Value], reads: &[usize]) -> BTreeMap<NodeId, Option<Ratio>> {
     let mut found: BTreeMap<NodeId, Option<Ratio>> = BTreeMap::new();
     let mut read = |value: Value| {

@@ -32,8 +32,8 @@ pub fn three_points(points: [Point<f64>; 3], directions: [Vector<f64>; 3]) -> Ve
         if !s.is_finite() || v <= 0.0 {
             continue;
         }
-        // Both second radii on the first two rays. The third side selects: from the other one, Newton
-        // steps would walk to the pose of another root, and not always all the way.
+        // Both second radii on the first two rays. The third side selects: from the other one,
+        // Newton steps would walk to the pose of another root, and not always all the way.
         let half = (cosines[2] * cosines[2] - 1.0 + squares[2] / (s * s))
             .max(0.0)
             .sqrt();

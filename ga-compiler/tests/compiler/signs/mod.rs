@@ -54,10 +54,8 @@ fn fault(space: &Space, program: &Program) -> Option<String> {
             error,
         } = value(seed)?;
         let found = graph::outputs(&function.kernel, &numbers(seed));
-        let differs = |(found, expected): (&f64, &f64)| {
-            // NaN differs too.
-            !((found - expected).abs() <= error)
-        };
+        let differs =
+            |(found, expected): (&f64, &f64)| found.is_nan() || (found - expected).abs() > error;
         let is_wrong = found.len() != expected.len() || found.iter().zip(&expected).any(differs);
         is_wrong.then(|| format!("{found:?} instead of {expected:?} at {:?}", numbers(seed)))
     })
