@@ -173,3 +173,50 @@ pub fn wanted(result: Option<&TypeDefinition>) -> Vec<NamedBlade> {
     };
     result.map_or_else(|| vec![scalar], stored)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Metric, Product};
+    use crate::ir::Function;
+    use crate::program::Step;
+    use crate::task::Task;
+
+    /// 89 is not a square among the residues, so that `√(89² x²)` is `−89 |x|` there.
+    #[test]
+    fn a_wrong_sign_is_refused_where_residues_agree() {
+        let algebra = Algebra::new(&["e1".to_owned()], Metric::signature(1, 0, 0));
+        let scalar = TypeDefinition::scalar();
+        let program_of = |factor: i128, is_root: bool| {
+            let mut program = Program::new(&[&scalar]);
+            let x = program.push(Step::Operand(0));
+            let factor = program.push(Step::Constant(Blade::SCALAR, Ratio::integer(factor)));
+            let product = |program: &mut Program<'_>, a, b| {
+                program.push(Step::Binary(Product::Geometric, a, b))
+            };
+            let result = if is_root {
+                let square = product(&mut program, x, x);
+                let square = product(&mut program, factor, square);
+                program.push(Step::Function(Function::SquareRoot, vec![square]))
+            } else {
+                let size = program.push(Step::Function(Function::Absolute, vec![x]));
+                product(&mut program, factor, size)
+            };
+            (program, vec![(result, wanted(None))])
+        };
+        let compiled = |program: &Program<'_>, outputs: &[(StepId, Vec<NamedBlade>)]| {
+            Task::of_program(&algebra, program, outputs.to_vec()).compile()
+        };
+        let (program, outputs) = program_of(89 * 89, true);
+        let mut witness = Witness::default();
+        assert!(witness.extend(&algebra, &program));
+        let right = compiled(&program, &outputs);
+        assert!(right.agrees_with(&program, &witness, &outputs));
+        let (other, other_outputs) = program_of(-89, false);
+        let wrong = compiled(&other, &other_outputs);
+        for x in [3, 5, 7, 11].map(Residue::new) {
+            assert_eq!(wrong.evaluate(&[x]), right.evaluate(&[x]));
+        }
+        assert!(!wrong.agrees_with(&program, &witness, &outputs));
+    }
+}
