@@ -13,6 +13,7 @@ mod kernels;
 mod language;
 mod literals;
 mod passes;
+mod random;
 mod rules;
 mod sharing;
 mod signs;

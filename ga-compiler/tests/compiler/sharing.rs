@@ -10,19 +10,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::algebras;
-
-/// A small generator of reproducible numbers (Knuth's multiplier).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).expect("31 bits") % bound
-    }
-}
+use crate::random::Random;
 
 /// An algebra with its products, from its declaration in ga-runtime.
 fn declared(source: &str) -> Definition {

@@ -87,7 +87,7 @@ impl Real {
         self.error.is_finite()
     }
 
-    /// Whether it is certain that there is no number.
+    /// Whether the number certainly does not exist.
     #[must_use]
     pub const fn is_none(self) -> bool {
         self.error.is_nan()

@@ -302,6 +302,16 @@ mod tests {
     }
 
     #[test]
+    fn one_is_left_where_all_factors_cancel() {
+        let mut arena = Arena::default();
+        let [a, d] = [(); 2].map(|()| arena.input());
+        let square = arena.product(a, a);
+        let divisor = arena.product(square, d);
+        let quotient = arena.quotient(a, divisor).expect("a divisor");
+        check(&arena, &[quotient], 1, 1);
+    }
+
+    #[test]
     fn different_dividends_stay() {
         let mut arena = Arena::default();
         let [x, y, z, d] = [(); 4].map(|()| arena.input());

@@ -79,6 +79,8 @@ fn rewrite_in_order(
     let mut copy = Arena::default();
     let inputs: Vec<Value> = (0..arena.inputs()).map(|_| copy.input()).collect();
     let mut images = vec![Value::ZERO; arena.len()];
+    // What is changed may read the number 1 though nothing did before.
+    images[Arena::ONE.index()] = Value::ONE;
     for id in order.filter(|id| reads[id.index()] > 0) {
         let image = match arena.node(id) {
             Node::Input(number) => inputs[*number],

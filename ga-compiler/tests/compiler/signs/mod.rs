@@ -11,7 +11,7 @@ use algebras::{ALGEBRAS, Space};
 use ga_compiler::compile;
 use ga_compiler::function::CompiledFunction;
 use interpreter::{Interpreter, Value};
-use program::{Program, Random};
+use program::{Program, number, random};
 
 /// How many random programs the suite compiles; `NULLCONE_RANDOM_PROGRAMS` asks for more.
 const PROGRAMS: u64 = 400;
@@ -36,8 +36,8 @@ fn compiled(space: &Space, text: &str) -> Result<CompiledFunction, String> {
 fn fault(space: &Space, program: &Program) -> Option<String> {
     let text = program.text();
     let numbers = |seed: u64| {
-        let mut random = Random::new(seed);
-        let numbers = (0..program.inputs(space)).map(|_| random.number());
+        let mut random = random(seed);
+        let numbers = (0..program.inputs(space)).map(|_| number(&mut random));
         numbers.collect::<Vec<f64>>()
     };
     let value = |seed: u64| Interpreter::new(space, &numbers(seed)).value(program);
@@ -72,7 +72,7 @@ fn random_programs_with_signs_have_their_values() {
     let mut with_values = 0;
     for seed in 0..count {
         let space = &spaces[usize::try_from(seed).expect("small") % spaces.len()];
-        let program = Program::random(&mut Random::new(seed));
+        let program = Program::random(&mut random(seed));
         if let Some(fault) = fault(space, &program) {
             faults.push(format!(
                 "{seed}, {}: {}\n    {fault}",

@@ -1,34 +1,23 @@
 //! Random programs over scalars and vectors.
 
 use super::algebras::Space;
+use crate::random::Random;
 
-/// A small generator of reproducible numbers (Knuth's multiplier).
-pub(super) struct Random(u64);
+/// The generator of a seed.
+pub(super) fn random(seed: u64) -> Random {
+    let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    random.below(2);
+    random
+}
 
-impl Random {
-    pub(super) fn new(seed: u64) -> Self {
-        let mut random = Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-        random.below(2);
-        random
-    }
-
-    pub(super) fn below(&mut self, bound: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).expect("31 bits") % bound
-    }
-
-    /// A number of either sign and of one of several sizes.
-    pub(super) fn number(&mut self) -> f64 {
-        let size = (self.below(1 << 20) as f64 + 1.0) / f64::from(1 << 18);
-        let scale = [0.1, 1.0, 1.0, 10.0][self.below(4)];
-        if self.below(2) == 0 {
-            size * scale
-        } else {
-            -size * scale
-        }
+/// A number of either sign and of one of several sizes.
+pub(super) fn number(random: &mut Random) -> f64 {
+    let size = (random.below(1 << 20) as f64 + 1.0) / f64::from(1 << 18);
+    let scale = [0.1, 1.0, 1.0, 10.0][random.below(4)];
+    if random.below(2) == 0 {
+        size * scale
+    } else {
+        -size * scale
     }
 }
 

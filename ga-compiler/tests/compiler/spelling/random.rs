@@ -1,6 +1,7 @@
 //! Random formulas, each spelled in several random ways.
 
 use crate::algebras;
+use crate::random::Random;
 
 use super::count;
 
@@ -25,23 +26,6 @@ enum Formula {
 }
 
 use Formula::{Composed, Inner, Joined, Met, Moved, Multiple, Name, Quotient, Reversed, Sum};
-
-/// A small generator of reproducible numbers (Knuth's multiplier).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).expect("31 bits") % bound
-    }
-
-    fn pick<T: Copy>(&mut self, items: &[T]) -> T {
-        items[self.below(items.len())]
-    }
-}
 
 const OPERANDS: &str = "m: Motor, n: Motor, r: Rotor, p: Point, q: Point, x: RoundVector, \
                         a: Sphere, b: Plane, s: Scalar, t: Scalar";
