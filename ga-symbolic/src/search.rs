@@ -28,7 +28,7 @@ use crate::task::Task;
 const MOST_SITES: usize = 8;
 
 /// How many forms are lowered, and of how many the passes are run.
-const MOST_FORMS: usize = 8;
+const MOST_FORMS: usize = 12;
 const MOST_FINISHED: usize = 3;
 
 /// How many operations all graphs together may have with which rules are tried.
