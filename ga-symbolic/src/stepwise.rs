@@ -179,7 +179,7 @@ impl<'a> Types<'a> {
         let is_member = |kind: &TypeDefinition| {
             let mut blades = blades.iter();
             blades.all(|blade| kind.coefficient(*blade).is_some())
-                && witness.reasons(self.algebra, id, Some(kind)).is_empty()
+                && witness.is_member(self.algebra, id, kind)
         };
         let types = self.declared.iter().enumerate();
         let found = types
@@ -320,8 +320,7 @@ impl<'a> Types<'a> {
         let result = result?;
         let kind = self.definition(operation.result);
         let is_declared = matches!(operation.result, Kind::Declared(_));
-        let reasons = || builder.witness.reasons(algebra, result, Some(kind));
-        if is_declared && reasons().is_empty() {
+        if is_declared && builder.witness.is_member(algebra, result, kind) {
             builder.program.state(result, kind.facts);
             let mut roles = kind.coefficients.iter().map(|c| &c.role);
             if roles.any(|role| matches!(role, Role::Derived(_))) {

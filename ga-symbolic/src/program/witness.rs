@@ -372,6 +372,13 @@ impl Witness {
         reasons
     }
 
+    /// Whether a step is a member of a type.
+    #[must_use]
+    pub fn is_member(&self, algebra: &Algebra, id: StepId, kind: &TypeDefinition) -> bool {
+        let mut values = self.values(id);
+        values.all(|value| member::membership(algebra, Some(kind), value).is_empty())
+    }
+
     /// Whether `M ~M = 1`, every grade of M is even or every one odd, and M moves vectors to
     /// vectors. In five dimensions and fewer the last follows from the others.
     #[must_use]
