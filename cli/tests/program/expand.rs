@@ -18,8 +18,30 @@ fn expanded(functions: &str, options: &[&str]) -> String {
     arguments.extend(options);
     let output = nullcone(Path::new("."), arguments);
     assert_success(&output);
-    assert!(output.stderr.is_empty());
+    // Long functions have notes that the search was cut short.
+    let mut lines = text(&output.stderr).lines();
+    assert!(lines.all(|line| line.starts_with("note: `f`: ")));
     text(&output.stdout).to_owned()
+}
+
+#[test]
+fn a_note_says_where_the_search_was_cut_short() {
+    let sums: String = (1..=400)
+        .map(|place| format!("let x{place} = b * x{} + a;", place - 1))
+        .collect();
+    let long = format!("fn f(a: Scalar, b: Scalar) -> Scalar {{ let x0 = a; {sums} x400 }}");
+    for (function, is_noted) in [
+        (long.as_str(), true),
+        ("fn f(a: Scalar) -> Scalar { a * a }", false),
+    ] {
+        let output = nullcone(
+            Path::new("."),
+            ["expand", "--expr", function, "--emit", "ops"],
+        );
+        assert_success(&output);
+        let note = "note: `f`: too many steps to look for other forms of the function";
+        assert_eq!(text(&output.stderr).contains(note), is_noted);
+    }
 }
 
 /// Fails unless the program ended with status 1 and exactly these lines on standard error.
