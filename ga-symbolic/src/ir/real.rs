@@ -75,12 +75,6 @@ impl Real {
         }
     }
 
-    /// The number.
-    #[must_use]
-    pub const fn value(self) -> f64 {
-        self.value
-    }
-
     /// Whether a number is there, with a bound on its error.
     #[must_use]
     pub const fn is_known(self) -> bool {
