@@ -27,7 +27,11 @@ pub(crate) fn explain(definition: &Definition, mismatch: &Mismatch<'_, '_>) -> S
             format!("left over: {}", blades.join(", "))
         }
         Reason::NotConstant(blade, ..) => format!("{reason}, it is {}", found(*blade)),
-        Reason::NotDerived(..) | Reason::Fact(_) => reason.to_string(),
+        Reason::NotDerived(..)
+        | Reason::NoReadings
+        | Reason::NotParameter(_)
+        | Reason::NotReadable
+        | Reason::Fact(_) => reason.to_string(),
     });
     with_remedy(reasons.collect(), &mismatch.remedy)
 }

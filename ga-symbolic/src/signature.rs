@@ -29,12 +29,23 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The types in it, one after the other; `None` for a plain number.
+    /// The types in it, one after the other, those of its parameters for a type that has some;
+    /// `None` for a plain number.
     #[must_use]
     pub fn leaves<'a>(&self, definition: &'a Definition) -> Vec<Option<&'a TypeDefinition>> {
         match self {
             Self::Scalar => vec![None],
-            Self::Type(index) => vec![Some(&definition.types[*index])],
+            Self::Type(index) => match &definition.types[*index] {
+                TypeDefinition {
+                    parameters: Some(parameters),
+                    ..
+                } => {
+                    let parts = parameters.list.iter();
+                    let leaves = parts.flat_map(|part| part.shape().leaves(definition));
+                    leaves.collect()
+                }
+                kind => vec![Some(kind)],
+            },
             Self::Array(element, count) => element.leaves(definition).repeat(*count),
             Self::Tuple(parts) => parts
                 .iter()

@@ -178,7 +178,8 @@ impl<'a> Types<'a> {
         }
         let is_member = |kind: &TypeDefinition| {
             let mut blades = blades.iter();
-            blades.all(|blade| kind.coefficient(*blade).is_some())
+            kind.parameters.is_none()
+                && blades.all(|blade| kind.coefficient(*blade).is_some())
                 && witness.is_member(self.algebra, id, kind)
         };
         let types = self.declared.iter().enumerate();

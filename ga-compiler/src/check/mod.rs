@@ -2,6 +2,7 @@
 
 mod basis;
 mod limits;
+mod parameters;
 mod polynomial;
 mod products;
 mod types;
@@ -38,10 +39,9 @@ pub fn check_with_warnings(
     let mut diagnostics = Diagnostics::default();
     let algebra = basis::check(&syntax.basis, &syntax.metric, &mut diagnostics)?;
     let is_sound = diagnostics.count() == 0;
-    let (types, sound) = types::check(&algebra, is_sound, &syntax.types, &mut diagnostics);
-    let products = products::check(&algebra, &types, &sound, &syntax.products, &mut diagnostics);
-    let warnings = diagnostics.into_result()?;
-    let definition = Definition {
+    let (types, mut sound) =
+        types::check_stored(&algebra, is_sound, &syntax.types, &mut diagnostics);
+    let mut definition = Definition {
         attributes: syntax
             .attributes
             .iter()
@@ -53,8 +53,19 @@ pub fn check_with_warnings(
         algebra,
         scalar: TypeDefinition::scalar(),
         types,
-        products,
+        products: Vec::new(),
         as_blades: OnceCell::new(),
     };
+    if is_sound {
+        parameters::check(&mut definition, &mut sound, &syntax.types, &mut diagnostics);
+    }
+    definition.products = products::check(
+        &definition.algebra,
+        &definition.types,
+        &sound,
+        &syntax.products,
+        &mut diagnostics,
+    );
+    let warnings = diagnostics.into_result()?;
     Ok((definition, warnings))
 }

@@ -19,7 +19,7 @@ use crate::parse::{CoefficientSyntax, FactSyntax, TypeSyntax};
 
 /// The types, and for each whether it is free of errors, so that others can be checked against it.
 /// `is_sound` says this of the algebra.
-pub(super) fn check(
+pub(super) fn check_stored(
     algebra: &Algebra,
     is_sound: bool,
     syntax: &[TypeSyntax],
@@ -45,7 +45,7 @@ pub(super) fn check(
             let message = format!("type `{}` is declared twice", kind.name);
             diagnostics.error(kind.name.span(), message);
         }
-        if kind.coefficients.is_empty() {
+        if kind.coefficients.is_empty() && kind.parameters.is_none() {
             diagnostics.error(kind.name.span(), "a type lists at least one blade");
         }
         types.push(TypeDefinition {
@@ -55,15 +55,20 @@ pub(super) fn check(
             facts: check_facts(algebra, &kind.facts, diagnostics),
             facts_are_implied: true,
             hull: None,
+            parameters: None,
         });
         sound.push(diagnostics.count() == before);
     }
-    for (index, kind) in syntax.iter().enumerate() {
+    let stored = || {
+        let types = syntax.iter().enumerate();
+        types.filter(|(_, kind)| kind.parameters.is_none())
+    };
+    for (index, kind) in stored() {
         let before = diagnostics.count();
         check_hull(index, kind, &places, &mut types, &sound, diagnostics);
         sound[index] &= diagnostics.count() == before;
     }
-    for (index, kind) in syntax.iter().enumerate() {
+    for (index, kind) in stored() {
         sound[index] &= is_sound;
         if sound[index] {
             let before = diagnostics.count();
@@ -235,7 +240,7 @@ fn check_facts(algebra: &Algebra, syntax: &[FactSyntax], diagnostics: &mut Diagn
     facts
 }
 
-fn check_hull(
+pub(super) fn check_hull(
     index: usize,
     syntax: &TypeSyntax,
     places: &HashMap<String, usize>,
@@ -287,7 +292,7 @@ fn check_hull(
 
 /// Decides whether the facts follow from the blades. Only `unit_versor` and `blade` may restrict
 /// the stored coefficients, since only then it is known how to draw random members.
-fn establish_facts(
+pub(super) fn establish_facts(
     algebra: &Algebra,
     kind: &mut TypeDefinition,
     syntax: &[FactSyntax],

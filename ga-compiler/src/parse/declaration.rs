@@ -7,9 +7,12 @@
 //! metric       = [ "metric" [ entry ("," entry)* ] ";" ] | "signature" p "," q "," r ";"
 //! entry        = name "*" name "=" number
 //! item         = type | products
-//! type         = docs attribute* "struct" name "{" coefficient* "}"
+//! type         = docs attribute* "struct" name "{" (coefficient* | parameters) "}"
 //! attribute    = "#[hull(" type ")]" | "#[facts(" fact ("," fact)* ")]"
 //! coefficient  = blade [ "=" (number | polynomial in the type's stored blades) ] ","
+//! parameters   = parameter ("," parameter)* ";" "self" "=" formula ";" reading*
+//! parameter    = name [ ":" type ]
+//! reading      = ["let"] name "=" formula ";"
 //! fact         = "unit_versor" | "null" | "blade" | "weight" "(" blade ")"
 //! products     = "products" "{" product* "}"
 //! product      = operation "(" operands ["," operands] ")" [ "->" type ] ";"
@@ -23,6 +26,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Error, Expr, Ident, LitInt, Path, Result, Token, Visibility, braced};
 
+use super::formula::Formula;
 use super::nesting::{check_brackets, check_expression};
 use crate::diag::Diagnostics;
 
@@ -93,6 +97,28 @@ pub struct TypeSyntax {
     pub name: Ident,
     /// The blades.
     pub coefficients: Vec<CoefficientSyntax>,
+    /// What members are stored as, where that is not the coefficients of blades.
+    pub parameters: Option<ParametersSyntax>,
+}
+
+/// The parameters of a type.
+pub struct ParametersSyntax {
+    /// Their names, with their types where they are not numbers.
+    pub list: Vec<(Ident, Option<Ident>)>,
+    /// The multivector.
+    pub value: Formula,
+    /// How parameters are read of it.
+    pub readings: Vec<ReadingSyntax>,
+}
+
+/// A formula for a parameter, or for a value between.
+pub struct ReadingSyntax {
+    /// Whether `let` stands before it.
+    pub is_let: bool,
+    /// The name.
+    pub name: Ident,
+    /// The formula.
+    pub value: Formula,
 }
 
 /// One fact.
@@ -269,13 +295,77 @@ impl Parse for TypeSyntax {
         let name = name(input, "a type")?;
         let body;
         braced!(body in input);
+        let parameters = match has_parameters(&body) {
+            true => Some(body.parse()?),
+            false => None,
+        };
         let coefficients = Punctuated::<CoefficientSyntax, Token![,]>::parse_terminated(&body)?;
         Ok(Self {
+            parameters,
             docs,
             hull,
             facts,
             name,
             coefficients: coefficients.into_iter().collect(),
+        })
+    }
+}
+
+/// Whether a semicolon stands in the braces of a type.
+fn has_parameters(body: ParseStream<'_>) -> bool {
+    let ahead = body.fork();
+    while let Ok(token) = ahead.parse::<TokenTree>() {
+        if matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';') {
+            return true;
+        }
+    }
+    false
+}
+
+impl Parse for ParametersSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let mut list = Vec::new();
+        while !input.peek(Token![;]) {
+            let name = name(input, "a parameter")?;
+            let kind = if input.peek(Token![:]) {
+                input.parse::<Token![:]>()?;
+                Some(input.parse()?)
+            } else {
+                None
+            };
+            list.push((name, kind));
+            if !input.peek(Token![;]) {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        input.parse::<Token![;]>()?;
+        if !input.peek(Token![self]) {
+            return Err(input.error("expected `self = …;`, the multivector of the parameters"));
+        }
+        input.parse::<Token![self]>()?;
+        input.parse::<Token![=]>()?;
+        let value = Formula::parse(input)?;
+        input.parse::<Token![;]>()?;
+        let mut readings = Vec::new();
+        while !input.is_empty() {
+            let is_let = input.peek(Token![let]);
+            if is_let {
+                input.parse::<Token![let]>()?;
+            }
+            let name = name(input, "a parameter")?;
+            input.parse::<Token![=]>()?;
+            let value = Formula::parse(input)?;
+            input.parse::<Token![;]>()?;
+            readings.push(ReadingSyntax {
+                is_let,
+                name,
+                value,
+            });
+        }
+        Ok(Self {
+            list,
+            value,
+            readings,
         })
     }
 }

@@ -297,11 +297,12 @@ impl Formula {
             let (parts, _) = Self::parse_list(&list, level + 1)?;
             return Self::new(FormulaKind::Array(parts), place.to(brackets.span.close()));
         }
-        if !input.peek(Ident) {
+        let is_self = input.peek(Token![self]);
+        if !input.peek(Ident) && !is_self {
             return Err(not_a_formula(input));
         }
-        let name: Ident = input.parse()?;
-        if !input.peek(token::Paren) {
+        let name = input.call(Ident::parse_any)?;
+        if !input.peek(token::Paren) || is_self {
             return Self::new(FormulaKind::Name(name), place);
         }
         let (arguments, end) = Self::parse_arguments(input, level)?;

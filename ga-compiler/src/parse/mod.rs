@@ -14,7 +14,7 @@ mod place;
 
 pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricEntrySyntax, MetricSyntax,
-    ProductSyntax, TypeSyntax, parse_declaration,
+    ParametersSyntax, ProductSyntax, ReadingSyntax, TypeSyntax, parse_declaration,
 };
 pub use faulty::{FaultyFunctions, parse_faulty};
 pub use formula::{Formula, FormulaKind};

@@ -94,6 +94,19 @@ pub enum ResolveErrorKind {
     LevelsTooDeep,
     /// Too many calls of functions are copied in.
     TooManyCalls,
+    /// The multivector of the parameters has blades that the hull of that name does not have.
+    NotInHull(String, String),
+    /// A formula is not for one of the type's parameters.
+    NotParameter(String),
+    /// A name bound by `let` is that of a parameter.
+    LetOfParameter(String),
+    /// A parameter is read twice.
+    ReadTwice(String),
+    /// Some parameters are read, and not this one.
+    NotRead(String),
+    /// What is read for the parameter of that name is another number, so that it gives another
+    /// multivector.
+    NotInverse(String),
 }
 
 /// How many values stand somewhere.
@@ -257,6 +270,26 @@ impl fmt::Display for ResolveErrorKind {
                 f,
                 "calls and formulas nest more than {MAX_LEVELS} levels deep together \
                  (one formula up to {MAX_NESTING}); bind inner parts to names with `let`"
+            ),
+            Self::NotInHull(hull, blades) => {
+                write!(f, "the hull `{hull}` does not have the blades {blades} of this multivector")
+            }
+            Self::NotParameter(name) => write!(
+                f,
+                "`{name}` is not a parameter of this type; a value between is bound by `let`"
+            ),
+            Self::LetOfParameter(name) => {
+                write!(f, "`{name}` is a parameter: leave out `let`")
+            }
+            Self::ReadTwice(name) => write!(f, "`{name}` is read twice"),
+            Self::NotRead(name) => write!(
+                f,
+                "a formula that reads `{name}` of `self` is missing: all parameters are read, or none"
+            ),
+            Self::NotInverse(name) => write!(
+                f,
+                "what is read for `{name}` is not the parameter that was written: the parameters \
+                 that are read of `self` give another multivector"
             ),
             Self::TooManyCalls => write!(
                 f,

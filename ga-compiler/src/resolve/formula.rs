@@ -54,6 +54,9 @@ impl<'s> Resolver<'_, 's> {
     pub(super) fn coefficient(&mut self, operand: &'s Formula, name: &Ident) -> Result<Bound> {
         let value = self.single(operand)?;
         let error = |kind| Err(ResolveError::new(kind, Place::of(name.span())));
+        if let Some(parameter) = self.parameter(value, &name.to_string()) {
+            return Ok(Bound::One(parameter));
+        }
         let algebra = &self.definition.algebra;
         let Ok(named) = algebra.names().resolve(&name.to_string()) else {
             return error(ResolveErrorKind::UnknownBlade(name.to_string()));

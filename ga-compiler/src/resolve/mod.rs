@@ -7,6 +7,7 @@ mod error;
 mod formula;
 mod limits;
 mod operation;
+mod parameters;
 mod place;
 mod power;
 mod scalars;
@@ -16,6 +17,7 @@ mod tests;
 mod zero;
 
 pub use error::{ResolveError, ResolveErrorKind, ValueCount};
+pub(crate) use parameters::resolve_parameters;
 pub(crate) use shape::resolve_shape;
 
 use std::collections::BTreeMap;
@@ -24,6 +26,7 @@ use std::rc::Rc;
 use syn::Ident;
 
 use self::limits::MAX_OPERANDS;
+use self::parameters::Parametrised;
 use crate::algebra::Product;
 use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Warning;
@@ -82,23 +85,8 @@ pub fn resolve_with<'a>(
     block: &Block,
     explain: &dyn Fn(&Mismatch<'_, '_>) -> String,
 ) -> Result<Resolved<'a>> {
-    let mut resolver = Resolver {
-        definition,
-        builder: Builder {
-            algebra: &definition.algebra,
-            program: Program::default(),
-            witness: Witness::default(),
-            operands: Vec::new(),
-        },
-        block,
-        explain,
-        scope: BTreeMap::new(),
-        callers: vec![function],
-        calls: 0,
-        level: 0,
-        warnings: Vec::new(),
-        zeros: Vec::new(),
-    };
+    let mut resolver = Resolver::new(definition, block, explain);
+    resolver.callers.push(function);
     let uniform = resolver.operands(function)?;
     let result = resolver.shape(&function.result)?;
     let value = resolver.body(function)?;
@@ -195,9 +183,36 @@ struct Resolver<'a, 's> {
     warnings: Vec<Warning>,
     /// The steps of which was said that they are always zero.
     zeros: Vec<StepId>,
+    /// The values of types by parameters.
+    parametrised: Vec<Parametrised>,
 }
 
 impl<'a, 's> Resolver<'a, 's> {
+    fn new(
+        definition: &'a Definition,
+        block: &'s Block,
+        explain: &'s dyn Fn(&Mismatch<'_, '_>) -> String,
+    ) -> Self {
+        Self {
+            definition,
+            builder: Builder {
+                algebra: &definition.algebra,
+                program: Program::default(),
+                witness: Witness::default(),
+                operands: Vec::new(),
+            },
+            block,
+            explain,
+            scope: BTreeMap::new(),
+            callers: Vec::new(),
+            calls: 0,
+            level: 0,
+            warnings: Vec::new(),
+            zeros: Vec::new(),
+            parametrised: Vec::new(),
+        }
+    }
+
     /// Adds the operands to the program, and returns for each whether it is uniform.
     fn operands(&mut self, function: &FunctionSyntax) -> Result<Vec<bool>> {
         let mut uniform = Vec::new();
@@ -207,43 +222,85 @@ impl<'a, 's> Resolver<'a, 's> {
             if uniform.len().saturating_add(size(&shape)) > MAX_OPERANDS {
                 return Err(ResolveError::new(ResolveErrorKind::TooManyOperands, place));
             }
-            let bound = self.operand(&shape, operand)?;
+            self.operand(&shape, operand)?;
             uniform.resize(self.builder.program.operands.len(), operand.is_uniform);
-            self.bind(&operand.name, bound);
             self.builder.operands.push(Operand {
                 name: operand.name.clone(),
                 shape,
                 is_uniform: operand.is_uniform,
             });
         }
+        self.draw(function.value.place())?;
+        let steps: Vec<StepId> = self.builder.program.steps().map(|(id, _)| id).collect();
+        let mut steps = steps.into_iter();
+        for (number, operand) in function.operands.iter().enumerate() {
+            let shape = self.builder.operands[number].shape.clone();
+            let bound = self.bound_operand(&shape, &mut steps, operand)?;
+            self.bind(&operand.name, bound);
+        }
+        Ok(uniform)
+    }
+
+    /// Draws random members of the operands' types.
+    fn draw(&mut self, place: Place) -> Result<()> {
         let Builder {
             algebra,
             program,
             witness,
             ..
         } = &mut self.builder;
-        if !witness.extend(algebra, program) {
-            let place = function.value.place();
-            return Err(ResolveError::new(ResolveErrorKind::NoOperands, place));
+        if witness.extend(algebra, program) {
+            return Ok(());
         }
-        Ok(uniform)
+        Err(ResolveError::new(ResolveErrorKind::NoOperands, place))
     }
 
-    fn operand(&mut self, shape: &Shape, syntax: &OperandSyntax) -> Result<Bound> {
+    /// What an operand stands for, from the next operands of the program.
+    fn bound_operand(
+        &mut self,
+        shape: &Shape,
+        steps: &mut impl Iterator<Item = StepId>,
+        syntax: &OperandSyntax,
+    ) -> Result<Bound> {
+        let parts: Vec<Shape> = match shape {
+            Shape::Array(element, count) => vec![(**element).clone(); *count],
+            Shape::Tuple(parts) => parts.clone(),
+            Shape::Type(index) if self.definition.types[*index].parameters.is_some() => {
+                return self.parametrised_operand(*index, steps, Place::of(syntax.name.span()));
+            }
+            Shape::Scalar | Shape::Type(_) => {
+                return Ok(Bound::One(steps.next().expect("an operand of the program")));
+            }
+        };
+        let parts = parts.iter();
+        let parts = parts.map(|part| self.bound_operand(part, steps, syntax));
+        Ok(Bound::Parts(parts.collect::<Result<_>>()?))
+    }
+
+    /// Adds the operands of a shape to the program.
+    fn operand(&mut self, shape: &Shape, syntax: &OperandSyntax) -> Result<()> {
         let kind = match shape {
             Shape::Scalar | Shape::Type(_) if syntax.is_blade => self.as_blade(shape, syntax)?,
             Shape::Scalar => &self.definition.scalar,
-            Shape::Type(index) => &self.definition.types[*index],
+            Shape::Type(index) => match &self.definition.types[*index] {
+                TypeDefinition {
+                    parameters: Some(parameters),
+                    ..
+                } => {
+                    let mut parts = parameters.list.iter();
+                    return parts.try_for_each(|part| self.operand(&part.shape(), syntax));
+                }
+                kind => kind,
+            },
             Shape::Array(element, count) => {
-                let parts = (0..*count).map(|_| self.operand(element, syntax));
-                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
+                return (0..*count).try_for_each(|_| self.operand(element, syntax));
             }
             Shape::Tuple(parts) => {
-                let parts = parts.iter().map(|part| self.operand(part, syntax));
-                return Ok(Bound::Parts(parts.collect::<Result<_>>()?));
+                return parts.iter().try_for_each(|part| self.operand(part, syntax));
             }
         };
-        Ok(Bound::One(self.builder.program.operand(kind)))
+        self.builder.program.operand(kind);
+        Ok(())
     }
 
     fn shape(&self, syntax: &ShapeSyntax) -> Result<Shape> {
@@ -340,6 +397,11 @@ impl<'a, 's> Resolver<'a, 's> {
             _ => None,
         };
         let (parts, shapes): (_, Vec<&Shape>) = match (value, shape) {
+            (Bound::One(id), Shape::Type(index))
+                if self.definition.types[*index].parameters.is_some() =>
+            {
+                return self.fit_parameters(place, *id, *index, what, outputs);
+            }
             (Bound::One(id), Shape::Scalar | Shape::Type(_)) => {
                 let kind = match shape {
                     Shape::Type(index) => Some(&self.definition.types[*index]),

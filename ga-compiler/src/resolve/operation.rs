@@ -50,7 +50,7 @@ pub(super) enum Operation {
 pub(super) const GRADE: &str = "grade";
 
 /// All other operations of multivectors by name; some have two names.
-const NAMES: [(&str, Operation); 40] = [
+const NAMES: [(&str, Operation); 41] = [
     ("reverse", Operation::Unary(Unary::Reverse)),
     ("rev", Operation::Unary(Unary::Reverse)),
     ("involute", Operation::Unary(Unary::Involute)),
@@ -83,6 +83,7 @@ const NAMES: [(&str, Operation); 40] = [
     ("cosh", Operation::Function(Function::HyperbolicCosine)),
     ("tanh", Operation::Function(Function::HyperbolicTangent)),
     ("hypot", Operation::Function(Function::Hypotenuse)),
+    ("recip_or_zero", Operation::Function(Function::Reciprocal)),
     ("atan2", Operation::Function(Function::ArcTangent)),
     ("ln", Operation::Function(Function::NaturalLogarithm)),
     ("min", Operation::Function(Function::Minimum)),

@@ -155,6 +155,10 @@ impl<T: Field, const N: usize> Field for Lanes<T, N> {
         self.map(T::recip)
     }
     #[inline(always)]
+    fn recip_or_zero(self) -> Self {
+        self.map(T::recip_or_zero)
+    }
+    #[inline(always)]
     fn is_invertible(self) -> bool {
         self.0.into_iter().all(T::is_invertible)
     }

@@ -140,6 +140,24 @@ pub trait Field: Ring + Div<Output = Self> {
         Self::one() / self
     }
 
+    /// `1 / self`, and zero where that is not invertible: the pseudoinverse of a number. Lanes are
+    /// told apart; of a dual number its value decides.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::{Field, Lanes};
+    /// assert_eq!((4.0.recip_or_zero(), 0.0.recip_or_zero()), (0.25, 0.0));
+    /// let lanes = Lanes::from_array([2.0, 0.0]);
+    /// assert_eq!(lanes.recip_or_zero().to_array(), [0.5, 0.0]);
+    /// ```
+    #[inline]
+    fn recip_or_zero(self) -> Self {
+        if self.is_invertible() {
+            self.recip()
+        } else {
+            Self::zero()
+        }
+    }
+
     /// Whether the number has an inverse: a single number if it is not zero, lanes if none of them
     /// is zero, a dual number if its value has an inverse.
     ///

@@ -77,6 +77,11 @@ macro_rules! implement_field {
                 Self::ONE / self
             }
             #[inline(always)]
+            fn recip_or_zero(self) -> Self {
+                self.simd_eq(Self::ZERO)
+                    .select(Self::ZERO, Self::ONE / self)
+            }
+            #[inline(always)]
             fn is_invertible(self) -> bool {
                 !self.simd_eq(Self::ZERO).any()
             }

@@ -2,10 +2,12 @@
 //!
 //! The crate `ga-compiler` makes it from what was parsed, with a check of everything.
 
+mod parameters;
 mod polynomial;
 mod products;
 mod types;
 
+pub use parameters::{Formulas, Parameter, Parameters};
 pub use polynomial::{Polynomial, PolynomialStep};
 pub use products::{Operation, ProductDefinition};
 pub use types::{CONSTANTS, Coefficient, Role, SCALAR_TYPE, TypeDefinition};

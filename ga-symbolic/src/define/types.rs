@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+use super::parameters::Parameters;
 use super::polynomial::Polynomial;
 use crate::algebra::{Blade, Ratio, SCALAR};
 use crate::ir::Facts;
@@ -28,6 +29,8 @@ pub struct TypeDefinition {
     pub facts_are_implied: bool,
     /// The type of sums and multiples, as an index; none where it is the type itself.
     pub hull: Option<usize>,
+    /// What members are stored as, where that is not the coefficients.
+    pub parameters: Option<Parameters>,
 }
 
 /// A blade of a type.
@@ -72,6 +75,7 @@ impl TypeDefinition {
             facts: Facts::default(),
             facts_are_implied: true,
             hull: None,
+            parameters: None,
         }
     }
 
@@ -88,6 +92,15 @@ impl TypeDefinition {
         self.stored().next().is_none()
     }
 
+    /// How many numbers a member is stored as.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        match &self.parameters {
+            None => self.stored().count(),
+            Some(parameters) => parameters.list.iter().map(|p| p.kind.count()).sum(),
+        }
+    }
+
     /// Whether every coefficient is stored.
     #[must_use]
     pub fn is_stored_whole(&self) -> bool {
@@ -97,7 +110,7 @@ impl TypeDefinition {
     /// Whether any coefficients make a member and sums stay in the type.
     #[must_use]
     pub fn is_linear(&self) -> bool {
-        self.is_stored_whole() && self.facts.is_empty()
+        self.is_stored_whole() && self.facts.is_empty() && self.parameters.is_none()
     }
 
     /// The coefficient of a blade.

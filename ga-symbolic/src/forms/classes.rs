@@ -440,7 +440,8 @@ impl<'a> Classes<'a> {
                 | Function::StumpffSineSlope
                 | Function::HyperbolicSine
                 | Function::HyperbolicCosine
-                | Function::HyperbolicTangent,
+                | Function::HyperbolicTangent
+                | Function::Reciprocal,
                 _,
             ) => None,
             Operation::Function(function, arguments) => {

@@ -138,6 +138,7 @@ pub struct Arena {
     nodes: Vec<Node>,
     known: FxHashMap<Node, NodeId>,
     inputs: usize,
+    has_reciprocals: bool,
 }
 
 impl Default for Arena {
@@ -146,6 +147,7 @@ impl Default for Arena {
             nodes: vec![Node::One],
             known: [(Node::One, Self::ONE)].into_iter().collect(),
             inputs: 0,
+            has_reciprocals: false,
         }
     }
 }
@@ -195,11 +197,16 @@ impl Arena {
         Value::of(node)
     }
 
-    /// The product of two values.
+    /// The product of two values. A number and its [`Function::Reciprocal`] cancel.
     pub fn product(&mut self, left: Value, right: Value) -> Value {
         let factor = left.factor * right.factor;
         if factor.is_zero() {
             return Value::ZERO;
+        }
+        if self.has_reciprocals
+            && let Some(product) = self.cancelled(left.node, right.node)
+        {
+            return product.scaled(factor);
         }
         let (first, second) = (left.node.min(right.node), left.node.max(right.node));
         let node = if first == Self::ONE {
@@ -208,6 +215,53 @@ impl Arena {
             self.intern(Node::Product(first, second))
         };
         Value { factor, node }
+    }
+
+    /// The product of two nodes, where a factor of one is the reciprocal of a factor of the other.
+    fn cancelled(&mut self, left: NodeId, right: NodeId) -> Option<Value> {
+        let (mut left, mut right) = (self.factors(left)?, self.factors(right)?);
+        let cancels = |arena: &Self, a: NodeId, b: NodeId| match arena.node(a) {
+            Node::Function(Function::Reciprocal, argument) => argument[0].node == b,
+            _ => false,
+        };
+        let mut has_cancelled = false;
+        let mut place = 0;
+        while place < left.len() {
+            let a = left[place];
+            let other = right
+                .iter()
+                .position(|b| cancels(self, a, *b) || cancels(self, *b, a));
+            match other {
+                Some(other) => {
+                    left.remove(place);
+                    right.remove(other);
+                    has_cancelled = true;
+                }
+                None => place += 1,
+            }
+        }
+        has_cancelled.then(|| {
+            let rest = left.into_iter().chain(right);
+            rest.fold(Value::ONE, |whole, factor| {
+                self.product(whole, Value::of(factor))
+            })
+        })
+    }
+
+    /// The factors of a product; none where there are many.
+    fn factors(&self, node: NodeId) -> Option<Vec<NodeId>> {
+        const MOST: usize = 8;
+        let (mut factors, mut open) = (Vec::new(), vec![node]);
+        while let Some(next) = open.pop() {
+            match self.node(next) {
+                Node::Product(a, b) => open.extend([*b, *a]),
+                _ => factors.push(next),
+            }
+            if factors.len() + open.len() > MOST {
+                return None;
+            }
+        }
+        Some(factors)
     }
 
     /// The quotient of two values; a constant divisor becomes a factor. `None` where the divisor is
@@ -264,6 +318,17 @@ impl Arena {
             }
         }
         match (function, arguments) {
+            // `1/x² = (1/x)²`, so that powers of x cancel.
+            (Function::Reciprocal, [square])
+                if matches!(self.node(square.node), Node::Product(a, b) if a == b) =>
+            {
+                let Node::Product(root, _) = *self.node(square.node) else {
+                    return Value::ZERO;
+                };
+                let inverse = self.function(function, &[Value::of(root)]);
+                return self.product(inverse, inverse);
+            }
+            (Function::Reciprocal, _) => self.has_reciprocals = true,
             (Function::Select, [_, first, second]) if first == second => return *first,
             (Function::Select, [condition, first, second])
                 if let Some(holds) = condition.as_constant() =>

@@ -68,6 +68,9 @@ pub enum Function {
     HyperbolicTangent,
     /// `√(x² + y²)`, without overflow in the squares.
     Hypotenuse,
+    /// `1/x`, and 0 where x is 0. What an identity says where x is 0 does not count, so that
+    /// `x · (1/x)` is 1.
+    Reciprocal,
 }
 
 /// Earlier names of variants.
@@ -83,7 +86,7 @@ impl Function {
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 26] = [
         Self::SquareRoot,
         Self::Absolute,
         Self::Sine,
@@ -109,6 +112,7 @@ impl Function {
         Self::HyperbolicCosine,
         Self::HyperbolicTangent,
         Self::Hypotenuse,
+        Self::Reciprocal,
     ];
 
     /// The number of arguments.
@@ -139,7 +143,8 @@ impl Function {
             | Self::Not
             | Self::HyperbolicSine
             | Self::HyperbolicCosine
-            | Self::HyperbolicTangent => 1,
+            | Self::HyperbolicTangent
+            | Self::Reciprocal => 1,
         }
     }
 
@@ -203,6 +208,7 @@ impl Function {
             Self::HyperbolicCosine => &[Self::HyperbolicCosine],
             Self::HyperbolicTangent => &[Self::HyperbolicTangent],
             Self::Hypotenuse => &[Self::Hypotenuse],
+            Self::Reciprocal => &[Self::Reciprocal],
         }
     }
 
@@ -268,6 +274,7 @@ impl Function {
                 Self::HyperbolicSine.evaluate(arguments)? * cosine.recip()
             }
             Self::Hypotenuse => return (x * x + arguments[1] * arguments[1]).square_root(),
+            Self::Reciprocal => x.recip(),
         })
     }
 
@@ -299,6 +306,10 @@ impl Function {
                     (Ratio::ONE, size)
                 }
             }
+            Self::Reciprocal => match inner.recip() {
+                Some(outer) => (outer, Ratio::ONE),
+                None => (Ratio::ONE, inner),
+            },
             _ => (Ratio::ONE, inner),
         }
     }
@@ -363,6 +374,7 @@ impl Function {
             }
             Self::StumpffSineSlope if x.is_zero() => Ratio::new(1, 6),
             Self::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
+            Self::Reciprocal => Some(x.recip().unwrap_or(Ratio::ZERO)),
             Self::Minimum => Some(if difference().is_negative() {
                 x
             } else {

@@ -1,7 +1,7 @@
 //! Which facts of a type follow from its blades.
 
 use super::membership::broken_facts;
-use super::sample::{POINTS, free_member, sequence};
+use super::sample::{POINTS, free_member, sample, sequence};
 use crate::algebra::Algebra;
 use crate::define::TypeDefinition;
 
@@ -10,7 +10,11 @@ use crate::define::TypeDefinition;
 pub fn facts_not_implied(algebra: &Algebra, kind: &TypeDefinition) -> Vec<&'static str> {
     let mut broken = Vec::new();
     for point in 0..POINTS {
-        let member = free_member(kind, &mut sequence(point));
+        let member = match &kind.parameters {
+            None => Some(free_member(kind, &mut sequence(point))),
+            Some(_) => sample(algebra, kind, &mut sequence(point)),
+        };
+        let Some(member) = member else { continue };
         for fact in broken_facts(algebra, kind, &member) {
             if !broken.contains(&fact) {
                 broken.push(fact);

@@ -4,7 +4,7 @@ use super::numbers::{self, Numbers};
 use super::reason::Reason;
 use super::stored::{from_stored, stored};
 use crate::algebra::{Algebra, Blade, Product, Unary};
-use crate::define::{Role, TypeDefinition};
+use crate::define::{Parameters, Role, TypeDefinition};
 use crate::ir::Number;
 
 /// The reasons why a multivector is not a member of a type; none if it is one.
@@ -39,11 +39,36 @@ pub fn membership(
             Role::Stored | Role::Derived(_) => Reason::NotDerived(blade, name),
         });
     }
+    if reasons.is_empty()
+        && let Some(parameters) = &kind.parameters
+    {
+        reasons.extend(not_read(algebra, parameters, value));
+    }
     if reasons.is_empty() {
         let broken = broken_facts(algebra, kind, &member);
         reasons.extend(broken.into_iter().map(Reason::Fact));
     }
     reasons
+}
+
+/// Why a value is not the multivector of the parameters that are read of it.
+fn not_read(algebra: &Algebra, parameters: &Parameters, value: &Numbers) -> Option<Reason> {
+    let Some(readings) = &parameters.readings else {
+        return Some(Reason::NoReadings);
+    };
+    let members = readings.evaluate(algebra, std::slice::from_ref(value));
+    let Some(members) = members else {
+        return Some(Reason::NotReadable);
+    };
+    for (parameter, member) in parameters.list.iter().zip(&members) {
+        let is_number = parameter.index.is_none();
+        let kind = (!is_number).then_some(&parameter.kind);
+        if !membership(algebra, kind, member).is_empty() {
+            return Some(Reason::NotParameter(parameter.name.to_string()));
+        }
+    }
+    let again = parameters.value.evaluate(algebra, &members)?.pop()?;
+    (!numbers::equal(&again, value)).then_some(Reason::NotReadable)
 }
 
 /// The names of the facts of a type that a value does not satisfy.

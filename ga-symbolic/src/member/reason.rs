@@ -13,6 +13,12 @@ pub enum Reason {
     NotConstant(Blade, String, Ratio),
     /// The coefficient of this blade does not follow from the others as the type declares.
     NotDerived(Blade, String),
+    /// The type has parameters, and no formulas by which they are read.
+    NoReadings,
+    /// What is read of the value for the parameter of that name is not of its type.
+    NotParameter(String),
+    /// The parameters that are read of the value give another one.
+    NotReadable,
     /// A fact of the type does not hold.
     Fact(&'static str),
 }
@@ -26,6 +32,9 @@ impl fmt::Display for Reason {
             }
             Self::NotConstant(_, name, constant) => write!(f, "{name} is not {constant}"),
             Self::NotDerived(_, name) => write!(f, "{name} is not as derived"),
+            Self::NoReadings => write!(f, "its parameters have no formulas by which they are read"),
+            Self::NotParameter(name) => write!(f, "what is read for `{name}` is not of its type"),
+            Self::NotReadable => write!(f, "the parameters that are read give another multivector"),
             Self::Fact(fact) => write!(f, "not `{fact}`"),
         }
     }

@@ -33,6 +33,12 @@ pub fn sample(
     kind: &TypeDefinition,
     sequence: &mut NumberSequence,
 ) -> Option<Numbers> {
+    if let Some(parameters) = &kind.parameters {
+        let members = parameters.list.iter();
+        let members = members.map(|parameter| sample(algebra, &parameter.kind, sequence));
+        let members: Vec<Numbers> = members.collect::<Option<_>>()?;
+        return parameters.value.evaluate(algebra, &members)?.pop();
+    }
     if kind.facts_are_implied {
         return Some(free_member(kind, sequence));
     }
@@ -46,8 +52,11 @@ pub fn sample(
 /// is drawn, and each combination of components of different operands.
 #[must_use]
 pub fn points(algebra: &Algebra, operands: &[&TypeDefinition]) -> u64 {
-    let components = operands
-        .iter()
+    let parts = operands.iter().flat_map(|kind| match &kind.parameters {
+        None => vec![*kind],
+        Some(parameters) => parameters.list.iter().map(|p| &p.kind).collect(),
+    });
+    let components = parts
         .filter(|kind| kind.facts.unit_versor && !kind.facts_are_implied && !kind.facts.blade)
         .map(|kind| Components::new(algebra, kind).count() as u64)
         .fold(1, u64::saturating_mul);

@@ -57,6 +57,7 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
             Node::Function(function, arguments) => {
                 match function {
                     Function::SquareRoot => cost.roots += 1,
+                    Function::Reciprocal => cost.divisions += 1,
                     Function::Absolute
                     | Function::Sine
                     | Function::Cosine

@@ -14,7 +14,7 @@ use std::fmt::Write;
 
 use syn::ext::IdentExt;
 
-use crate::define::{Definition, Role, TypeDefinition};
+use crate::define::{Definition, Parameter, Role, TypeDefinition};
 use crate::function::CompiledFunction;
 use crate::ir::{Arena, Node, NodeId, Value};
 use crate::signature::{Operand, Shape};
@@ -166,10 +166,20 @@ pub(super) fn all_inputs(
 pub(super) fn paths(definition: &Definition, shape: &Shape) -> Vec<String> {
     match shape {
         Shape::Scalar => vec![String::new()],
-        Shape::Type(index) => definition.types[*index]
-            .stored()
-            .map(|c| c.name.unraw().to_string())
-            .collect(),
+        Shape::Type(index) => match &definition.types[*index].parameters {
+            Some(parameters) => {
+                let of = |parameter: &Parameter| {
+                    let name = parameter.name.unraw().to_string();
+                    let inner = paths(definition, &parameter.shape()).into_iter();
+                    inner.map(move |path| behind(name.clone(), &path))
+                };
+                parameters.list.iter().flat_map(of).collect()
+            }
+            None => definition.types[*index]
+                .stored()
+                .map(|c| c.name.unraw().to_string())
+                .collect(),
+        },
         Shape::Array(element, count) => {
             let inner = paths(definition, element);
             let of_place = |place| {
@@ -224,6 +234,17 @@ enum Line {
 fn lines(definition: &Definition, shape: &Shape) -> Vec<(String, Line)> {
     match shape {
         Shape::Scalar => vec![("scalar".to_owned(), Line::Stored)],
+        Shape::Type(index) if definition.types[*index].parameters.is_some() => {
+            let parameters = definition.types[*index].parameters.iter();
+            let of = |parameter: &Parameter| match parameter.index {
+                None => vec![(parameter.name.unraw().to_string(), Line::Stored)],
+                Some(_) => {
+                    let inner = lines(definition, &parameter.shape());
+                    under(parameter.name.unraw().to_string(), inner).collect()
+                }
+            };
+            parameters.flat_map(|p| p.list.iter().flat_map(of)).collect()
+        }
         Shape::Type(index) => {
             let kind = &definition.types[*index];
             let blade = |place: usize| {

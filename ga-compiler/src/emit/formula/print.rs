@@ -248,6 +248,7 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
         Function::HyperbolicCosine => "cosh",
         Function::HyperbolicTangent => "tanh",
         Function::Hypotenuse => "hypot",
+        Function::Reciprocal => "recip_or_zero",
     }
 }
 
@@ -259,6 +260,7 @@ pub(super) fn explanation(function: Function) -> Option<&'static str> {
         Function::StumpffSineSlope => "S′(x) = dS/dx",
         Function::VersorAngle => "A(C(x), S(x)² x) = 1 / S(x)",
         Function::VersorAngleSlope => "A′(C(x), S(x)² x) = -2 S′(x) / S(x)³",
+        Function::Reciprocal => "recip_or_zero(x) = 1 / x, 0 for x = 0",
         Function::SquareRoot
         | Function::Absolute
         | Function::Sine

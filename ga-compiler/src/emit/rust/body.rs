@@ -182,7 +182,11 @@ impl Writer<'_> {
 
     /// A function of one result.
     fn function(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
-        self.needs_real = true;
+        if function == Function::Reciprocal {
+            self.needs_field = true;
+        } else {
+            self.needs_real = true;
+        }
         let values: Vec<_> = arguments
             .iter()
             .map(|&argument| self.value(argument))
@@ -218,6 +222,7 @@ impl Writer<'_> {
             Function::HyperbolicCosine => quote! { cosh },
             Function::HyperbolicTangent => quote! { tanh },
             Function::Hypotenuse => quote! { hypot },
+            Function::Reciprocal => return quote! { <S as #runtime::scalar::Field>::recip_or_zero },
             // Operators of masks.
             Function::And => quote! { bitand },
             Function::Or => quote! { bitor },

@@ -282,6 +282,14 @@ impl Emitter<'_> {
             Shape::Type(index) => {
                 let kind = &self.definition.types[*index];
                 let (path, name) = (self.path, &kind.name);
+                if let Some(parameters) = &kind.parameters {
+                    for parameter in &parameters.list {
+                        let field = &parameter.name;
+                        let part = quote! { #value.#field };
+                        self.coefficients(&parameter.shape(), &part, inputs);
+                    }
+                    return;
+                }
                 inputs.extend(kind.stored().map(|coefficient| {
                     let field = &coefficient.name;
                     if kind.is_linear() {
@@ -311,7 +319,7 @@ impl Emitter<'_> {
     fn build<'v>(
         &self,
         shape: &Shape,
-        values: &mut impl Iterator<Item = &'v TokenStream>,
+        values: &mut dyn Iterator<Item = &'v TokenStream>,
     ) -> TokenStream {
         match shape {
             Shape::Scalar => values.next().cloned().unwrap_or_default(),
@@ -330,11 +338,18 @@ impl Emitter<'_> {
     fn member<'v>(
         &self,
         kind: &TypeDefinition,
-        values: &mut impl Iterator<Item = &'v TokenStream>,
+        values: &mut dyn Iterator<Item = &'v TokenStream>,
     ) -> TokenStream {
         let (path, name) = (self.path, &kind.name);
         if kind.is_constant() {
             return quote! { #path::#name };
+        }
+        if let Some(parameters) = &kind.parameters {
+            let fields = parameters.list.iter().map(|parameter| {
+                let (field, value) = (&parameter.name, self.build(&parameter.shape(), values));
+                quote! { #field: #value }
+            });
+            return quote! { #path::#name { #(#fields),* } };
         }
         let fields: Vec<_> = values.take(kind.stored().count()).collect();
         let constructor = if kind.facts_are_implied {

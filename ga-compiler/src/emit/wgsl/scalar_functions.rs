@@ -31,6 +31,7 @@ pub(super) fn name(function: Function) -> &'static str {
         Function::HyperbolicCosine => "cosh",
         Function::HyperbolicTangent => "hyperbolic_tangent",
         Function::Hypotenuse => "hypotenuse",
+        Function::Reciprocal => "reciprocal",
     }
 }
 
@@ -62,7 +63,8 @@ pub(super) fn needs(function: Function) -> &'static [Function] {
         | Function::Not
         | Function::Select
         | Function::HyperbolicCosine
-        | Function::Hypotenuse => &[],
+        | Function::Hypotenuse
+        | Function::Reciprocal => &[],
     }
 }
 
@@ -93,6 +95,7 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
             Some(hyperbolic_tangent(&this, &cosine, &sine))
         }
         Function::Hypotenuse => Some(hypotenuse(&this)),
+        Function::Reciprocal => Some(reciprocal(&this)),
         Function::SquareRoot
         | Function::Absolute
         | Function::Sine
@@ -111,6 +114,20 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         | Function::Select
         | Function::HyperbolicCosine => None,
     }
+}
+
+fn reciprocal(this: &str) -> String {
+    format!(
+        "\
+// 1/x, and 0 where x is 0.
+fn {this}(x: f32) -> f32 {{
+    if x == 0.0 {{
+        return 0.0;
+    }}
+    return 1.0 / x;
+}}
+"
+    )
 }
 
 fn stumpff_cosine(this: &str) -> String {

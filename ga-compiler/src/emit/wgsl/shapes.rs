@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 
 use super::super::item;
 use super::names::Names;
-use crate::define::{Definition, SCALAR_TYPE};
+use crate::define::{Definition, Parameter, SCALAR_TYPE};
 use crate::signature::Shape;
 
 /// The structures of a module.
@@ -80,11 +80,12 @@ impl<'a> Shapes<'a> {
             Shape::Scalar => vec![whole.to_owned()],
             Shape::Type(index) => {
                 let structure = self.structure_of_type(*index, names);
-                let stored = self.definition.types[*index].stored().count();
-                self.structures[structure].members[..stored]
-                    .iter()
-                    .map(|(member, _)| format!("{whole}.{member}"))
-                    .collect()
+                let members = self.structures[structure].members.clone().into_iter();
+                let parts = self.parts(*index).into_iter().zip(members);
+                let read = |(part, (member, _)): (Shape, (String, String))| {
+                    self.read(&part, &format!("{whole}.{member}"), names)
+                };
+                parts.flat_map(read).collect()
             }
             Shape::Array(element, count) => (0..*count)
                 .flat_map(|place| self.read(element, &format!("{whole}[{place}]"), names))
@@ -111,8 +112,10 @@ impl<'a> Shapes<'a> {
         let mut values: Vec<String> = match shape {
             Shape::Scalar => return numbers.next().unwrap_or_default(),
             Shape::Type(index) => {
-                let stored = self.definition.types[*index].stored().count();
-                numbers.take(stored).collect()
+                let parts = self.parts(*index).into_iter();
+                parts
+                    .map(|part| self.build(&part, numbers, names))
+                    .collect()
             }
             Shape::Array(element, count) => (0..*count)
                 .map(|_| self.build(element, numbers, names))
@@ -128,15 +131,28 @@ impl<'a> Shapes<'a> {
         call(&name, &values)
     }
 
+    /// The shapes of the members of a type's structure.
+    fn parts(&self, index: usize) -> Vec<Shape> {
+        let kind = &self.definition.types[index];
+        match &kind.parameters {
+            None => kind.stored().map(|_| Shape::Scalar).collect(),
+            Some(parameters) => parameters.list.iter().map(Parameter::shape).collect(),
+        }
+    }
+
     fn structure_of_type(&mut self, index: usize, names: &mut Names) -> usize {
         if let Some(&known) = self.of_type.get(&index) {
             return known;
         }
         let kind = &self.definition.types[index];
         let mut taken = Names::default();
-        let mut members: Vec<_> = kind
-            .stored()
-            .map(|c| (taken.give(&c.name.to_string()), "f32".to_owned()))
+        let fields: Vec<String> = match &kind.parameters {
+            None => kind.stored().map(|c| c.name.to_string()).collect(),
+            Some(parameters) => parameters.list.iter().map(|p| p.name.to_string()).collect(),
+        };
+        let fields = fields.into_iter().zip(self.parts(index));
+        let mut members: Vec<_> = fields
+            .map(|(field, part)| (taken.give(&field), self.name(&part, names)))
             .collect();
         if members.is_empty() {
             members.push(nothing());

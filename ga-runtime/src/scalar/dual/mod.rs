@@ -178,6 +178,11 @@ impl<S: Field, const N: usize> Field for Dual<S, N> {
         Self::with(value, |k| -(value * self.derivatives[k] * value))
     }
     #[inline(always)]
+    fn recip_or_zero(self) -> Self {
+        let value = self.value.recip_or_zero();
+        Self::with(value, |k| -(value * self.derivatives[k] * value))
+    }
+    #[inline(always)]
     fn is_invertible(self) -> bool {
         self.value.is_invertible()
     }
