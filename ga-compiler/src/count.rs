@@ -350,7 +350,7 @@ fn of_call(name: &str, arguments: usize, place: &(impl ToTokens + Spanned)) -> R
             count.multiplications += 1;
             count.additions += 1;
         }
-        ("recip", 1) => count.divisions += 1,
+        ("recip" | "recip_or_zero", 1) | ("div_or_zero", 2) => count.divisions += 1,
         ("sqrt", 1) => count.roots += 1,
         ("abs" | "sin" | "cos" | "sin_cos" | "exp" | "ln" | "sinh" | "cosh" | "tanh", 1)
         | ("versor_exponential", 1)

@@ -297,7 +297,15 @@ impl LoweredGraph {
             None => self.graph,
             Some(relations) => {
                 let (arena, outputs) = self.graph;
-                let graph = passes::optimise(arena, outputs, &self.uniform, relations);
+                let all: Vec<Value> = outputs.iter().chain(relations).copied().collect();
+                let (arena, outputs, relations) = match passes::divisor(&arena, &all) {
+                    None => (arena, outputs, relations.clone()),
+                    Some((arena, mut all)) => {
+                        let relations = all.split_off(outputs.len());
+                        (arena, all, relations)
+                    }
+                };
+                let graph = passes::optimise(arena, outputs, &self.uniform, &relations);
                 finished(passes::reciprocal(&graph.0, &graph.1).unwrap_or(graph))
             }
         };

@@ -146,13 +146,15 @@ fn hull(
 ) -> Option<usize> {
     let name = &kind.name;
     let Some(hull) = &kind.hull else {
-        let message = format!(
-            "`{name}` has parameters, so its sums need a type: name it with `#[hull(…)]`"
-        );
+        let message =
+            format!("`{name}` has parameters, so its sums need a type: name it with `#[hull(…)]`");
         diagnostics.error(name.span(), message);
         return None;
     };
-    let place = definition.types.iter().position(|other| other.name == *hull);
+    let place = definition
+        .types
+        .iter()
+        .position(|other| other.name == *hull);
     if place.is_none() {
         diagnostics.error(hull.span(), format!("unknown type `{hull}`"));
     }

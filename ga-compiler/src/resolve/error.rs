@@ -272,7 +272,10 @@ impl fmt::Display for ResolveErrorKind {
                  (one formula up to {MAX_NESTING}); bind inner parts to names with `let`"
             ),
             Self::NotInHull(hull, blades) => {
-                write!(f, "the hull `{hull}` does not have the blades {blades} of this multivector")
+                write!(
+                    f,
+                    "the hull `{hull}` does not have the blades {blades} of this multivector"
+                )
             }
             Self::NotParameter(name) => write!(
                 f,

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use super::error::{ResolveError, ResolveErrorKind};
 use super::{Bound, Resolver, Result};
-use crate::algebra::{Product, Unary};
+use crate::algebra::{Product, Ratio, Unary};
 use crate::define::{Coefficient, Definition, Formulas, Parameter, Parameters, TypeDefinition};
+use crate::ir::Function;
 use crate::member::numbers;
 use crate::parse::{Block, Formula, ParametersSyntax, Place};
-use crate::program::{Mismatch, Step, StepId};
+use crate::program::{Mismatch, OperationError, Step, StepId};
 
 /// The name of the multivector in the formulas of a type.
 const SELF: &str = "self";
@@ -118,7 +119,10 @@ impl<'a, 's> Resolver<'a, 's> {
                 }
             }
         }
-        let missing = parameters.iter().zip(&read).find(|(_, read)| read.is_none());
+        let missing = parameters
+            .iter()
+            .zip(&read)
+            .find(|(_, read)| read.is_none());
         if let Some((parameter, _)) = missing {
             let kind = ResolveErrorKind::NotRead(parameter.name.to_string());
             return Err(ResolveError::new(kind, Place::of(parameter.name.span())));
@@ -136,9 +140,8 @@ impl<'a, 's> Resolver<'a, 's> {
     ) -> Result<()> {
         let place = syntax.value.place();
         let again = formulas.insert(&mut self.builder, read);
-        let again = again.map_err(|error| {
-            ResolveError::new(ResolveErrorKind::Operator(error), place)
-        })?;
+        let again =
+            again.map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))?;
         if self.is_same(again[0], value) {
             return Ok(());
         }
@@ -228,16 +231,19 @@ impl<'a, 's> Resolver<'a, 's> {
         let Some(parameters) = &kind.parameters else {
             return Ok(Vec::new());
         };
-        let found = match self.moved_parameters(parameters, value, index) {
-            Some(found) => found,
-            None => {
+        let found = match &parameters.readings {
+            None => self.moved_parameters(parameters, value, index),
+            Some(readings) => {
                 self.check(place, value, Some(kind), what)?;
-                let readings = parameters.readings.as_ref();
-                let read = readings.map(|readings| readings.insert(&mut self.builder, &[value]));
-                read.unwrap_or_else(|| Ok(Vec::new())).map_err(|error| {
+                let read = self.read_parameters(parameters, readings, value, index);
+                Some(read.map_err(|error| {
                     ResolveError::new(ResolveErrorKind::Operator(error), place.place())
-                })?
+                })?)
             }
+        };
+        let Some(found) = found else {
+            self.check(place, value, Some(kind), what)?;
+            return Ok(Vec::new());
         };
         for (step, parameter) in found.iter().zip(&parameters.list) {
             if let Some(index) = parameter.index {
@@ -258,6 +264,148 @@ impl<'a, 's> Resolver<'a, 's> {
         let known = self.parametrised.iter();
         let mut known = known.filter(|known| known.value == value && known.index == index);
         known.next().map(|known| known.parameters.clone())
+    }
+
+    /// The parameters that are read of a value. Where it is what a versor makes of a value whose
+    /// parameters are known, those are taken that stay, are moved or change by a power of the scale
+    /// of the versor; of a multiple, those of the multivector without the factor. So what is the
+    /// same is not computed.
+    fn read_parameters(
+        &mut self,
+        parameters: &Parameters,
+        readings: &Formulas,
+        value: StepId,
+        index: usize,
+    ) -> std::result::Result<Vec<StepId>, OperationError> {
+        let mut read = readings.insert(&mut self.builder, &[value])?;
+        let originals = self.action(value).and_then(|(versor, original)| {
+            let originals = self.known_parameters(original, index)?;
+            Some((versor, originals))
+        });
+        let mut options: Vec<Vec<StepId>> = vec![Vec::new(); read.len()];
+        if let Some((versor, originals)) = originals {
+            let scales = self.scales(parameters, versor, &originals)?;
+            for (place, original) in originals.into_iter().enumerate() {
+                let mut figures = vec![original];
+                if parameters.list[place].index.is_some() {
+                    figures.push(self.builder.push(Step::Sandwich(versor, original))?);
+                }
+                options[place] = self.multiples(&figures, &scales)?;
+            }
+        }
+        let (factors, rest) = self.factored(value)?;
+        if let Some(factor) = factors {
+            let plain = readings.insert(&mut self.builder, &[rest])?;
+            for (place, step) in plain.into_iter().enumerate() {
+                options[place].push(step);
+                options[place].push(self.builder.geometric(factor, step)?);
+            }
+        }
+        for (read, options) in read.iter_mut().zip(options) {
+            let same = options
+                .into_iter()
+                .find(|option| self.is_same(*option, *read));
+            *read = same.unwrap_or(*read);
+        }
+        Ok(read)
+    }
+
+    /// The weight of the image of a point among the parameters, its square and the reciprocals of
+    /// them; nothing where it is 1.
+    fn scales(
+        &mut self,
+        parameters: &Parameters,
+        versor: StepId,
+        originals: &[StepId],
+    ) -> std::result::Result<Vec<StepId>, OperationError> {
+        let weights = parameters
+            .list
+            .iter()
+            .map(|parameter| parameter.kind.facts.weight);
+        let mut weights = weights.zip(originals);
+        let Some((blade, point)) = weights.find_map(|(weight, point)| Some((weight?, *point)))
+        else {
+            return Ok(Vec::new());
+        };
+        let builder = &mut self.builder;
+        let image = builder.push(Step::Sandwich(versor, point))?;
+        let scale = builder.push(Step::Coefficient(image, blade))?;
+        let one = builder.number(Ratio::ONE)?;
+        if self.is_same(scale, one) {
+            return Ok(Vec::new());
+        }
+        let builder = &mut self.builder;
+        let inverse = builder.function(Function::Reciprocal, &[scale])?;
+        let squares = [
+            builder.geometric(scale, scale)?,
+            builder.geometric(inverse, inverse)?,
+        ];
+        Ok(vec![scale, inverse, squares[0], squares[1]])
+    }
+
+    /// Some values and their products with each of some scalars.
+    fn multiples(
+        &mut self,
+        values: &[StepId],
+        scalars: &[StepId],
+    ) -> std::result::Result<Vec<StepId>, OperationError> {
+        let mut multiples = values.to_vec();
+        for value in values {
+            for scalar in scalars {
+                multiples.push(self.builder.geometric(*scalar, *value)?);
+            }
+        }
+        Ok(multiples)
+    }
+
+    /// The product of the scalar factors of a value, if it has any, and the rest of it.
+    fn factored(
+        &mut self,
+        value: StepId,
+    ) -> std::result::Result<(Option<StepId>, StepId), OperationError> {
+        let step = self.builder.program.step(value).clone();
+        let parts = match step {
+            Step::Binary(..) | Step::Unary(..) | Step::Negative(_) | Step::Sandwich(..) => {
+                step.reads()
+            }
+            _ => return Ok((None, value)),
+        };
+        let is_scalar = |part: &StepId| {
+            self.builder.witness.is_scalar(*part) && !self.builder.program.is_constant(*part)
+        };
+        if let Step::Binary(Product::Geometric, a, b) = step {
+            for (scalar, other) in [(a, b), (b, a)] {
+                if is_scalar(&scalar) && !is_scalar(&other) {
+                    let (factor, rest) = self.factored(other)?;
+                    let whole = match factor {
+                        None => scalar,
+                        Some(factor) => self.builder.geometric(scalar, factor)?,
+                    };
+                    return Ok((Some(whole), rest));
+                }
+            }
+        }
+        // A versor acts twice, so that its factors are another matter.
+        let is_action = matches!(step, Step::Sandwich(..));
+        let (mut factors, mut images) = (None, Vec::new());
+        for (place, part) in parts.iter().enumerate() {
+            if is_action && place == 0 {
+                images.push(*part);
+                continue;
+            }
+            let (factor, rest) = self.factored(*part)?;
+            images.push(rest);
+            factors = match (factors, factor) {
+                (Some(a), Some(b)) => Some(self.builder.geometric(a, b)?),
+                (one, other) => one.or(other),
+            };
+        }
+        if factors.is_none() {
+            return Ok((None, value));
+        }
+        let mut images = images.into_iter();
+        let step = step.mapped(|part| images.next().unwrap_or(part));
+        Ok((factors, self.builder.push(step)?))
     }
 
     /// The parameters of what a versor makes of a value, if they are what it makes of some of that
@@ -285,7 +433,10 @@ impl<'a, 's> Resolver<'a, 's> {
             let is_member = |(step, parameter): (&StepId, &Parameter)| {
                 let kind = parameter.index.map(|index| &self.definition.types[index]);
                 let algebra = &self.definition.algebra;
-                self.builder.witness.reasons(algebra, *step, kind).is_empty()
+                self.builder
+                    .witness
+                    .reasons(algebra, *step, kind)
+                    .is_empty()
             };
             if !candidate.iter().zip(&parameters.list).all(is_member) {
                 continue;

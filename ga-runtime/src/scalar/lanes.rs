@@ -159,6 +159,10 @@ impl<T: Field, const N: usize> Field for Lanes<T, N> {
         self.map(T::recip_or_zero)
     }
     #[inline(always)]
+    fn div_or_zero(self, divisor: Self) -> Self {
+        self.zip(divisor, T::div_or_zero)
+    }
+    #[inline(always)]
     fn is_invertible(self) -> bool {
         self.0.into_iter().all(T::is_invertible)
     }

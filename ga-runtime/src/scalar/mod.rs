@@ -158,6 +158,22 @@ pub trait Field: Ring + Div<Output = Self> {
         }
     }
 
+    /// `self / divisor`, and zero where the divisor is not invertible, as for
+    /// [`recip_or_zero`](Self::recip_or_zero).
+    ///
+    /// ```
+    /// use ga_runtime::scalar::Field;
+    /// assert_eq!((3.0.div_or_zero(4.0), 3.0.div_or_zero(0.0)), (0.75, 0.0));
+    /// ```
+    #[inline]
+    fn div_or_zero(self, divisor: Self) -> Self {
+        if divisor.is_invertible() {
+            self / divisor
+        } else {
+            Self::zero()
+        }
+    }
+
     /// Whether the number has an inverse: a single number if it is not zero, lanes if none of them
     /// is zero, a dual number if its value has an inverse.
     ///

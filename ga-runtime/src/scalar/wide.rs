@@ -82,6 +82,11 @@ macro_rules! implement_field {
                     .select(Self::ZERO, Self::ONE / self)
             }
             #[inline(always)]
+            fn div_or_zero(self, divisor: Self) -> Self {
+                let quotient = self / divisor;
+                divisor.simd_eq(Self::ZERO).select(Self::ZERO, quotient)
+            }
+            #[inline(always)]
             fn is_invertible(self) -> bool {
                 !self.simd_eq(Self::ZERO).any()
             }

@@ -204,7 +204,10 @@ impl Arena {
             return Value::ZERO;
         }
         if self.has_reciprocals
-            && let Some(product) = self.cancelled(left.node, right.node)
+            && let Some(product) = self
+                .cancelled(left.node, right.node)
+                .or_else(|| self.distributed_product(left.node, right.node))
+                .or_else(|| self.distributed_product(right.node, left.node))
         {
             return product.scaled(factor);
         }
@@ -220,18 +223,15 @@ impl Arena {
     /// The product of two nodes, where a factor of one is the reciprocal of a factor of the other.
     fn cancelled(&mut self, left: NodeId, right: NodeId) -> Option<Value> {
         let (mut left, mut right) = (self.factors(left)?, self.factors(right)?);
-        let cancels = |arena: &Self, a: NodeId, b: NodeId| match arena.node(a) {
-            Node::Function(Function::Reciprocal, argument) => argument[0].node == b,
-            _ => false,
-        };
         let mut has_cancelled = false;
         let mut place = 0;
         while place < left.len() {
-            let a = left[place];
-            let other = right
-                .iter()
-                .position(|b| cancels(self, a, *b) || cancels(self, *b, a));
-            match other {
+            let cancels = |other: &NodeId| {
+                let pair = [left[place], *other];
+                self.inverse_of(pair[0]) == Some(pair[1])
+                    || self.inverse_of(pair[1]) == Some(pair[0])
+            };
+            match right.iter().position(cancels) {
                 Some(other) => {
                     left.remove(place);
                     right.remove(other);
@@ -240,11 +240,65 @@ impl Arena {
                 None => place += 1,
             }
         }
-        has_cancelled.then(|| {
-            let rest = left.into_iter().chain(right);
-            rest.fold(Value::ONE, |whole, factor| {
-                self.product(whole, Value::of(factor))
-            })
+        has_cancelled.then(|| self.product_of(left.into_iter().chain(right)))
+    }
+
+    /// `(a d + b)/d = a + b/d`: the quotient of a sum all terms of which but one have the divisor
+    /// as a factor; `quotient` gives that of a term, and whether the divisor cancels in it.
+    fn distributed(
+        &mut self,
+        sum: NodeId,
+        mut quotient: impl FnMut(&mut Self, NodeId) -> (Value, bool),
+    ) -> Option<Value> {
+        let Node::Sum(terms) = self.node(sum) else {
+            return None;
+        };
+        let terms = terms.clone();
+        let (mut quotients, mut others) = (Vec::with_capacity(terms.len()), 0);
+        for term in &terms {
+            let (value, cancels) = quotient(self, term.node);
+            others += usize::from(!cancels);
+            if others > 1 {
+                return None;
+            }
+            quotients.push(value.scaled(term.factor));
+        }
+        (others < terms.len()).then(|| self.sum(quotients))
+    }
+
+    /// The product of a sum and a reciprocal that cancels in it.
+    fn distributed_product(&mut self, sum: NodeId, reciprocal: NodeId) -> Option<Value> {
+        let Node::Function(Function::Reciprocal, _) = self.node(reciprocal) else {
+            return None;
+        };
+        self.distributed(sum, |arena, term| match arena.cancelled(term, reciprocal) {
+            Some(value) => (value, true),
+            None => (arena.product(Value::of(term), Value::of(reciprocal)), false),
+        })
+    }
+
+    /// What a node is the reciprocal of, or a divisor by.
+    fn inverse_of(&self, node: NodeId) -> Option<NodeId> {
+        match self.node(node) {
+            Node::Function(Function::Reciprocal | Function::Divisor, argument) => {
+                Some(argument[0].node)
+            }
+            _ => None,
+        }
+    }
+
+    /// The dividend without the divisor among its factors, where quotients by it are 0 for 0.
+    fn without_factor(&mut self, dividend: NodeId, divisor: NodeId) -> Option<Value> {
+        let inverse = self.inverse_of(divisor)?;
+        let mut factors = self.factors(dividend)?;
+        let place = factors.iter().position(|factor| *factor == inverse)?;
+        factors.remove(place);
+        Some(self.product_of(factors.into_iter()))
+    }
+
+    fn product_of(&mut self, factors: impl Iterator<Item = NodeId>) -> Value {
+        factors.fold(Value::ONE, |whole, factor| {
+            self.product(whole, Value::of(factor))
         })
     }
 
@@ -271,11 +325,26 @@ impl Arena {
         if dividend.is_zero() || divisor.node == Self::ONE {
             return Some(dividend.scaled(inverse));
         }
+        let factor = dividend.factor * inverse;
+        if self.inverse_of(divisor.node).is_some() {
+            let divisor = divisor.node;
+            let whole = self.without_factor(dividend.node, divisor).or_else(|| {
+                self.distributed(dividend.node, |arena, term| {
+                    match arena.without_factor(term, divisor) {
+                        Some(value) => (value, true),
+                        None => (
+                            Value::of(arena.intern(Node::Quotient(term, divisor))),
+                            false,
+                        ),
+                    }
+                })
+            });
+            if let Some(whole) = whole {
+                return Some(whole.scaled(factor));
+            }
+        }
         let node = self.intern(Node::Quotient(dividend.node, divisor.node));
-        Some(Value {
-            factor: dividend.factor * inverse,
-            node,
-        })
+        Some(Value { factor, node })
     }
 
     /// The sum of any number of values: equal nodes are collected, and the common factor moves
@@ -319,8 +388,7 @@ impl Arena {
         }
         match (function, arguments) {
             // `1/x² = (1/x)²`, so that powers of x cancel.
-            (Function::Reciprocal, [square])
-                if matches!(self.node(square.node), Node::Product(a, b) if a == b) =>
+            (Function::Reciprocal, [square]) if matches!(self.node(square.node), Node::Product(a, b) if a == b) =>
             {
                 let Node::Product(root, _) = *self.node(square.node) else {
                     return Value::ZERO;

@@ -71,6 +71,8 @@ pub enum Function {
     /// `1/x`, and 0 where x is 0. What an identity says where x is 0 does not count, so that
     /// `x · (1/x)` is 1.
     Reciprocal,
+    /// A divisor x by which every quotient is 0 where x is 0; otherwise it is x.
+    Divisor,
 }
 
 /// Earlier names of variants.
@@ -86,7 +88,7 @@ impl Function {
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 27] = [
         Self::SquareRoot,
         Self::Absolute,
         Self::Sine,
@@ -113,6 +115,7 @@ impl Function {
         Self::HyperbolicTangent,
         Self::Hypotenuse,
         Self::Reciprocal,
+        Self::Divisor,
     ];
 
     /// The number of arguments.
@@ -144,7 +147,8 @@ impl Function {
             | Self::HyperbolicSine
             | Self::HyperbolicCosine
             | Self::HyperbolicTangent
-            | Self::Reciprocal => 1,
+            | Self::Reciprocal
+            | Self::Divisor => 1,
         }
     }
 
@@ -209,6 +213,7 @@ impl Function {
             Self::HyperbolicTangent => &[Self::HyperbolicTangent],
             Self::Hypotenuse => &[Self::Hypotenuse],
             Self::Reciprocal => &[Self::Reciprocal],
+            Self::Divisor => &[Self::Divisor],
         }
     }
 
@@ -275,6 +280,7 @@ impl Function {
             }
             Self::Hypotenuse => return (x * x + arguments[1] * arguments[1]).square_root(),
             Self::Reciprocal => x.recip(),
+            Self::Divisor => x,
         })
     }
 
@@ -375,6 +381,7 @@ impl Function {
             Self::StumpffSineSlope if x.is_zero() => Ratio::new(1, 6),
             Self::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
             Self::Reciprocal => Some(x.recip().unwrap_or(Ratio::ZERO)),
+            Self::Divisor => None,
             Self::Minimum => Some(if difference().is_negative() {
                 x
             } else {

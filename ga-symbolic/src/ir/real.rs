@@ -261,6 +261,7 @@ impl Real {
             }
             Function::Hypotenuse => (x * x + second() * second()).square_root(),
             Function::Reciprocal => x.recip(),
+            Function::Divisor => x,
             Function::HyperbolicSine => x.mapped(f64::sinh),
             Function::HyperbolicCosine => x.mapped(f64::cosh),
             Function::HyperbolicTangent => x.mapped(f64::tanh),

@@ -58,6 +58,8 @@ pub fn cost(arena: &Arena, outputs: &[Value]) -> Cost {
                 match function {
                     Function::SquareRoot => cost.roots += 1,
                     Function::Reciprocal => cost.divisions += 1,
+                    // The quotient counts.
+                    Function::Divisor => {}
                     Function::Absolute
                     | Function::Sine
                     | Function::Cosine

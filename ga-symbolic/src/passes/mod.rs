@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod cost;
+mod divisor;
 mod factor;
 mod flatten;
 mod fraction;
@@ -21,6 +22,7 @@ mod uniformity;
 
 pub(crate) use coefficients::{Collected, uniform_coefficients};
 pub use cost::{Cost, cost};
+pub use divisor::divisor;
 pub use factor::{factor, factor_together};
 pub use flatten::flatten;
 pub use fraction::fraction;

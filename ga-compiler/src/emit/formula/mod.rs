@@ -243,7 +243,9 @@ fn lines(definition: &Definition, shape: &Shape) -> Vec<(String, Line)> {
                     under(parameter.name.unraw().to_string(), inner).collect()
                 }
             };
-            parameters.flat_map(|p| p.list.iter().flat_map(of)).collect()
+            parameters
+                .flat_map(|p| p.list.iter().flat_map(of))
+                .collect()
         }
         Shape::Type(index) => {
             let kind = &definition.types[*index];

@@ -249,6 +249,7 @@ pub(in crate::emit) fn name(function: Function) -> &'static str {
         Function::HyperbolicTangent => "tanh",
         Function::Hypotenuse => "hypot",
         Function::Reciprocal => "recip_or_zero",
+        Function::Divisor => "nonzero",
     }
 }
 
@@ -261,6 +262,7 @@ pub(super) fn explanation(function: Function) -> Option<&'static str> {
         Function::VersorAngle => "A(C(x), S(x)² x) = 1 / S(x)",
         Function::VersorAngleSlope => "A′(C(x), S(x)² x) = -2 S′(x) / S(x)³",
         Function::Reciprocal => "recip_or_zero(x) = 1 / x, 0 for x = 0",
+        Function::Divisor => "a / nonzero(x) = a / x, 0 for x = 0",
         Function::SquareRoot
         | Function::Absolute
         | Function::Sine

@@ -182,7 +182,7 @@ impl Writer<'_> {
 
     /// A function of one result.
     fn function(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
-        if function == Function::Reciprocal {
+        if matches!(function, Function::Reciprocal | Function::Divisor) {
             self.needs_field = true;
         } else {
             self.needs_real = true;
@@ -222,7 +222,9 @@ impl Writer<'_> {
             Function::HyperbolicCosine => quote! { cosh },
             Function::HyperbolicTangent => quote! { tanh },
             Function::Hypotenuse => quote! { hypot },
-            Function::Reciprocal => return quote! { <S as #runtime::scalar::Field>::recip_or_zero },
+            Function::Reciprocal | Function::Divisor => {
+                return quote! { <S as #runtime::scalar::Field>::recip_or_zero };
+            }
             // Operators of masks.
             Function::And => quote! { bitand },
             Function::Or => quote! { bitor },
@@ -352,9 +354,17 @@ impl Writer<'_> {
                     [_] => true,
                     ordered => !ordered.last().is_some_and(|&last| self.is_fused(last)),
                 },
-                Node::Quotient(..) => true,
+                Node::Quotient(_, divisor) => !self.is_guarded(*divisor),
                 Node::One | Node::Input(_) | Node::Product(..) | Node::Function(..) => false,
             }
+    }
+
+    /// Whether quotients by a node are 0 where it is.
+    fn is_guarded(&self, divisor: NodeId) -> bool {
+        matches!(
+            self.arena.node(divisor),
+            Node::Function(Function::Divisor, _)
+        )
     }
 
     /// A node as the receiver of a method.
@@ -411,6 +421,19 @@ impl Writer<'_> {
                 let (a, b) = (self.operand(a), self.operand(b));
                 quote! { #a * #b }
             }
+            Node::Quotient(a, b) if self.is_guarded(b) => {
+                self.needs_field = true;
+                let runtime = self.source.runtime;
+                let field = quote! { <S as #runtime::scalar::Field> };
+                let divisor = self.read(b);
+                if a == Arena::ONE {
+                    return quote! { #field::recip_or_zero(#divisor) };
+                }
+                let dividend = self.read(a);
+                quote! { #field::div_or_zero(#dividend, #divisor) }
+            }
+            // It is known where it divides.
+            Node::Function(Function::Divisor, arguments) => self.value(arguments[0]),
             Node::Quotient(a, b) => {
                 self.needs_field = true;
                 let (dividend, divisor) = (self.operand(a), self.operand(b));

@@ -123,6 +123,15 @@ impl Body<'_> {
             // Every input that is read is known.
             Node::Input(_) => constant(Ratio::ZERO),
             Node::Product(a, b) => format!("{} * {}", self.operand(*a), self.operand(*b)),
+            Node::Quotient(a, b)
+                if matches!(arena.node(*b), Node::Function(Function::Divisor, _)) =>
+            {
+                self.functions.insert(Function::Divisor);
+                let name = (self.function_names)(Function::Divisor);
+                format!("{name}({}, {})", self.read(*a), self.read(*b))
+            }
+            // It is known where it divides.
+            Node::Function(Function::Divisor, arguments) => self.value(arguments[0]),
             Node::Quotient(a, b) => {
                 let (dividend, divisor) = (self.operand(*a), self.operand(*b));
                 // A product in the divisor needs parentheses.

@@ -32,6 +32,7 @@ pub(super) fn name(function: Function) -> &'static str {
         Function::HyperbolicTangent => "hyperbolic_tangent",
         Function::Hypotenuse => "hypotenuse",
         Function::Reciprocal => "reciprocal",
+        Function::Divisor => "divided",
     }
 }
 
@@ -64,7 +65,8 @@ pub(super) fn needs(function: Function) -> &'static [Function] {
         | Function::Select
         | Function::HyperbolicCosine
         | Function::Hypotenuse
-        | Function::Reciprocal => &[],
+        | Function::Reciprocal
+        | Function::Divisor => &[],
     }
 }
 
@@ -96,6 +98,7 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         }
         Function::Hypotenuse => Some(hypotenuse(&this)),
         Function::Reciprocal => Some(reciprocal(&this)),
+        Function::Divisor => Some(divided(&this)),
         Function::SquareRoot
         | Function::Absolute
         | Function::Sine
@@ -125,6 +128,20 @@ fn {this}(x: f32) -> f32 {{
         return 0.0;
     }}
     return 1.0 / x;
+}}
+"
+    )
+}
+
+fn divided(this: &str) -> String {
+    format!(
+        "\
+// a/x, and 0 where x is 0.
+fn {this}(a: f32, x: f32) -> f32 {{
+    if x == 0.0 {{
+        return 0.0;
+    }}
+    return a / x;
 }}
 "
     )

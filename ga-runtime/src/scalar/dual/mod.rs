@@ -183,6 +183,14 @@ impl<S: Field, const N: usize> Field for Dual<S, N> {
         Self::with(value, |k| -(value * self.derivatives[k] * value))
     }
     #[inline(always)]
+    fn div_or_zero(self, divisor: Self) -> Self {
+        let inverse = divisor.value.recip_or_zero();
+        let value = self.value.div_or_zero(divisor.value);
+        Self::with(value, |k| {
+            (self.derivatives[k] - value * divisor.derivatives[k]) * inverse
+        })
+    }
+    #[inline(always)]
     fn is_invertible(self) -> bool {
         self.value.is_invertible()
     }
