@@ -55,7 +55,7 @@ pub mod resolve;
 
 pub use ga_symbolic::{
     algebra, define, expression, forms, ir, kernel, limit, lower, passes, program, signature, task,
-    verify,
+    typed, verify,
 };
 use ga_symbolic::{literals, member};
 

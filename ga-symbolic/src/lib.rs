@@ -43,4 +43,5 @@ pub mod signature;
 mod staging;
 mod stepwise;
 pub mod task;
+pub mod typed;
 pub mod verify;

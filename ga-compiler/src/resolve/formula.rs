@@ -54,7 +54,8 @@ impl<'s> Resolver<'_, 's> {
     pub(super) fn coefficient(&mut self, operand: &'s Formula, name: &Ident) -> Result<Bound> {
         let value = self.single(operand)?;
         let error = |kind| Err(ResolveError::new(kind, Place::of(name.span())));
-        if let Some(parameter) = self.parameter(value, &name.to_string()) {
+        let types = &self.definition.types;
+        if let Some(parameter) = self.parametrised.named(types, value, &name.to_string()) {
             return Ok(Bound::One(parameter));
         }
         let algebra = &self.definition.algebra;
@@ -266,7 +267,7 @@ fn as_multivector(value: &Bound, formula: &Formula) -> Result<StepId> {
 }
 
 /// The value of an operator, a name or a number.
-fn operator_value(step: Outcome, place: Place) -> Result<Bound> {
+pub(super) fn operator_value(step: Outcome, place: Place) -> Result<Bound> {
     step.map(Bound::One)
         .map_err(|error| ResolveError::new(ResolveErrorKind::Operator(error), place))
 }

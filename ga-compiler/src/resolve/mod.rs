@@ -26,7 +26,6 @@ use std::rc::Rc;
 use syn::Ident;
 
 use self::limits::MAX_OPERANDS;
-use self::parameters::Parametrised;
 use crate::algebra::Product;
 use crate::define::{Definition, Role, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Warning;
@@ -37,7 +36,7 @@ use crate::parse::{
     ShapeSyntax,
 };
 use crate::program::build::Builder;
-use crate::program::{Mismatch, Program, Step, StepId, Witness};
+use crate::program::{Mismatch, Parametrised, Program, Step, StepId, Witness};
 use crate::signature::{Operand, Shape};
 
 type Result<T> = std::result::Result<T, ResolveError>;
@@ -184,7 +183,7 @@ struct Resolver<'a, 's> {
     /// The steps of which was said that they are always zero.
     zeros: Vec<StepId>,
     /// The values of types by parameters.
-    parametrised: Vec<Parametrised>,
+    parametrised: Parametrised,
 }
 
 impl<'a, 's> Resolver<'a, 's> {
@@ -209,7 +208,7 @@ impl<'a, 's> Resolver<'a, 's> {
             level: 0,
             warnings: Vec::new(),
             zeros: Vec::new(),
-            parametrised: Vec::new(),
+            parametrised: Parametrised::default(),
         }
     }
 
@@ -265,11 +264,20 @@ impl<'a, 's> Resolver<'a, 's> {
         let parts: Vec<Shape> = match shape {
             Shape::Array(element, count) => vec![(**element).clone(); *count],
             Shape::Tuple(parts) => parts.clone(),
-            Shape::Type(index) if self.definition.types[*index].parameters.is_some() => {
-                return self.parametrised_operand(*index, steps, Place::of(syntax.name.span()));
-            }
             Shape::Scalar | Shape::Type(_) => {
-                return Ok(Bound::One(steps.next().expect("an operand of the program")));
+                let parameters = match shape {
+                    Shape::Type(index) => {
+                        Some(*index).zip(self.definition.types[*index].parameters.as_ref())
+                    }
+                    _ => None,
+                };
+                return match parameters {
+                    Some((index, parameters)) => {
+                        let place = Place::of(syntax.name.span());
+                        self.parametrised_operand(index, parameters, steps, place)
+                    }
+                    None => Ok(Bound::One(steps.next().expect("an operand of the program"))),
+                };
             }
         };
         let parts = parts.iter();

@@ -210,8 +210,8 @@ macro_rules! __surface_entry {
         }
     };
     // The sum of a number and an element, in a type with a scalar.
-    (with_scalar $name:ident $hull:ident $scalar:ident) => {
-        impl<S: $crate::scalar::Ring> ::core::ops::Add<S> for $name<S> {
+    (with_scalar $name:ident $hull:ident $scalar:ident $bound:ident) => {
+        impl<S: $crate::scalar::$bound> ::core::ops::Add<S> for $name<S> {
             type Output = $hull<S>;
             #[inline]
             fn add(self, scalar: S) -> Self::Output {
@@ -220,7 +220,7 @@ macro_rules! __surface_entry {
                 sum
             }
         }
-        impl<S: $crate::scalar::Ring> ::core::ops::Sub<S> for $name<S> {
+        impl<S: $crate::scalar::$bound> ::core::ops::Sub<S> for $name<S> {
             type Output = $hull<S>;
             #[inline]
             fn sub(self, scalar: S) -> Self::Output {

@@ -82,7 +82,10 @@ where
 #[macro_export]
 macro_rules! __approximate {
     (constant $($description:tt)*) => {};
-    ($role:ident $name:ident $text:literal { $($field:ident $place:tt $blade:literal),* } $one:tt) => {
+    (parameters $name:ident $text:literal { $($field:ident $place:tt $label:literal [$path:ty]),* }) => {
+        $crate::__approximate! { by_fields $name { $($field [$path]),* } }
+    };
+    (by_fields $name:ident { $($field:ident [$path:ty]),* }) => {
         impl<S> $crate::__private::approx::AbsDiffEq for $name<S>
         where
             S: $crate::__private::approx::AbsDiffEq,
@@ -95,7 +98,7 @@ macro_rules! __approximate {
             }
             #[inline]
             fn abs_diff_eq(&self, other: &Self, epsilon: S::Epsilon) -> ::core::primitive::bool {
-                $(<S as $crate::__private::approx::AbsDiffEq>::abs_diff_eq(
+                $(<$path as $crate::__private::approx::AbsDiffEq>::abs_diff_eq(
                     &self.$field,
                     &other.$field,
                     ::core::clone::Clone::clone(&epsilon),
@@ -119,7 +122,7 @@ macro_rules! __approximate {
                 epsilon: S::Epsilon,
                 max_relative: S::Epsilon,
             ) -> ::core::primitive::bool {
-                $(<S as $crate::__private::approx::RelativeEq>::relative_eq(
+                $(<$path as $crate::__private::approx::RelativeEq>::relative_eq(
                     &self.$field,
                     &other.$field,
                     ::core::clone::Clone::clone(&epsilon),
@@ -144,7 +147,7 @@ macro_rules! __approximate {
                 epsilon: S::Epsilon,
                 max_ulps: ::core::primitive::u32,
             ) -> ::core::primitive::bool {
-                $(<S as $crate::__private::approx::UlpsEq>::ulps_eq(
+                $(<$path as $crate::__private::approx::UlpsEq>::ulps_eq(
                     &self.$field,
                     &other.$field,
                     ::core::clone::Clone::clone(&epsilon),
@@ -152,5 +155,8 @@ macro_rules! __approximate {
                 ))&&*
             }
         }
+    };
+    ($role:ident $name:ident $text:literal { $($field:ident $place:tt $blade:literal),* } $one:tt) => {
+        $crate::__approximate! { by_fields $name { $($field [S]),* } }
     };
 }

@@ -54,6 +54,7 @@ macro_rules! __count {
         $crate::__count! { one $name $one }
     };
     (constant $($description:tt)*) => {};
+    (parameters $($description:tt)*) => {};
     (one $name:ident []) => {};
     (one $name:ident [$($field:ident $value:ident),*]) => {
         impl<S: $crate::scalar::Ring> $crate::__private::num_traits::One for $name<S>

@@ -92,6 +92,14 @@ impl TypeDefinition {
         self.stored().next().is_none()
     }
 
+    /// Whether members can be made of their coefficients: not of a type by parameters that are not
+    /// read.
+    #[must_use]
+    pub fn is_readable(&self) -> bool {
+        let mut parameters = self.parameters.iter();
+        parameters.all(|parameters| parameters.readings.is_some())
+    }
+
     /// How many numbers a member is stored as.
     #[must_use]
     pub fn count(&self) -> usize {

@@ -497,7 +497,9 @@ mod tests {
             Function::HyperbolicSine => Some(Function::HyperbolicCosine),
             Function::HyperbolicCosine => Some(Function::HyperbolicTangent),
             Function::HyperbolicTangent => Some(Function::Hypotenuse),
-            Function::Hypotenuse => None,
+            Function::Hypotenuse => Some(Function::Reciprocal),
+            Function::Reciprocal => Some(Function::Divisor),
+            Function::Divisor => None,
         };
         let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
         assert!(every.eq(Function::ALL));
@@ -573,6 +575,9 @@ mod tests {
             let length = Function::Hypotenuse.evaluate(&[x, y]).expect("total");
             assert_eq!(length * length, x * x + y * y);
             assert_eq!(Function::Hypotenuse.evaluate(&[y, -x]), Some(length));
+            let inverse = Function::Reciprocal.evaluate(&[x]).expect("total");
+            assert_eq!(inverse * x, Residue::ONE);
+            assert_eq!(Function::Divisor.evaluate(&[x]), Some(x));
         }
         assert!(
             (16..48).contains(&roots),

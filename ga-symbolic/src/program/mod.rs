@@ -14,6 +14,7 @@ mod evaluate;
 mod limits;
 mod mismatch;
 mod operation_error;
+mod parametrised;
 mod place;
 mod witness;
 
@@ -21,6 +22,7 @@ pub use evaluate::evaluate;
 pub use limits::MAX_STEPS;
 pub use mismatch::{Mismatch, Remedy, with_remedy};
 pub use operation_error::OperationError;
+pub use parametrised::{Parametrised, is_same};
 pub use witness::Witness;
 
 use std::collections::HashMap;

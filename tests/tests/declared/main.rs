@@ -26,6 +26,7 @@ mod elements;
 mod every_type;
 mod interface;
 mod metrics;
+mod parameters;
 mod places;
 mod same_text;
 mod tied;

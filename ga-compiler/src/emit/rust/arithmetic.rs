@@ -4,12 +4,14 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::body::Needs;
 use super::context::{Context, other, receiver};
 use crate::algebra::Product;
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
+use crate::verify;
 
-pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+pub(super) fn emit<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
     if kind.is_constant() {
         return TokenStream::new();
     }
@@ -32,8 +34,8 @@ fn sums(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             Expression::difference(first, second)
         };
         let operands = [(kind, receiver()), (kind, other())];
-        let (body, needs_field) = context.compile(&operands, &sum, Some(hull));
-        let bound = context.bound(needs_field);
+        let (body, needs) = context.compile(&operands, &sum, Some(hull));
+        let bound = context.bound(needs);
         let (name, method) = (format_ident!("{name}"), format_ident!("{method}"));
         items.extend(quote! {
             impl<S: #bound> ::core::ops::#name for #path {
@@ -48,14 +50,20 @@ fn sums(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 
 fn negative(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     // Negation does not change a constant or derived blade; all facts but the weight are kept.
-    let stays = kind.is_stored_whole() && kind.facts.weight.is_none();
-    let result = if stays { kind } else { context.hull(kind) };
     let negative = Expression::Negative(Box::new(Expression::Operand(0)));
-    let (body, needs_field) = context.compile(&[(kind, receiver())], &negative, Some(result));
+    let stays = match kind.parameters {
+        None => kind.is_stored_whole() && kind.facts.weight.is_none(),
+        Some(_) => {
+            let algebra = &context.definition.algebra;
+            verify::result_fits(algebra, &[kind], &negative, Some(kind)).is_ok()
+        }
+    };
+    let result = if stays { kind } else { context.hull(kind) };
+    let (body, needs) = context.compile(&[(kind, receiver())], &negative, Some(result));
     let (path, output, bound) = (
         context.path(kind),
         context.path(result),
-        context.bound(needs_field),
+        context.bound(needs),
     );
     quote! {
         impl<S: #bound> ::core::ops::Neg for #path {
@@ -66,21 +74,37 @@ fn negative(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     }
 }
 
-fn multiples(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
-    let hull = context.hull(kind);
+/// The type of multiples: the type itself, if they are members.
+pub(super) fn type_of_multiples<'a>(
+    context: &Context<'a>,
+    kind: &'a TypeDefinition,
+) -> &'a TypeDefinition {
+    let (element, number) = (Expression::Operand(0), Expression::Operand(1));
+    let product = Expression::binary(Product::Geometric, element, number);
+    let algebra = &context.definition.algebra;
+    let operands = [kind, &context.definition.scalar];
+    let stays = || verify::result_fits(algebra, &operands, &product, Some(kind)).is_ok();
+    match kind.parameters.is_some() && stays() {
+        true => kind,
+        false => context.hull(kind),
+    }
+}
+
+fn multiples<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
+    let hull = type_of_multiples(context, kind);
     let (path, output) = (context.path(kind), context.path(hull));
     let scalar = [format_ident!("scalar")];
     let compile = |expression| {
         context.compile_scaled(&[(kind, receiver())], &scalar, &expression, Some(hull))
     };
     let (element, number) = (Expression::Operand(0), Expression::Operand(1));
-    let (product, needs_field) = compile(Expression::binary(
+    let (product, needs) = compile(Expression::binary(
         Product::Geometric,
         element.clone(),
         number.clone(),
     ));
     let (quotient, _) = compile(Expression::quotient(element, number));
-    let (bound, field) = (context.bound(needs_field), context.bound(true));
+    let (bound, field) = (context.bound(needs), context.bound(needs.max(Needs::Field)));
     let floats = [format_ident!("f32"), format_ident!("f64")];
     let from_left = floats.iter().map(|float| from_left(kind, hull, float));
     quote! {

@@ -16,10 +16,30 @@ pub(super) struct Body {
     pub(super) statements: TokenStream,
     /// One expression for each output.
     pub(super) outputs: Vec<TokenStream>,
-    /// Whether a fraction occurs, so that the scalar must be a field.
-    pub(super) needs_field: bool,
-    /// Whether a function occurs, so that the scalar must be real.
-    pub(super) needs_real: bool,
+    /// What it requires of the scalar.
+    pub(super) needs: Needs,
+}
+
+/// What a body requires of the scalar.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Needs {
+    /// Sums and products.
+    Ring,
+    /// Fractions too.
+    Field,
+    /// Functions too.
+    Real,
+}
+
+impl Needs {
+    /// The name of the trait.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Ring => "Ring",
+            Self::Field => "Field",
+            Self::Real => "Real",
+        }
+    }
 }
 
 /// Writes the code of a kernel; `inputs` are the expressions of its inputs.
@@ -57,8 +77,7 @@ pub(super) fn stage_body(
         arena,
         stage,
         source,
-        needs_field: false,
-        needs_real: false,
+        needs: Needs::Ring,
         families: Vec::new(),
     };
     let mut statements = TokenStream::new();
@@ -77,8 +96,7 @@ pub(super) fn stage_body(
     Body {
         statements,
         outputs,
-        needs_field: writer.needs_field,
-        needs_real: writer.needs_real,
+        needs: writer.needs,
     }
 }
 
@@ -134,8 +152,7 @@ struct Writer<'a> {
     arena: &'a Arena,
     stage: Stage,
     source: &'a Source<'a>,
-    needs_field: bool,
-    needs_real: bool,
+    needs: Needs,
     /// Functions of several results that have been called.
     families: Vec<(Function, Box<[Value]>)>,
 }
@@ -146,13 +163,15 @@ impl Writer<'_> {
     }
 
     fn constant(&mut self, value: Ratio) -> TokenStream {
-        self.needs_field |= !value.is_integer();
+        if !value.is_integer() {
+            self.needs = self.needs.max(Needs::Field);
+        }
         constant(self.source.runtime, value)
     }
 
     /// The call that gives all results of a family of functions; nothing if it has been made.
     fn family(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
-        self.needs_real = true;
+        self.needs = Needs::Real;
         let family = function.family();
         let key = (family[0], arguments.into());
         if self.families.contains(&key) {
@@ -182,11 +201,10 @@ impl Writer<'_> {
 
     /// A function of one result.
     fn function(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
-        if matches!(function, Function::Reciprocal | Function::Divisor) {
-            self.needs_field = true;
-        } else {
-            self.needs_real = true;
-        }
+        self.needs = self.needs.max(match function {
+            Function::Reciprocal | Function::Divisor => Needs::Field,
+            _ => Needs::Real,
+        });
         let values: Vec<_> = arguments
             .iter()
             .map(|&argument| self.value(argument))
@@ -422,7 +440,7 @@ impl Writer<'_> {
                 quote! { #a * #b }
             }
             Node::Quotient(a, b) if self.is_guarded(b) => {
-                self.needs_field = true;
+                self.needs = self.needs.max(Needs::Field);
                 let runtime = self.source.runtime;
                 let field = quote! { <S as #runtime::scalar::Field> };
                 let divisor = self.read(b);
@@ -435,7 +453,7 @@ impl Writer<'_> {
             // It is known where it divides.
             Node::Function(Function::Divisor, arguments) => self.value(arguments[0]),
             Node::Quotient(a, b) => {
-                self.needs_field = true;
+                self.needs = self.needs.max(Needs::Field);
                 let (dividend, divisor) = (self.operand(a), self.operand(b));
                 let is_input = matches!(self.arena.node(b), Node::Input(_));
                 // A product in the divisor needs parentheses.

@@ -3,11 +3,10 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::body::{Body, body};
-use crate::define::{Definition, TypeDefinition};
+use super::body::{Body, Needs, body};
+use crate::define::{Definition, Parameter, TypeDefinition};
 use crate::expression::Expression;
-use crate::kernel::wanted;
-use crate::task::Task;
+use crate::typed;
 
 /// A definition under emission.
 pub(super) struct Context<'a> {
@@ -48,13 +47,9 @@ impl<'a> Context<'a> {
     }
 
     /// The weakest trait that a body requires of the scalar.
-    pub(super) fn bound(&self, needs_field: bool) -> TokenStream {
-        let runtime = self.runtime;
-        if needs_field {
-            quote! { #runtime::scalar::Field }
-        } else {
-            quote! { #runtime::scalar::Ring }
-        }
+    pub(super) fn bound(&self, needs: Needs) -> TokenStream {
+        let (runtime, name) = (self.runtime, format_ident!("{}", needs.name()));
+        quote! { #runtime::scalar::#name }
     }
 
     /// `Path { field: value, … }`, or the value itself for a scalar.
@@ -70,8 +65,19 @@ impl<'a> Context<'a> {
         if kind.is_constant() {
             return quote! { #name };
         }
-        let fields = kind.stored().map(|c| &c.name);
-        quote! { #name { #(#fields: #values),* } }
+        let mut values = values.iter();
+        let Some(parameters) = &kind.parameters else {
+            let fields = kind.stored().map(|c| &c.name);
+            return quote! { #name { #(#fields: #values),* } };
+        };
+        let fields = parameters.list.iter().map(|parameter| {
+            let own = values.by_ref().take(parameter.kind.count());
+            let own: Vec<TokenStream> = own.cloned().collect();
+            let kind = parameter.index.map(|_| &parameter.kind);
+            let (field, value) = (&parameter.name, self.build(kind, &own));
+            quote! { #field: #value }
+        });
+        quote! { #name { #(#fields),* } }
     }
 
     /// The body of an expression over operands called by the given names, with the finished result
@@ -81,7 +87,7 @@ impl<'a> Context<'a> {
         operands: &[(&TypeDefinition, Ident)],
         expression: &Expression,
         result: Option<&TypeDefinition>,
-    ) -> (TokenStream, bool) {
+    ) -> (TokenStream, Needs) {
         self.compile_scaled(operands, &[], expression, result)
     }
 
@@ -92,36 +98,52 @@ impl<'a> Context<'a> {
         scalars: &[Ident],
         expression: &Expression,
         result: Option<&TypeDefinition>,
-    ) -> (TokenStream, bool) {
+    ) -> (TokenStream, Needs) {
         let scalar = TypeDefinition::scalar();
         let mut kinds: Vec<_> = operands.iter().map(|(kind, _)| *kind).collect();
         kinds.extend(scalars.iter().map(|_| &scalar));
         let mut inputs = fields(operands);
         inputs.extend(scalars.iter().map(|name| quote! { #name }));
-        let algebra = &self.definition.algebra;
-        let kernel = Task::of_expression(algebra, &kinds, expression, wanted(result)).compile();
+        let kernel = match typed::compile(self.definition, &kinds, expression, result) {
+            Ok(kernel) => kernel,
+            Err(error) => {
+                let message = format!("a formula of a type by parameters: {error}");
+                return (quote! { ::core::compile_error!(#message) }, Needs::Ring);
+            }
+        };
         let Body {
             statements,
             outputs,
-            needs_field,
+            needs,
             ..
         } = body(&kernel, self.runtime, &inputs);
         let built = self.build(result, &outputs);
-        (quote! { #statements #built }, needs_field)
+        (quote! { #statements #built }, needs)
     }
 }
 
 /// `name.field` for all stored coefficients of all operands.
 pub(super) fn fields(operands: &[(&TypeDefinition, Ident)]) -> Vec<TokenStream> {
-    operands
-        .iter()
-        .flat_map(|(kind, operand)| {
-            kind.stored().map(move |c| {
-                let field = &c.name;
-                quote! { #operand.#field }
-            })
-        })
-        .collect()
+    let of_operand =
+        |(kind, operand): &(&TypeDefinition, Ident)| numbers(kind, &quote! { #operand });
+    operands.iter().flat_map(of_operand).collect()
+}
+
+/// The numbers that a member is stored as, given its expression.
+fn numbers(kind: &TypeDefinition, value: &TokenStream) -> Vec<TokenStream> {
+    let Some(parameters) = &kind.parameters else {
+        let fields = kind.stored().map(|c| &c.name);
+        return fields.map(|field| quote! { #value.#field }).collect();
+    };
+    let of_parameter = |parameter: &Parameter| {
+        let field = &parameter.name;
+        let value = quote! { #value.#field };
+        match parameter.index {
+            None => vec![value],
+            Some(_) => numbers(&parameter.kind, &value),
+        }
+    };
+    parameters.list.iter().flat_map(of_parameter).collect()
 }
 
 /// The receiver of a method.

@@ -28,7 +28,8 @@ fn lossless(context: &Context<'_>, kind: &TypeDefinition, target: &TypeDefinitio
         .coefficients
         .iter()
         .all(|c| target.coefficient(c.blade).is_some());
-    if target.is_constant() || !covers {
+    // What is by parameters is read, which may lose digits; `TryFrom` does it.
+    if target.is_constant() || target.parameters.is_some() || !covers {
         return TokenStream::new();
     }
     let identity = Expression::Operand(0);
@@ -39,9 +40,9 @@ fn lossless(context: &Context<'_>, kind: &TypeDefinition, target: &TypeDefinitio
         return TokenStream::new();
     }
     let value = format_ident!("value");
-    let (body, needs_field) = context.compile(&[(kind, value)], &identity, Some(target));
+    let (body, needs) = context.compile(&[(kind, value)], &identity, Some(target));
     let (path, output) = (context.path(kind), context.path(target));
-    let bound = context.bound(needs_field);
+    let bound = context.bound(needs);
     quote! {
         impl<S: #bound> ::core::convert::From<#path> for #output {
             #[inline]
@@ -60,12 +61,12 @@ fn lossy(context: &Context<'_>, kind: &TypeDefinition, target: &TypeDefinition) 
     if !kind.is_linear() || !target.is_linear() || !is_part {
         return TokenStream::new();
     }
-    let (body, needs_field) =
+    let (body, needs) =
         context.compile(&[(kind, receiver())], &Expression::Operand(0), Some(target));
     let (path, output, bound) = (
         context.path(kind),
         context.path(target),
-        context.bound(needs_field),
+        context.bound(needs),
     );
     let name = format_ident!(
         "extract_{}",

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use syn::Visibility;
 use syn::ext::IdentExt;
 
-use super::body::{Body, Source, constant, stage_body};
+use super::body::{Body, Needs, Source, constant, stage_body};
 use super::warnings;
 use crate::define::{Definition, TypeDefinition};
 use crate::function::CompiledFunction;
@@ -222,16 +222,11 @@ impl Emitter<'_> {
             .iter()
             .any(|value| !value.is_integer());
         let runtime = self.runtime;
-        let name = match body {
-            Body {
-                needs_real: true, ..
-            } => format_ident!("Real"),
-            Body {
-                needs_field: true, ..
-            } => format_ident!("Field"),
-            _ if has_fraction => format_ident!("Field"),
-            _ => format_ident!("Ring"),
+        let needs = match has_fraction {
+            true => body.needs.max(Needs::Field),
+            false => body.needs,
         };
+        let name = format_ident!("{}", needs.name());
         quote! { #runtime::scalar::#name }
     }
 

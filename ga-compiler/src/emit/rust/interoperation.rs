@@ -26,6 +26,19 @@ fn description(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     if kind.is_constant() {
         return quote! { constant #name #text };
     }
+    if let Some(parameters) = &kind.parameters {
+        let fields = parameters
+            .list
+            .iter()
+            .enumerate()
+            .map(|(place, parameter)| {
+                let (field, place) = (&parameter.name, Literal::usize_unsuffixed(place));
+                let text = field.unraw().to_string();
+                let path = context.result_path(parameter.index.map(|_| &parameter.kind));
+                quote! { #field #place #text [#path] }
+            });
+        return quote! { parameters #name #text { #(#fields),* } };
+    }
     let role = format_ident!(
         "{}",
         if !kind.facts_are_implied {

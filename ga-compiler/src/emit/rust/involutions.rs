@@ -44,11 +44,11 @@ fn involution(
     let algebra = &context.definition.algebra;
     let stays = verify::result_fits(algebra, &[kind], &expression, Some(kind)).is_ok();
     let result = if stays { kind } else { context.hull(kind) };
-    let (body, needs_field) = context.compile(&[(kind, receiver())], &expression, Some(result));
+    let (body, needs) = context.compile(&[(kind, receiver())], &expression, Some(result));
     let (path, output, bound) = (
         context.path(kind),
         context.path(result),
-        context.bound(needs_field),
+        context.bound(needs),
     );
     let name = format_ident!("{}", operation.name());
     quote! {

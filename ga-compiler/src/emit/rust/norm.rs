@@ -18,8 +18,8 @@ pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream 
         facts: Facts::default(),
         ..kind.clone()
     };
-    let (body, needs_field) = context.compile(&[(&without_facts, receiver())], &norm, None);
-    let (path, bound) = (context.path(kind), context.bound(needs_field));
+    let (body, needs) = context.compile(&[(&without_facts, receiver())], &norm, None);
+    let (path, bound) = (context.path(kind), context.bound(needs));
     let sign = sign(context, kind);
     quote! {
         impl<S: #bound> #path {

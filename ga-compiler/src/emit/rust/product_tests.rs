@@ -17,11 +17,15 @@ pub fn product_tests(definition: &Definition, path: &TokenStream) -> TokenStream
     let tests = definition
         .products
         .iter()
+        .filter(|product| {
+            let mut kinds = product.operands.iter().chain(&product.result);
+            kinds.all(|index| definition.types[*index].is_readable())
+        })
         .map(|product| product_test(definition, path, product));
     let types = definition
         .types
         .iter()
-        .filter(|kind| !kind.is_constant())
+        .filter(|kind| !kind.is_constant() && kind.is_readable())
         .map(|kind| type_test(definition, path, kind));
     quote! { #(#tests)* #(#types)* }
 }

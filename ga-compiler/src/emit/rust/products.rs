@@ -4,6 +4,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::body::Needs;
 use super::context::{Context, other, receiver};
 use crate::algebra::Product;
 use crate::define::{Definition, Operation, ProductDefinition, TypeDefinition};
@@ -83,12 +84,12 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
     );
     let result = product.result.map(|index| context.kind(index));
     let operands = [(left, receiver()), (right, other())];
-    let (body, needs_field) = match is_of_products(context.definition, product) {
+    let (body, needs) = match is_of_products(context.definition, product) {
         true => {
             let multiply = quote! { ::core::ops::Mul::mul };
             (
                 quote! { #multiply(#multiply(self, other), self.reverse()) },
-                false,
+                Needs::Ring,
             )
         }
         false => context.compile(&operands, &product.operation.expression(), result),
@@ -98,7 +99,7 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
         context.path(right),
         context.result_path(result),
     );
-    let (bound, name) = (context.bound(needs_field), &face.path);
+    let (bound, name) = (context.bound(needs), &face.path);
     let method = format_ident!("{}", face.method);
     let inline = inline(&[left, right]);
     let text = format!(
@@ -162,10 +163,10 @@ fn unary(context: &Context<'_>, product: &ProductDefinition) -> TokenStream {
     let kind = context.kind(product.operands[0]);
     let result = product.result.map(|index| context.kind(index));
     let operand = [(kind, receiver())];
-    let (body, needs_field) = context.compile(&operand, &product.operation.expression(), result);
+    let (body, needs) = context.compile(&operand, &product.operation.expression(), result);
     let (path, output) = (context.path(kind), context.result_path(result));
     let (bound, name) = (
-        context.bound(needs_field),
+        context.bound(needs),
         format_ident!("{}", product.operation.name()),
     );
     let is_degenerate = context.definition.algebra.is_degenerate();

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use super::context::Context;
-use super::types::{is_identity, needs_field};
+use super::types::{is_identity, needs};
 use super::versors::in_norm;
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::{Coefficient, Definition, Operation, ProductDefinition, TypeDefinition};
@@ -16,21 +16,14 @@ pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     let runtime = context.runtime;
     let types = context.definition.types.iter();
     let entries = types
-        .filter(|kind| !kind.is_constant())
+        .filter(|kind| !kind.is_constant() && kind.is_readable())
         .flat_map(|kind| entries(context, kind));
     quote! { #runtime::__private::surface! { #({ #entries })* } }
 }
 
 fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
     let name = &kind.name;
-    let bound = format_ident!(
-        "{}",
-        if needs_field(context, kind) {
-            "Field"
-        } else {
-            "Ring"
-        }
-    );
+    let bound = format_ident!("{}", needs(context, kind).name());
     let hull = context.hull(kind);
     let graded = &hull.name;
     let mut entries = vec![quote! { element #name #graded #bound }];
@@ -57,7 +50,7 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
     }));
     if let Some(scalar) = hull.stored().find(|c| c.blade == Blade::SCALAR) {
         let (hull, scalar) = (&hull.name, &scalar.name);
-        entries.push(quote! { with_scalar #name #hull #scalar });
+        entries.push(quote! { with_scalar #name #hull #scalar #bound });
         if kind.is_linear() {
             entries.push(quote! { number_and #name #hull });
         }
@@ -74,7 +67,7 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
 pub(super) fn takes_references(kind: &TypeDefinition) -> bool {
     let grades = || kind.coefficients.iter().map(|c| c.blade.grade());
     let is_of_one_grade = grades().min() == grades().max();
-    match kind.stored().count() {
+    match kind.count() {
         2..=4 => is_of_one_grade || kind.facts.unit_versor,
         5..=8 => kind.facts.unit_versor,
         _ => false,
@@ -157,6 +150,9 @@ fn one(c: &Coefficient) -> Ratio {
 
 /// Zero, one and the basis vectors, where they are members.
 fn constants(kind: &TypeDefinition) -> Vec<TokenStream> {
+    if kind.parameters.is_some() {
+        return Vec::new();
+    }
     let name = &kind.name;
     let fields = || kind.stored().map(|c| &c.name);
     let mut constants = Vec::new();
@@ -203,7 +199,10 @@ fn checked_sources<'a>(context: &Context<'a>, kind: &TypeDefinition) -> Vec<&'a 
         .definition
         .types
         .iter()
-        .filter(|source| !source.is_constant() && source.name != kind.name && covers(source, kind))
+        .filter(|source| {
+            let is_other = source.name != kind.name && source.is_readable();
+            is_other && !source.is_constant() && covers(source, kind)
+        })
         .collect();
     let linear = || {
         let is_source = |source: &&&TypeDefinition| {

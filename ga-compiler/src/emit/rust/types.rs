@@ -4,27 +4,33 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
-use super::body::{body, constant};
+use super::body::{Needs, body, constant};
 use super::context::{Context, receiver};
 use super::versors;
 use crate::algebra::{Blade, NamedBlade, Ratio};
-use crate::define::{Coefficient, PolynomialStep, Role, TypeDefinition};
+use crate::define::{Coefficient, Parameter, Parameters, PolynomialStep, Role, TypeDefinition};
 use crate::expression::Expression;
+use crate::ir::Facts;
 use crate::task::Task;
+use crate::verify;
 
-pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+pub(super) fn emit<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
     if kind.is_constant() {
         return constant_type(kind);
     }
-    let parts = [
-        structure(kind),
+    let mut items: TokenStream = [
+        structure(context, kind),
         constructor(context, kind),
         versors::emit(context, kind),
         accessors(context, kind),
         default(context, kind),
-        element(context, kind),
-    ];
-    parts.into_iter().collect()
+    ]
+    .into_iter()
+    .collect();
+    if kind.is_readable() {
+        items.extend(element(context, kind));
+    }
+    items
 }
 
 fn constant_type(kind: &TypeDefinition) -> TokenStream {
@@ -41,8 +47,26 @@ fn constant_type(kind: &TypeDefinition) -> TokenStream {
     }
 }
 
-fn structure(kind: &TypeDefinition) -> TokenStream {
+fn structure(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (docs, name, table) = (&kind.docs, &kind.name, coefficients_text(kind));
+    if let Some(parameters) = &kind.parameters {
+        let fields = parameters.list.iter().map(|parameter| {
+            let (field, path) = (&parameter.name, parameter_path(context, parameter));
+            let text = format!("The parameter `{field}`.");
+            quote! { #[doc = #text] pub #field: #path }
+        });
+        return quote! {
+            #docs
+            #[doc = ""]
+            #[doc = #table]
+            #[derive(
+                ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug,
+                ::core::cmp::PartialEq
+            )]
+            #[repr(C)]
+            pub struct #name<S> { #(#fields),* }
+        };
+    }
     let fields = kind.stored().map(|c| {
         let (field, text) = (&c.name, format!("Coefficient of `{}`.", c.name));
         // The fields of a type with facts are private; other types are used by their fields.
@@ -59,6 +83,11 @@ fn structure(kind: &TypeDefinition) -> TokenStream {
         #[repr(C)]
         pub struct #name<S> { #(#fields),* }
     }
+}
+
+/// The type of a parameter in Rust.
+fn parameter_path(context: &Context<'_>, parameter: &Parameter) -> TokenStream {
+    context.result_path(parameter.index.map(|_| &parameter.kind))
 }
 
 /// One line that says where each coefficient comes from.
@@ -86,7 +115,10 @@ fn constructor(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
         context,
         kind,
         &name,
-        "The member with these stored coefficients.",
+        match kind.parameters {
+            None => "The member with these stored coefficients.",
+            Some(_) => "The member with these parameters.",
+        },
     )
 }
 
@@ -108,13 +140,19 @@ fn build_from_stored(
     text: &str,
 ) -> TokenStream {
     let path = context.path(kind);
-    let fields: Vec<_> = kind.stored().map(|c| &c.name).collect();
+    let (fields, paths): (Vec<&Ident>, Vec<TokenStream>) = match &kind.parameters {
+        None => kind.stored().map(|c| (&c.name, quote! { S })).unzip(),
+        Some(parameters) => {
+            let list = parameters.list.iter();
+            list.map(|p| (&p.name, parameter_path(context, p))).unzip()
+        }
+    };
     quote! {
         impl<S> #path {
             #[doc = #text]
             #[inline]
             #[must_use]
-            pub const fn #name(#(#fields: S),*) -> Self {
+            pub const fn #name(#(#fields: #paths),*) -> Self {
                 Self { #(#fields),* }
             }
         }
@@ -122,6 +160,10 @@ fn build_from_stored(
 }
 
 fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+    // Those of a type by parameters are read of its hull.
+    if kind.parameters.is_some() {
+        return TokenStream::new();
+    }
     let path = context.path(kind);
     let runtime = context.runtime;
     let methods = kind.coefficients.iter().map(|c| {
@@ -135,16 +177,19 @@ fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
                 format!("Coefficient of `{name}`."),
             ),
             Role::Constant(value) => (
-                context.bound(!value.is_integer()),
+                context.bound(match value.is_integer() {
+                    true => Needs::Ring,
+                    false => Needs::Field,
+                }),
                 constant(runtime, *value),
                 format!("Coefficient of `{name}`, which is always {value}."),
             ),
             Role::Derived(polynomial) => {
-                let (value, needs_field) = coefficient_body(context, kind, c);
+                let (value, needs) = coefficient_body(context, kind, c);
                 let lookup = |index: usize| kind.coefficients[index].name.to_string();
                 let formula = polynomial.to_text(&lookup);
                 (
-                    context.bound(needs_field),
+                    context.bound(needs),
                     value,
                     format!("Coefficient of `{name}`, which follows: `{formula}`."),
                 )
@@ -167,7 +212,7 @@ fn coefficient_body(
     context: &Context<'_>,
     kind: &TypeDefinition,
     coefficient: &Coefficient,
-) -> (TokenStream, bool) {
+) -> (TokenStream, Needs) {
     let wanted = vec![NamedBlade {
         blade: coefficient.blade,
         is_negative: coefficient.is_negative,
@@ -177,17 +222,23 @@ fn coefficient_body(
     let inputs = super::context::fields(&[(kind, receiver())]);
     let body = body(&kernel, context.runtime, &inputs);
     let (statements, output) = (body.statements, &body.outputs[0]);
-    (quote! { #statements #output }, body.needs_field)
+    (quote! { #statements #output }, body.needs)
 }
 
-/// Whether some coefficient of the type is computed with a fraction, so that its scalar must be a
-/// field.
-pub(super) fn needs_field(context: &Context<'_>, kind: &TypeDefinition) -> bool {
-    kind.coefficients.iter().any(|c| match &c.role {
-        Role::Stored => false,
-        Role::Constant(value) => !value.is_integer(),
+/// What the coefficients of the type require of the scalar. Readings divide.
+pub(super) fn needs(context: &Context<'_>, kind: &TypeDefinition) -> Needs {
+    if kind.parameters.is_some() {
+        let operand = [(kind, receiver())];
+        let hull = context.hull(kind);
+        let (_, needs) = context.compile(&operand, &Expression::Operand(0), Some(hull));
+        return needs.max(Needs::Field);
+    }
+    let each = kind.coefficients.iter().map(|c| match &c.role {
+        Role::Constant(value) if !value.is_integer() => Needs::Field,
+        Role::Stored | Role::Constant(_) => Needs::Ring,
         Role::Derived(_) => coefficient_body(context, kind, c).1,
-    })
+    });
+    each.max().unwrap_or(Needs::Ring)
 }
 
 /// The identity for unit versors with a scalar, else the member whose stored coefficients are zero,
@@ -201,7 +252,10 @@ fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     if !is_member {
         return TokenStream::new();
     }
-    let (path, ring) = (context.path(kind), context.bound(false));
+    if let Some(parameters) = &kind.parameters {
+        return default_of_parameters(context, kind, parameters);
+    }
+    let (path, ring) = (context.path(kind), context.bound(Needs::Ring));
     let values: Vec<_> = kind
         .stored()
         .map(|c| constant(context.runtime, stored(c)))
@@ -211,6 +265,33 @@ fn default(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
         impl<S: #ring> ::core::default::Default for #path {
             #[inline]
             fn default() -> Self { #built }
+        }
+    }
+}
+
+/// The member of the default parameters, zero for a number, if the types of all have one.
+fn default_of_parameters(
+    context: &Context<'_>,
+    kind: &TypeDefinition,
+    parameters: &Parameters,
+) -> TokenStream {
+    let has_default = |p: &Parameter| p.index.is_none() || !default(context, &p.kind).is_empty();
+    if !parameters.list.iter().all(has_default) {
+        return TokenStream::new();
+    }
+    let (path, ring) = (context.path(kind), context.bound(Needs::Ring));
+    let fields = parameters.list.iter().map(|parameter| {
+        let field = &parameter.name;
+        let value = match parameter.index {
+            None => constant(context.runtime, Ratio::ZERO),
+            Some(_) => quote! { ::core::default::Default::default() },
+        };
+        quote! { #field: #value }
+    });
+    quote! {
+        impl<S: #ring> ::core::default::Default for #path {
+            #[inline]
+            fn default() -> Self { Self { #(#fields),* } }
         }
     }
 }
@@ -241,6 +322,9 @@ pub(super) fn is_identity(kind: &TypeDefinition, stored: &dyn Fn(&Coefficient) -
 fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let (path, runtime) = (context.path(kind), context.runtime);
     let usize = quote! { ::core::primitive::usize };
+    let zero = constant(runtime, Ratio::ZERO);
+    let hull = context.hull(kind);
+    let hull_path = context.path(hull);
     let arms: Vec<_> = kind
         .coefficients
         .iter()
@@ -260,8 +344,33 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             quote! { #sign coefficient(#blade) }
         })
         .collect();
-    let built = context.build(Some(kind), &values);
-    let bound = context.bound(needs_field(context, kind));
+    let (coefficient, built) = match kind.parameters {
+        None => (
+            quote! { match blade { #(#arms,)* _ => #zero } },
+            context.build(Some(kind), &values),
+        ),
+        Some(_) => (
+            quote! {
+                let whole: #hull_path = ::core::convert::From::from(*self);
+                #runtime::Element::coefficient(&whole, blade)
+            },
+            {
+                let whole = format_ident!("whole");
+                let identity = Expression::Operand(0);
+                let (read, _) = context.compile(&[(hull, whole)], &identity, Some(kind));
+                quote! {
+                    let whole: #hull_path = #runtime::Element::from_coefficients_unchecked(
+                        &mut |blade| match Self::BLADES.contains(&blade) {
+                            true => coefficient(blade),
+                            false => #zero,
+                        }
+                    );
+                    #read
+                }
+            },
+        ),
+    };
+    let bound = context.bound(needs(context, kind));
     let blades = kind.coefficients.iter().map(|c| c.blade.0 as usize);
     let names = kind.coefficients.iter().map(|c| c.name.unraw().to_string());
     let mut reversed = kind
@@ -276,8 +385,7 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     });
     let type_name = kind.name.unraw().to_string();
     let facts = versors::facts(context, kind);
-    let (unit_versor, free) = (kind.facts.unit_versor, kind.facts_are_implied);
-    let zero = constant(runtime, Ratio::ZERO);
+    let (unit_versor, free) = (kind.facts.unit_versor, is_free(context, kind));
     quote! {
         impl<S: #bound> #runtime::Element for #path {
             type Scalar = S;
@@ -290,7 +398,7 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             const IS_FREE: ::core::primitive::bool = #free;
             const METRIC: &'static [&'static [(::core::primitive::i64, ::core::primitive::i64)]] = METRIC;
             fn coefficient(&self, blade: #usize) -> S {
-                match blade { #(#arms,)* _ => #zero }
+                #coefficient
             }
             fn from_coefficients_unchecked(
                 coefficient: &mut dyn ::core::ops::FnMut(#usize) -> S
@@ -300,4 +408,19 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             #facts
         }
     }
+}
+
+/// Whether any coefficients of its blades make a member.
+fn is_free(context: &Context<'_>, kind: &TypeDefinition) -> bool {
+    if kind.parameters.is_none() {
+        return kind.facts_are_implied;
+    }
+    let of_blades = TypeDefinition {
+        parameters: None,
+        facts: Facts::default(),
+        ..kind.clone()
+    };
+    let identity = Expression::Operand(0);
+    let algebra = &context.definition.algebra;
+    verify::result_fits(algebra, &[&of_blades], &identity, Some(kind)).is_ok()
 }

@@ -3,8 +3,10 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::body::{body, constant};
+use super::arithmetic::type_of_multiples;
+use super::body::{Needs, body, constant};
 use super::context::{Context, fields, receiver};
+use super::types::needs;
 use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::expression::Expression;
@@ -12,7 +14,7 @@ use crate::ir::Facts;
 use crate::task::Task;
 use crate::verify;
 
-pub(super) fn emit(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+pub(super) fn emit<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
     if kind.is_constant() {
         return TokenStream::new();
     }
@@ -39,11 +41,11 @@ fn inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     // The reverse is not in the type if it negates a constant coefficient.
     let stays = verify::result_fits(algebra, &[kind], &reverse, Some(kind)).is_ok();
     let result = if stays { kind } else { context.hull(kind) };
-    let (code, needs_field) = context.compile(&[(kind, receiver())], &reverse, Some(result));
+    let (code, needs) = context.compile(&[(kind, receiver())], &reverse, Some(result));
     let (path, output, bound) = (
         context.path(kind),
         context.path(result),
-        context.bound(needs_field),
+        context.bound(needs),
     );
     quote! {
         impl<S: #bound> #path {
@@ -56,15 +58,18 @@ fn inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
 }
 
 /// `~x / (x ~x)`, for types of which every member has a scalar `x ~x`.
-fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
+fn try_inverse<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
     let algebra = &context.definition.algebra;
     let has_scalar_norm = verify::result_fits(algebra, &[kind], &norm(), None).is_ok();
     if !has_scalar_norm {
         return TokenStream::new();
     }
-    let hull = context.hull(kind);
-    let (path, output) = (context.path(kind), context.path(hull));
-    let field = context.bound(true);
+    let (path, output) = (
+        context.path(kind),
+        context.path(type_of_multiples(context, kind)),
+    );
+    let field = context.bound(Needs::Field.max(needs(context, kind)));
+    let runtime = context.runtime;
     quote! {
         impl<S: #field> #path {
             /// The inverse `~x / (x ~x)`, or `None` where `x ~x` is zero; of lanes, where it is
@@ -73,7 +78,7 @@ fn try_inverse(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             #[must_use]
             pub fn try_inverse(self) -> ::core::option::Option<#output> {
                 let norm = self.norm_squared();
-                if !<S as #field>::is_invertible(norm) {
+                if !<S as #runtime::scalar::Field>::is_invertible(norm) {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(self.reverse() / norm)

@@ -155,7 +155,7 @@ impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Named<S, 
 }
 
 /// The index of a blade, or of another part, from its name.
-pub(super) struct Name<const N: usize>(pub(super) &'static [&'static str; N]);
+pub struct Name<const N: usize>(pub &'static [&'static str; N]);
 
 impl<'de, const N: usize> DeserializeSeed<'de> for Name<N> {
     type Value = usize;

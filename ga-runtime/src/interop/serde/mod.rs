@@ -128,6 +128,110 @@ macro_rules! __serialize {
             }
         }
     };
+    (parameters $name:ident $text:literal { $($field:ident $place:tt $label:literal [$path:ty]),* }) => {
+        impl<S> $crate::__private::serde::Serialize for $name<S>
+        where
+            $($path: $crate::__private::serde::Serialize),*
+        {
+            fn serialize<Z: $crate::__private::serde::Serializer>(
+                &self, serializer: Z,
+            ) -> ::core::result::Result<Z::Ok, Z::Error> {
+                use $crate::__private::serde::ser::{SerializeStruct, SerializeTuple};
+                const COUNT: ::core::primitive::usize = [$($label),*].len();
+                if $crate::__private::serde::Serializer::is_human_readable(&serializer) {
+                    let mut map = $crate::__private::serde::Serializer::serialize_struct(
+                        serializer, $text, COUNT,
+                    )?;
+                    $(map.serialize_field($label, &self.$field)?;)*
+                    return SerializeStruct::end(map);
+                }
+                let mut tuple = $crate::__private::serde::Serializer::serialize_tuple(
+                    serializer, COUNT,
+                )?;
+                $(tuple.serialize_element(&self.$field)?;)*
+                SerializeTuple::end(tuple)
+            }
+        }
+
+        impl<'de, S> $crate::__private::serde::Deserialize<'de> for $name<S>
+        where
+            $($path: $crate::__private::serde::Deserialize<'de>),*
+        {
+            fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                use $crate::__private::serde::de::{
+                    DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor,
+                };
+                const LABELS: &[&::core::primitive::str; [$($label),*].len()] = &[$($label),*];
+                struct Parameters_<S_>(::core::marker::PhantomData<S_>);
+                impl<'de, S> Visitor<'de> for Parameters_<S>
+                where
+                    $($path: $crate::__private::serde::Deserialize<'de>),*
+                {
+                    type Value = $name<S>;
+                    fn expecting(
+                        &self, f: &mut ::core::fmt::Formatter<'_>,
+                    ) -> ::core::fmt::Result {
+                        ::core::write!(f, "the parameters {:?} of `{}`", LABELS, $text)
+                    }
+                    fn visit_map<A: MapAccess<'de>>(
+                        self, mut map: A,
+                    ) -> ::core::result::Result<Self::Value, A::Error> {
+                        $(let mut $field = ::core::option::Option::None;)*
+                        while let ::core::option::Option::Some(place) =
+                            map.next_key_seed($crate::__private::coefficients::Name(LABELS))?
+                        {
+                            $(if place == $place {
+                                if $field.is_some() {
+                                    return ::core::result::Result::Err(
+                                        A::Error::duplicate_field($label),
+                                    );
+                                }
+                                $field = ::core::option::Option::Some(map.next_value()?);
+                            })*
+                        }
+                        ::core::result::Result::Ok($name {
+                            $($field: match $field {
+                                ::core::option::Option::Some(value) => value,
+                                ::core::option::Option::None => {
+                                    return ::core::result::Result::Err(
+                                        A::Error::missing_field($label),
+                                    );
+                                }
+                            }),*
+                        })
+                    }
+                    fn visit_seq<A: SeqAccess<'de>>(
+                        self, mut list: A,
+                    ) -> ::core::result::Result<Self::Value, A::Error> {
+                        let value = $name {
+                            $($field: match list.next_element()? {
+                                ::core::option::Option::Some(value) => value,
+                                ::core::option::Option::None => {
+                                    return ::core::result::Result::Err(
+                                        A::Error::invalid_length($place, &self),
+                                    );
+                                }
+                            }),*
+                        };
+                        if list.next_element::<IgnoredAny>()?.is_some() {
+                            let count = LABELS.len() + 1;
+                            return ::core::result::Result::Err(
+                                A::Error::invalid_length(count, &self),
+                            );
+                        }
+                        ::core::result::Result::Ok(value)
+                    }
+                }
+                let visitor = Parameters_(::core::marker::PhantomData);
+                if deserializer.is_human_readable() {
+                    return deserializer.deserialize_struct($text, LABELS, visitor);
+                }
+                deserializer.deserialize_tuple(LABELS.len(), visitor)
+            }
+        }
+    };
     (write $name:ident $text:literal { $($field:ident $blade:literal),* }) => {
         impl<S: $crate::__private::serde::Serialize> $crate::__private::serde::Serialize for $name<S> {
             fn serialize<Z: $crate::__private::serde::Serializer>(

@@ -48,6 +48,8 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
                     Function::HyperbolicCosine => x.cosh(),
                     Function::HyperbolicTangent => x.tanh(),
                     Function::Hypotenuse => x.hypot(arguments[1]),
+                    Function::Reciprocal => x.recip_or_zero(),
+                    Function::Divisor => x,
                 }
             }
         };
