@@ -37,6 +37,7 @@ mod mean;
 mod moments;
 mod registration;
 mod rotor_spline;
+mod smooth_search;
 mod smooth_spline;
 mod spline;
 mod weight;
