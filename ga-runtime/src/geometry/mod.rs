@@ -100,7 +100,7 @@ mod vga3;
 pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
-    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
+    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, Nearest, NotConformal, NotUnit,
     RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]

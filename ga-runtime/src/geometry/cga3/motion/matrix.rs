@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::scalar::{Field, Real, Ring};
 
-pub(super) type Matrix<S, const N: usize> = [[S; N]; N];
+pub(in super::super) type Matrix<S, const N: usize> = [[S; N]; N];
 
 /// The identity matrix.
 pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
@@ -117,7 +117,7 @@ fn subtract<S: Ring, const N: usize, const SIDES: usize>(
 ///
 /// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
 /// each step makes one off-diagonal entry zero by a rotation in the plane of two axes.
-pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
+pub(in super::super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
     // Sweeps converge quadratically; small matrices rarely need more than six.
