@@ -9,7 +9,7 @@
 //! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
 //! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
-//! | [`LinearMap`] of 2, 3 or 4 blades | `Mat2`, `Mat3`, `Mat4`, `DMat2`, `DMat3`, `DMat4` | both ways |
+//! | [`LinearMap`] of as many blades | `Mat2` to `Mat4`, `DMat2` to `DMat4` | both ways |
 //!
 //! glam does not have a type of quaternions of length 1. A quaternion is therefore normalized, and
 //! one that cannot be normalized is an error.

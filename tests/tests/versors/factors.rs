@@ -104,7 +104,7 @@ proptest! {
     #[test]
     fn an_even_versor_is_a_product_of_at_most_four_reflections(versor in even_versors()) {
         let vectors = versor.reflections().expect("finite");
-        prop_assert!(vectors.len() <= 4 && vectors.len() % 2 == 0, "{}", vectors.len());
+        prop_assert!(vectors.len() <= 4 && vectors.len().is_multiple_of(2), "{}", vectors.len());
         assert_factors(&vectors, &dense(&versor));
     }
 
@@ -127,7 +127,7 @@ proptest! {
         let single: EvenVersor<f32> = versor.map(|x| x as f32);
         let single = single.normalized().expect("a versor");
         let vectors = single.reflections().expect("finite");
-        prop_assert!(vectors.len() <= 4 && vectors.len() % 2 == 0);
+        prop_assert!(vectors.len() <= 4 && vectors.len().is_multiple_of(2));
         let exact: EvenVersor<f64> = single.map(f64::from);
         let mut product = dense(&exact).algebra().one();
         for vector in vectors {

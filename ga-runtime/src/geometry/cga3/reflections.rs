@@ -66,13 +66,13 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
 
 /// Components in the orthonormal frame e₋, e₊, e1, e2, e3 with `e₋ = eo + ½ ei`, whose square is
 /// −1, and `e₊ = eo − ½ ei`.
-fn components<S: Real>(vector: RoundVector<S>) -> [S; 5] {
+pub(super) fn components<S: Real>(vector: RoundVector<S>) -> [S; 5] {
     let half = S::from_ratio(1, 2);
     let (near, far) = (vector.eo * half, vector.ei);
     [near + far, near - far, vector.e1, vector.e2, vector.e3]
 }
 
-fn vector_of<S: Real>([minus, plus, e1, e2, e3]: [S; 5]) -> RoundVector<S> {
+pub(super) fn vector_of<S: Real>([minus, plus, e1, e2, e3]: [S; 5]) -> RoundVector<S> {
     RoundVector::new(
         e1,
         e2,
@@ -82,60 +82,80 @@ fn vector_of<S: Real>([minus, plus, e1, e2, e3]: [S; 5]) -> RoundVector<S> {
     )
 }
 
-/// A versor E, or E I with the pseudoscalar I, which commutes with everything; `I² = I ~I = −1`.
-struct Versor<S> {
-    even: Even<S>,
-    is_odd: bool,
+/// An orthogonal map of conformal vectors that preserves the direction of time, by components in
+/// the frame of [`components`].
+pub(super) trait Isometry<S>: Sized {
+    /// The change `f(x) − x` of a basis vector.
+    fn change(&self, place: usize) -> [S; 5];
+    /// This map, and then the reflection in the hyperplane perpendicular to a unit vector.
+    fn reflected(self, mirror: [S; 5]) -> Self;
 }
 
-impl<S: Real<Mask = bool>> Versor<S> {
-    /// The image `±V x ~V` of a vector without the vector, `±V x ~V − x V ~V`, in which what does
-    /// not change x has no part.
-    fn change(&self, vector: RoundVector<S>) -> RoundVector<S> {
-        let (even, blade) = (self.even, Even::from(vector.undual()));
+/// Unit vectors whose reflections, the last one first, are an isometry, and what is left when they
+/// are undone: the identity.
+pub(super) fn reflections_of<S: Real<Mask = bool>, F: Isometry<S>>(
+    mut map: F,
+) -> Option<(Vec<[S; 5]>, F)> {
+    let mut found = Vec::new();
+    let none = S::epsilon() * S::from_integer(32);
+    for place in 0..5 {
+        let change = map.change(place);
+        let mut across = [S::zero(); 5];
+        across[place + 1..].copy_from_slice(&change[place + 1..]);
+        let (distance, unit) = length_and_unit(across);
+        let cosine = S::one() + change[place];
+        if !distance.is_finite() || !cosine.is_finite() {
+            return None;
+        }
+        let is_back = cosine.less_than(S::zero());
+        if !none.less_than(distance) && !is_back {
+            continue;
+        }
+        let [along, across] = halves(place == 0, cosine, distance);
+        let mut mirror = unit.map(|x| x * across);
+        mirror[place] = along;
+        map = map.reflected(mirror);
+        found.push(mirror);
+    }
+    Some((found, map))
+}
+
+/// A versor E, or E I with the pseudoscalar I, which commutes with everything; `I² = I ~I = −1`.
+pub(super) struct Versor<S> {
+    pub(super) even: Even<S>,
+    pub(super) is_odd: bool,
+}
+
+impl<S: Real<Mask = bool>> Isometry<S> for Versor<S> {
+    /// As `±V x ~V − x V ~V`, in which what does not change x has no part.
+    fn change(&self, place: usize) -> [S; 5] {
+        let (even, blade) = (self.even, Even::from(basis_vector(place).undual()));
         let (left, right) = (even * blade, blade * even);
         let between = if self.is_odd {
             left + right
         } else {
             left - right
         };
-        (between * even.reverse()).extract_sphere().dual().into()
+        components((between * even.reverse()).extract_sphere().dual().into())
     }
 
-    /// The product `n V` with a vector n.
-    fn reflected(self, vector: RoundVector<S>) -> Self {
-        let product = Even::from(vector.dual()) * self.even;
+    /// The product `n V`.
+    fn reflected(self, mirror: [S; 5]) -> Self {
+        let product = Even::from(vector_of(mirror).dual()) * self.even;
         Self {
             even: if self.is_odd { -product } else { product },
             is_odd: !self.is_odd,
         }
     }
+}
 
-    fn factors(mut self) -> Option<Vec<RoundVector<S>>> {
-        let mut found: Vec<RoundVector<S>> = Vec::new();
-        let none = S::epsilon() * S::from_integer(32);
-        for place in 0..5 {
-            let change = components(self.change(basis_vector(place)));
-            let mut across = [S::zero(); 5];
-            across[place + 1..].copy_from_slice(&change[place + 1..]);
-            let (distance, unit) = length_and_unit(across);
-            let cosine = S::one() + change[place];
-            if !distance.is_finite() || !cosine.is_finite() {
-                return None;
-            }
-            let is_back = cosine.less_than(S::zero());
-            if !none.less_than(distance) && !is_back {
-                continue;
-            }
-            let [along, across] = halves(place == 0, cosine, distance);
-            let mut mirror = unit.map(|x| x * across);
-            mirror[place] = along;
-            let mirror = vector_of(mirror);
-            self = self.reflected(mirror);
-            found.push(mirror);
-        }
+impl<S: Real<Mask = bool>> Versor<S> {
+    /// Unit vectors whose product this is.
+    fn factors(self) -> Option<Vec<RoundVector<S>>> {
+        let (found, rest) = reflections_of(self)?;
+        let mut found: Vec<_> = found.into_iter().map(vector_of).collect();
         // What is left is the identity, with a sign.
-        if self.even.scalar.less_than(S::zero()) {
+        if rest.even.scalar.less_than(S::zero()) {
             match found.first_mut() {
                 Some(first) => *first = -*first,
                 None => found.extend([basis_vector(2), -basis_vector(2)]),
@@ -152,8 +172,8 @@ fn basis_vector<S: Real>(place: usize) -> RoundVector<S> {
 }
 
 /// The components along x and along the unit vector u of the unit vector that reflects x to
-/// `cos x + sin u`: the sine and the cosine of half the angle, hyperbolic ones for x with the square
-/// −1. The one that does not vanish is computed from the cosine.
+/// `cos x + sin u`: the sine and the cosine of half the angle, hyperbolic ones for x with the
+/// square −1. The one that does not vanish is computed from the cosine.
 fn halves<S: Real<Mask = bool>>(is_hyperbolic: bool, cosine: S, sine: S) -> [S; 2] {
     let (half, one) = (S::from_ratio(1, 2), S::one());
     if is_hyperbolic {

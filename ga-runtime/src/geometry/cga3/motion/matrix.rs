@@ -80,7 +80,9 @@ pub(super) fn solve_tridiagonal<S: Real<Mask = bool>, const N: usize, const SIDE
     Some(sides)
 }
 
-fn inverse<S: Real<Mask = bool>, const N: usize>(a: Matrix<S, N>) -> Option<Matrix<S, N>> {
+pub(in super::super) fn inverse<S: Real<Mask = bool>, const N: usize>(
+    a: Matrix<S, N>,
+) -> Option<Matrix<S, N>> {
     let mut columns = identity();
     for column in &mut columns {
         *column = solve(a, *column)?;
@@ -88,7 +90,7 @@ fn inverse<S: Real<Mask = bool>, const N: usize>(a: Matrix<S, N>) -> Option<Matr
     Some(transposed(columns))
 }
 
-pub(super) fn transposed<S: Ring, const N: usize>(a: Matrix<S, N>) -> Matrix<S, N> {
+pub(in super::super) fn transposed<S: Ring, const N: usize>(a: Matrix<S, N>) -> Matrix<S, N> {
     core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
 }
 

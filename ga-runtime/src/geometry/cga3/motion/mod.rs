@@ -39,7 +39,9 @@ mod registration;
 mod rotor_spline;
 mod smooth_search;
 mod smooth_spline;
+mod span;
 mod spline;
+mod spline_end;
 mod weight;
 
 pub(crate) use alignment::relative_sign;
@@ -48,6 +50,6 @@ pub use fit::Fit;
 pub use fit_error::FitError;
 pub use mean::{Mean, MeanError, Residual};
 pub use rotor_spline::RotorSpline;
-pub use smooth_spline::SplineEnd;
 pub use spline::{MotorSpline, SplineError};
+pub use spline_end::SplineEnd;
 pub use weight::WeightError;

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::smooth_spline::SplineEnd;
 use super::spline::{MotorSpline, SplineError};
+use super::spline_end::SplineEnd;
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 

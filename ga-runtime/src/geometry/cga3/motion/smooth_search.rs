@@ -3,8 +3,9 @@
 use alloc::vec::Vec;
 
 use super::matrix::{Matrix, solve_tridiagonal, transposed};
-use super::smooth_spline::{Span, SplineEnd, spans};
+use super::span::{Span, spans};
 use super::spline::{SplineError, bend, value, zero};
+use super::spline_end::SplineEnd;
 use crate::cga3::{Motor, MotorGenerator};
 use crate::geometry::RotationPath;
 use crate::geometry::cga3::logarithm::{generator, parts};
@@ -51,11 +52,14 @@ pub(super) fn search<S: Real<Mask = bool>>(
             Err(_) => break,
         }
     }
-    // The last of the given keys before the span that was divided last.
-    let after = given.partition_point(|&(at, _)| !place.less_than(at));
-    Err(SplineError::NotReached {
-        index: after.saturating_sub(1),
-    })
+    let index = key_before(given, place);
+    Err(SplineError::NotReached { index })
+}
+
+/// The last of the given keys that is not after the start of a span.
+pub(super) fn key_before<S: Real<Mask = bool>>(given: &[(S, Motor<S>)], start: S) -> usize {
+    let after = given.partition_point(|&(at, _)| !start.less_than(at));
+    after.saturating_sub(1)
 }
 
 /// The equations for the generators x: from key to key, the curve makes the step
