@@ -219,6 +219,11 @@ fn a_versor_that_maps_the_origin_to_infinity_has_no_transversor() {
     let bend = inversion([0.0; 3], 1.0) * mirror([0.0, 0.0, 1.0], 0.0);
     assert_eq!(bend.similarity_and_transversor(), None);
     assert_eq!(bend.reflections().map(|vectors| vectors.len()), Some(2));
+    // By way of another point, so that it does so only within rounding.
+    let centre = [0.1, 0.2, 0.3];
+    let shift = Translator::from_displacement(centre);
+    let bend = inversion(centre, 0.7) * mirror([0.6, 0.0, 0.8], 0.3) * EvenVersor::from(shift);
+    assert_eq!(bend.similarity_and_transversor(), None);
 }
 
 #[test]

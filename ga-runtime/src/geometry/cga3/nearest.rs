@@ -23,7 +23,9 @@ pub struct Nearest<V, S> {
 impl<S: Real<Mask = bool>> Affine<S> {
     /// The motion whose matrix is nearest in the sense of least squares of all entries: the
     /// rotation of the polar decomposition `L = R P` (Higham, Computing the polar decomposition,
-    /// 1986), found as the eigenvector of Horn's matrix, and the translation as it is.
+    /// 1986), found as the eigenvector of Horn's matrix, and the translation as it is. For a 3×3
+    /// matrix take any translation; for a 4×4 matrix see
+    /// [`with_projective_part`](Self::with_projective_part).
     ///
     /// # Errors
     /// Numbers that are not finite, a linear part that reverses orientation

@@ -12,7 +12,7 @@ use crate::geometry::cga3::logarithm::{generator, parts};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// Keys, the spans between them, and one generator more than keys.
+/// Keys, the spans between them, and one generator more than keys: two more than spans.
 type Found<S> = (Vec<(S, Motor<S>)>, Vec<Span<S>>, Vec<MotorGenerator<S>>);
 
 /// The generators `log(~Cᵢ₋₁ Cᵢ)` between the controls with which the curve passes through the
@@ -28,6 +28,7 @@ pub(super) fn search<S: Real<Mask = bool>>(
     for _ in 0..most {
         let system = System::new(&keys, &spans_between, ends);
         if let Some(index) = system.steps.iter().position(|step| !step.is_number()) {
+            let index = key_before(given, keys[index].0);
             return Err(SplineError::OutOfRange { index });
         }
         let stop = match system.solution() {

@@ -31,8 +31,8 @@ impl<S: Real<Mask = bool>> MotorSpline<S> {
     /// against each other. Then the longest of the spans where the search ends is divided: a key is
     /// added at the middle of its time, on the screw between its keys, and so on until there is a
     /// solution. The curve remains C² and passes through all keys, and its third derivative jumps
-    /// at the added ones too. With distances of time that differ less than fourfold, and rotations
-    /// up to 90°, no key is added.
+    /// at the added ones too. Where distances of time differ less than fourfold and rotations are
+    /// below 90°, a key is hardly ever added.
     ///
     /// From key to key the curve takes the shorter rotation, for any signs of the key motors; in
     /// between it overshoots as cubic splines do, the more the larger the rotations are.
