@@ -22,6 +22,7 @@ pub mod dense;
 mod element;
 mod instruction_set;
 pub mod interop;
+pub mod linear;
 mod macros;
 pub mod products;
 pub mod scalar;

@@ -77,7 +77,7 @@ impl core::error::Error for NotMember {}
 
 /// The member of `T` with these coefficients on these blades and zero on all others, up to a
 /// tolerance relative to the largest coefficient.
-pub(super) fn member<T: Element>(
+pub(crate) fn member<T: Element>(
     blades: &[usize],
     coefficient: &dyn Fn(usize) -> T::Scalar,
     tolerance: T::Scalar,

@@ -13,6 +13,7 @@ pub use text::ParseElementError;
 
 #[doc(hidden)]
 pub use membership::are_within;
+pub(crate) use membership::member;
 #[doc(hidden)]
 pub use normalized::{divided_by_largest, scaled_norm};
 pub use relative::Relative;

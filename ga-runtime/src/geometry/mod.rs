@@ -60,11 +60,13 @@
 //!   `exp`.
 //! - `Transversor`: `1 − k eo`; built by `from_vector`; read by `vector`; functions `log`,
 //!   `powf`, `sqrt`.
-//! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`; functions
-//!   `log`, `powf`, `sqrt`, `interpolate`.
+//! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`, `nearest_to`;
+//!   read by `reflections`, `similarity_and_transversor`; functions `log`, `powf`, `sqrt`,
+//!   `interpolate`.
 //! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators;
 //!   functions `exp`.
-//! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`.
+//! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`,
+//!   `nearest_to`; read by `reflections`, `similarity_and_inversion`.
 //!
 //! Where the image of a point may have a weight, `transform_point` divides by it.
 //!
@@ -72,8 +74,10 @@
 //!
 //! Relations between two primitives, such as distances and angles, are in [`relation`], rays and
 //! what they hit first in [`ray`], 4×4 matrices in [`homogeneous`], and affine maps, which need not
-//! be conformal, in [`Affine`]. Means of many motions, curves through them and motions that fit
-//! points are in [`motion`]; chains of joints and their Jacobians in [`kinematics`].
+//! be conformal, in [`Affine`], with the motion and the similarity nearest to one. Matrices of maps
+//! of any other elements are in [`linear`](crate::linear). Means of many motions, curves through
+//! them and motions that fit points are in [`motion`]; chains of joints and their Jacobians in
+//! [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
@@ -100,8 +104,8 @@ mod vga3;
 pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
-    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
-    RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
+    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, Nearest, NearestVersor,
+    NotConformal, NotUnit, RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotLorentz, NotSlowerThanLight, relative_velocity, velocity_sum};

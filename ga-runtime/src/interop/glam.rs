@@ -9,6 +9,7 @@
 //! | [`Similarity`] | `Affine3`, `Affine3A`, `DAffine3`; `Mat4`, `DMat4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Affine3A`, `DAffine3` | both ways |
 //! | [`Affine`] | `Mat4`, `DMat4` | to; from is checked |
+//! | [`LinearMap`] of as many blades | `Mat2` to `Mat4`, `DMat2` to `DMat4` | both ways |
 //!
 //! glam does not have a type of quaternions of length 1. A quaternion is therefore normalized, and
 //! one that cannot be normalized is an error.
@@ -26,13 +27,18 @@
 //! assert!(Motor::try_from(DAffine3::from_scale(DVec3::splat(2.0))).is_err());
 //! ```
 
+use core::ops::Add;
+
 use glam_034::{
-    Affine3, Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec3, Mat3, Mat3A, Mat4, Quat, Vec3, Vec3A,
+    Affine3, Affine3A, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec3, Mat2, Mat3, Mat3A, Mat4, Quat,
+    Vec3, Vec3A,
 };
 
 use super::NotRigid;
+use crate::Element;
 use crate::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use crate::geometry::{Affine, NotConformal};
+use crate::linear::LinearMap;
 use crate::vga3::Vector;
 
 macro_rules! vectors {
@@ -273,6 +279,33 @@ macro_rules! matrices {
     };
 }
 
+macro_rules! linear_maps {
+    ($S:ty, $Mat:ident, $size:literal) => {
+        /// A map of another size does not compile.
+        impl<A, B> From<&LinearMap<A, B>> for $Mat
+        where
+            A: Element<Scalar = $S> + Add<Output = A>,
+            B: Element<Scalar = $S> + Add<Output = B>,
+        {
+            fn from(map: &LinearMap<A, B>) -> Self {
+                let rows: [[$S; $size]; $size] = map.to_rows();
+                Self::from_cols_array_2d(&rows).transpose()
+            }
+        }
+
+        /// A map of another size does not compile.
+        impl<A, B> From<$Mat> for LinearMap<A, B>
+        where
+            A: Element<Scalar = $S> + Add<Output = A>,
+            B: Element<Scalar = $S> + Add<Output = B>,
+        {
+            fn from(matrix: $Mat) -> Self {
+                Self::from_rows(matrix.transpose().to_cols_array_2d())
+            }
+        }
+    };
+}
+
 vectors!(f32, Vec3);
 vectors!(f32, Vec3A);
 vectors!(f64, DVec3);
@@ -286,3 +319,9 @@ quaternions!(f32, Vec3, Quat);
 quaternions!(f64, DVec3, DQuat);
 matrices!(f32, Mat4);
 matrices!(f64, DMat4);
+linear_maps!(f32, Mat2, 2);
+linear_maps!(f32, Mat3, 3);
+linear_maps!(f32, Mat4, 4);
+linear_maps!(f64, DMat2, 2);
+linear_maps!(f64, DMat3, 3);
+linear_maps!(f64, DMat4, 4);

@@ -14,12 +14,13 @@
 //! The traits of serde are also implemented for lanes, dual numbers and affine maps, those of
 //! approx for affine maps.
 //!
-//! glam and nalgebra have counterparts of vectors, points, directions, motions, similarities and
-//! affine maps. mint has those of vectors, points, directions and rotors, and its 4×4 matrices are
-//! converted to motors and affine maps. All features work without the standard library. The number
-//! in a feature is the version of the crate; another version would have a feature of its own.
-//! "Every declared type" includes those of your own algebras, and your crate needs no feature for
-//! it: `algebra!` emits the traits that the features of ga-runtime enable.
+//! glam and nalgebra have counterparts of vectors, points, directions, motions, similarities,
+//! affine maps and matrices of [linear maps](crate::linear). mint has those of vectors, points,
+//! directions and rotors, and its 4×4 matrices are converted to motors and affine maps. All
+//! features work without the standard library. The number in a feature is the version of the crate;
+//! another version would have a feature of its own. "Every declared type" includes those of your
+//! own algebras, and your crate needs no feature for it: `algebra!` emits the traits that the
+//! features of ga-runtime enable.
 //!
 //! A conversion is `From` where every value has a counterpart. Otherwise it is `TryFrom` (a matrix
 //! that shears, for instance, is not a motor), with the error [`NotRigid`] or

@@ -12,6 +12,7 @@
 //! | [`Motor`] | `IsometryMatrix3`, `Matrix4` | to; from is checked |
 //! | [`Similarity`] | `Similarity3`, `Matrix4` | to; from is checked |
 //! | [`Affine`] | `Affine3`, `Matrix4` | to; from is checked |
+//! | [`LinearMap`] | `SMatrix` with a row and a column for each blade | both ways |
 //!
 //! A `UnitQuaternion` has length 1 by its own contract and is converted without a check,
 //! coefficient by coefficient. A `Similarity3` may have a negative factor, which mirrors and has no
@@ -31,12 +32,16 @@
 
 use nalgebra_035::{
     Affine3, Isometry3, IsometryMatrix3, Matrix3, Matrix4, Point3, Quaternion, RealField,
-    Rotation3, Scalar, Similarity3, Translation3, Unit, UnitQuaternion, Vector3,
+    Rotation3, SMatrix, Scalar, Similarity3, Translation3, Unit, UnitQuaternion, Vector3,
 };
 
+use core::ops::Add;
+
 use super::NotRigid;
+use crate::Element;
 use crate::cga3::{Direction, Motor, Point, Rotor, Similarity, Translator};
 use crate::geometry::{Affine, NotConformal, affine};
+use crate::linear::LinearMap;
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -296,6 +301,35 @@ impl<S: RealField + Ring> TryFrom<Affine3<S>> for Affine<S> {
     #[inline]
     fn try_from(map: Affine3<S>) -> Result<Self, NotConformal> {
         map.into_inner().try_into()
+    }
+}
+
+/// A matrix of another size than the map does not compile.
+impl<A, B, S, const ROWS: usize, const COLUMNS: usize> From<&LinearMap<A, B>>
+    for SMatrix<S, ROWS, COLUMNS>
+where
+    S: Scalar + Ring,
+    A: Element<Scalar = S> + Add<Output = A>,
+    B: Element<Scalar = S> + Add<Output = B>,
+{
+    fn from(map: &LinearMap<A, B>) -> Self {
+        let rows: [[S; COLUMNS]; ROWS] = map.to_rows();
+        Self::from_fn(|row, column| rows[row][column])
+    }
+}
+
+/// A matrix of another size than the map does not compile.
+impl<A, B, S, const ROWS: usize, const COLUMNS: usize> From<SMatrix<S, ROWS, COLUMNS>>
+    for LinearMap<A, B>
+where
+    S: Scalar + Ring,
+    A: Element<Scalar = S> + Add<Output = A>,
+    B: Element<Scalar = S> + Add<Output = B>,
+{
+    fn from(matrix: SMatrix<S, ROWS, COLUMNS>) -> Self {
+        let entry = |row, column| matrix[(row, column)];
+        let row = |row| core::array::from_fn(|column| entry(row, column));
+        Self::from_rows::<ROWS, COLUMNS>(core::array::from_fn(row))
     }
 }
 

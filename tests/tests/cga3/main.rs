@@ -5,6 +5,7 @@ mod axioms;
 mod geometry;
 mod homogeneous;
 mod kinematics;
+mod nearest;
 mod oracle;
 mod points;
 mod primitives;

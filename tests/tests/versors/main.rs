@@ -4,6 +4,7 @@ mod composition;
 mod conformal;
 mod dual_quaternion;
 mod edges;
+mod factors;
 mod interpolation;
 mod logarithm;
 mod rigid;

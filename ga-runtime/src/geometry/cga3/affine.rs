@@ -411,6 +411,8 @@ pub enum NotConformal {
     Rotates,
     /// The map moves the origin, so it is neither a rotor's nor a dilator's.
     Translates,
+    /// The linear part does not reverse orientation.
+    DoesNotMirror,
 }
 
 #[allow(non_upper_case_globals, reason = "former names of variants")]
@@ -436,6 +438,7 @@ impl Display for NotConformal {
             Self::Scales => "the linear part of the map scales",
             Self::Rotates => "the linear part of the map rotates",
             Self::Translates => "the map moves the origin",
+            Self::DoesNotMirror => "the linear part of the map does not reverse orientation",
         })
     }
 }

@@ -23,7 +23,8 @@
 //! `to_homogeneous` and `from_homogeneous` convert [`Translator`], [`Rotor`], [`Motor`],
 //! [`Dilator`] and [`Similarity`] to the matrix and back. A versor and its negative have the same
 //! matrix; the versor of a matrix has a positive scalar part or, where that is zero, another
-//! coefficient that is positive.
+//! coefficient that is positive. For a matrix that is only nearly that of a versor,
+//! [`Affine::nearest_motion`] and [`Affine::nearest_similarity`] find the nearest one.
 //!
 //! ```
 //! use ga_runtime::cga3::{Motor, Point, Rotor, Translator};

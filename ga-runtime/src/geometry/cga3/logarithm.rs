@@ -309,7 +309,7 @@ pub(super) fn length_and_direction<S: Real>(a: Vector<S>) -> (S, Vector<S>) {
 }
 
 /// A generator as g and h of `g + ω h`.
-fn parts<S: Field>(generator: MotorGenerator<S>) -> (Vector<S>, Vector<S>) {
+pub(super) fn parts<S: Field>(generator: MotorGenerator<S>) -> (Vector<S>, Vector<S>) {
     let MotorGenerator {
         e12,
         e13,
@@ -322,6 +322,6 @@ fn parts<S: Field>(generator: MotorGenerator<S>) -> (Vector<S>, Vector<S>) {
 }
 
 /// The generator `g + ω h`, with its coefficients.
-fn generator<S: Field>(g: Vector<S>, h: Vector<S>) -> MotorGenerator<S> {
+pub(super) fn generator<S: Field>(g: Vector<S>, h: Vector<S>) -> MotorGenerator<S> {
     MotorGenerator::new(g[0], g[1], g[2], -h[2], h[1], -h[0])
 }

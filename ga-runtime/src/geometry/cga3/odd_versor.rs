@@ -94,7 +94,7 @@ pub(super) fn even_part<S: Ring>(odd: Odd<S>) -> Even<S> {
     Multivector::from(odd).dual().extract_even()
 }
 
-fn times_pseudoscalar<S: Ring>(even: Even<S>) -> OddVersor<S> {
+pub(super) fn times_pseudoscalar<S: Ring>(even: Even<S>) -> OddVersor<S> {
     from_odd(Multivector::from(even).undual().extract_odd())
 }
 

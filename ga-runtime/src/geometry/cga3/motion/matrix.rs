@@ -1,8 +1,10 @@
 //! Small linear systems and symmetric eigenproblems.
 
+use alloc::vec::Vec;
+
 use crate::scalar::{Field, Real, Ring};
 
-pub(super) type Matrix<S, const N: usize> = [[S; N]; N];
+pub(in super::super) type Matrix<S, const N: usize> = [[S; N]; N];
 
 /// The identity matrix.
 pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
@@ -45,12 +47,79 @@ pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
     Some(b)
 }
 
+/// The solutions of a block tridiagonal system for several right sides, by elimination without
+/// pivots between the blocks. Of each row of blocks the first is left of the diagonal, the last
+/// right of it; the first of the first row and the last of the last row are zero. `None` where a
+/// block on the diagonal becomes singular.
+pub(super) fn solve_tridiagonal<S: Real<Mask = bool>, const N: usize, const SIDES: usize>(
+    rows: &[[Matrix<S, N>; 3]],
+    mut sides: Vec<[[S; N]; SIDES]>,
+) -> Option<Vec<[[S; N]; SIDES]>> {
+    let mut above: Vec<Matrix<S, N>> = Vec::with_capacity(rows.len());
+    for (k, &[before, mut diagonal, after]) in rows.iter().enumerate() {
+        if let Some(up) = k.checked_sub(1) {
+            for i in 0..N {
+                for j in 0..N {
+                    for m in 0..N {
+                        diagonal[i][j] = before[i][m].neg_mul_add(above[up][m][j], diagonal[i][j]);
+                    }
+                }
+            }
+            let solved = sides[up];
+            subtract(&mut sides[k], &before, solved);
+        }
+        let inverse = inverse(diagonal)?;
+        let columns = transposed(after).map(|column| applied(&inverse, column));
+        above.push(transposed(columns));
+        sides[k] = sides[k].map(|side| applied(&inverse, side));
+    }
+    for k in (1..rows.len()).rev() {
+        let solved = sides[k];
+        subtract(&mut sides[k - 1], &above[k - 1], solved);
+    }
+    Some(sides)
+}
+
+pub(in super::super) fn inverse<S: Real<Mask = bool>, const N: usize>(
+    a: Matrix<S, N>,
+) -> Option<Matrix<S, N>> {
+    let mut columns = identity();
+    for column in &mut columns {
+        *column = solve(a, *column)?;
+    }
+    Some(transposed(columns))
+}
+
+pub(in super::super) fn transposed<S: Ring, const N: usize>(a: Matrix<S, N>) -> Matrix<S, N> {
+    core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
+}
+
+fn applied<S: Ring, const N: usize>(a: &Matrix<S, N>, x: [S; N]) -> [S; N] {
+    a.map(|row| {
+        row.into_iter()
+            .zip(x)
+            .fold(S::zero(), |sum, (a, x)| a.mul_add(x, sum))
+    })
+}
+
+/// Subtracts the products of a matrix from vectors.
+fn subtract<S: Ring, const N: usize, const SIDES: usize>(
+    from: &mut [[S; N]; SIDES],
+    matrix: &Matrix<S, N>,
+    vectors: [[S; N]; SIDES],
+) {
+    for (side, vector) in from.iter_mut().zip(vectors) {
+        let known = applied(matrix, vector);
+        *side = core::array::from_fn(|k| side[k] - known[k]);
+    }
+}
+
 /// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue
 /// first.
 ///
 /// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
 /// each step makes one off-diagonal entry zero by a rotation in the plane of two axes.
-pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
+pub(in super::super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
     // Sweeps converge quadratically; small matrices rarely need more than six.

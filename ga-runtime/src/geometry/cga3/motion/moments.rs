@@ -108,7 +108,7 @@ impl<S: Real<Mask = bool>, const N: usize> Moments<S, N> {
 
 /// Horn's symmetric matrix of the moments `Σ w x yᵀ`: `Σ w y·R x` is the value of its quadratic
 /// form at the quaternion (w, x, y, z) of R.
-pub(super) fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
+pub(in super::super) fn horn<S: Real>(moments: Matrix<S, 3>) -> Matrix<S, 4> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = moments;
     [
         [xx + yy + zz, yz - zy, zx - xz, xy - yx],

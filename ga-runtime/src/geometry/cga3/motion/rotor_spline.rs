@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::smooth_spline::SplineEnd;
 use super::spline::{MotorSpline, SplineError};
+use super::spline_end::SplineEnd;
 use crate::cga3::{Motor, Rotor};
 use crate::scalar::Real;
 
@@ -41,6 +41,30 @@ impl<S: Real<Mask = bool>> RotorSpline<S> {
 
     /// The spline through two or more keys whose angular acceleration is continuous too; see
     /// [`MotorSpline::smooth`]. A velocity given at an end should be that of a rotation.
+    ///
+    /// The `RotationSpline` of scipy satisfies the same conditions with other curves from key to
+    /// key, exponentials of cubic polynomials, and at the ends has the velocities of the rotations
+    /// to the adjacent keys. Where all keys rotate about one axis and those velocities are given
+    /// here, both are the cubic spline of the angle.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// use ga_runtime::geometry::motion::{RotorSpline, SplineEnd};
+    /// // Eight rotations by 170° about axes in turn.
+    /// let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let mut at = Rotor::default();
+    /// let keys: Vec<_> = (0..8)
+    ///     .map(|k| {
+    ///         at *= Rotor::from_axis_angle(axes[k % 3], 170_f64.to_radians()).unwrap();
+    ///         (k as f64, at)
+    ///     })
+    ///     .collect();
+    /// let spline = RotorSpline::smooth(&keys, [SplineEnd::Natural; 2]).unwrap();
+    /// for (time, key) in keys {
+    ///     let found = spline.evaluate(time).unwrap();
+    ///     assert!((found.reverse() * key).scalar().abs() > 1.0 - 1e-15);
+    /// }
+    /// ```
     ///
     /// # Errors
     /// Those of [`MotorSpline::smooth`].

@@ -95,8 +95,8 @@ pub enum SplineError<S> {
         /// The index of the key, from 0.
         index: usize,
     },
-    /// The search for a smooth spline does not come closer to this key: the rotations from key to
-    /// key are too large.
+    /// The search for a smooth spline ends near this key: the motion there is too large for the
+    /// time it has.
     NotReached {
         /// The index of the key, from 0.
         index: usize,
@@ -338,7 +338,7 @@ impl<S: Real<Mask = bool>> Piece<S> {
 }
 
 /// A cubic polynomial.
-fn value<S: Real>([c0, c1, c2, c3]: [S; 4], s: S) -> S {
+pub(super) fn value<S: Real>([c0, c1, c2, c3]: [S; 4], s: S) -> S {
     c3.mul_add(s, c2).mul_add(s, c1).mul_add(s, c0)
 }
 
