@@ -73,7 +73,8 @@
 //! Relations between two primitives, such as distances and angles, are in [`relation`], rays and
 //! what they hit first in [`ray`], 4×4 matrices in [`homogeneous`], and affine maps, which need not
 //! be conformal, in [`Affine`]. Means of many motions, curves through them and motions that fit
-//! points are in [`motion`]; chains of joints and their Jacobians in [`kinematics`].
+//! points are in [`motion`], primitives that fit points in [`fit`]; chains of joints and their
+//! Jacobians in [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
@@ -101,7 +102,7 @@ pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
     Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, NotConformal, NotUnit,
-    RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
+    RotationPath, Screw, fit, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotLorentz, NotSlowerThanLight, relative_velocity, velocity_sum};

@@ -45,6 +45,33 @@ pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(
     Some(b)
 }
 
+/// The inverse of a positive definite matrix, with its diagonal scaled to 1 before; `None` where a
+/// diagonal entry is not positive, or the matrix is singular up to rounding.
+pub(super) fn inverse<S: Real<Mask = bool>, const N: usize>(
+    mut a: Matrix<S, N>,
+) -> Option<Matrix<S, N>> {
+    let scales: [S; N] = core::array::from_fn(|k| a[k][k].sqrt().recip());
+    if !scales.iter().all(|scale| scale.is_finite()) {
+        return None;
+    }
+    for row in 0..N {
+        for column in 0..N {
+            a[row][column] *= scales[row] * scales[column];
+        }
+    }
+    let most = (S::epsilon() * S::from_integer(64)).recip();
+    let mut inverse = [[S::zero(); N]; N];
+    for (row, unit) in identity::<S, N>().into_iter().enumerate() {
+        let solution = solve(a, unit)?;
+        let own = solution[row];
+        if !(S::zero().less_than(own) && own.less_than(most)) {
+            return None;
+        }
+        inverse[row] = core::array::from_fn(|k| solution[k] * scales[row] * scales[k]);
+    }
+    Some(inverse)
+}
+
 /// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue
 /// first.
 ///

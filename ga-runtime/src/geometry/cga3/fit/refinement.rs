@@ -1,0 +1,147 @@
+//! The search for the least sum of squared distances, or of losses of them.
+
+use super::cloud::Weighted;
+use super::loss::{Limited, loss};
+use super::place::Place;
+use super::shape::Shape;
+use crate::geometry::cga3::matrix::{Matrix, solve};
+use crate::scalar::Real;
+
+/// The result of a search.
+pub(super) struct Refined<S> {
+    pub(super) place: Place<S>,
+    /// `Σ w ρ`.
+    pub(super) cost: S,
+    /// Whether the search came to an end.
+    pub(super) has_converged: bool,
+}
+
+/// The normal equations at a place.
+pub(super) struct Equations<S, const N: usize> {
+    /// `Σ w ρ(r)`.
+    pub(super) cost: S,
+    /// `Σ w ψ(r)/r Jᵀ J`.
+    pub(super) matrix: Matrix<S, N>,
+    gradient: [S; N],
+}
+
+/// Minimises `Σ w ρ(r)` over the places of a primitive, from a place, in at most so many steps, by
+/// the method of Levenberg and Marquardt on the tangent space of motors and the curvature (Marquardt,
+/// An algorithm for least-squares estimation of nonlinear parameters, 1963). For a loss the
+/// equations are weighted anew at each step (iteratively reweighted least squares).
+pub(super) fn refine<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    points: &[Weighted<S>],
+    total: S,
+    start: Place<S>,
+    limited: Limited<S>,
+    most_steps: usize,
+) -> Refined<S> {
+    let (zero, epsilon) = (S::zero(), S::epsilon());
+    let ratio = |value: i64| S::from_integer(value);
+    let mut place = start;
+    let mut now = Equations::<S, N>::at::<P>(points, place, limited);
+    let mut damping = S::from_f64(1e-4);
+    let mut growth = ratio(4);
+    let mut has_converged = false;
+    for _ in 0..most_steps {
+        let Some(step) = now.step(damping) else { break };
+        let next_place = place.moved(&P::step(step));
+        let next = Equations::<S, N>::at::<P>(points, next_place, limited);
+        // The mean square by which the step changes distances.
+        let change = now.form(step) / total;
+        let mean_square = now.cost / total;
+        // Below this the costs differ by rounding only.
+        let rounding = epsilon * ratio(16);
+        let is_small = change.less_than(rounding * mean_square + rounding * rounding);
+        if is_small && !damping.less_than(S::one()) {
+            break;
+        }
+        if next.cost.less_than(now.cost) || (is_small && next.cost.is_finite()) {
+            let limit = S::from_f64(1e-10).max(epsilon * ratio(8));
+            let rounding = epsilon * ratio(4);
+            has_converged = change.less_than(limit * limit * mean_square + rounding * rounding);
+            (place, now) = (next_place, next);
+            damping = (damping * S::from_f64(0.1)).max(epsilon * epsilon);
+            growth = ratio(4);
+            if has_converged {
+                break;
+            }
+        } else {
+            damping *= growth;
+            growth += growth;
+            if !damping.is_finite() {
+                break;
+            }
+        }
+    }
+    let least = epsilon * ratio(256);
+    let is_exact = now.cost.less_than(least * least * total);
+    Refined {
+        place,
+        cost: now.cost,
+        has_converged: now.cost.is_finite() && (has_converged || is_exact || now.cost == zero),
+    }
+}
+
+impl<S: Real<Mask = bool>, const N: usize> Equations<S, N> {
+    pub(super) fn at<P: Shape<S, N>>(
+        points: &[Weighted<S>],
+        place: Place<S>,
+        limited: Limited<S>,
+    ) -> Self {
+        let zero = S::zero();
+        let (mut cost, mut matrix, mut gradient) = (zero, [[zero; N]; N], [zero; N]);
+        let to_frame = place.motor.reverse();
+        for &(weight, point) in points {
+            let (distances, rows) = P::rows(Place::local(to_frame, point), place.curvature);
+            let distances = &distances[..P::COMPONENTS];
+            let square = distances.iter().fold(zero, |sum, &r| r.mul_add(r, sum));
+            let [value, factor, _] = loss(limited, square);
+            cost = weight.mul_add(value, cost);
+            let weight = weight * factor;
+            for (&distance, row) in distances.iter().zip(&rows) {
+                for i in 0..N {
+                    let entry = row[i] * weight;
+                    gradient[i] = entry.mul_add(distance, gradient[i]);
+                    for j in 0..=i {
+                        matrix[i][j] = entry.mul_add(row[j], matrix[i][j]);
+                    }
+                }
+            }
+        }
+        for i in 0..N {
+            for j in i + 1..N {
+                matrix[i][j] = matrix[j][i];
+            }
+        }
+        Self {
+            cost,
+            matrix,
+            gradient,
+        }
+    }
+
+    /// The solution of the equations with each diagonal entry enlarged by a part of itself.
+    fn step(&self, damping: S) -> Option<[S; N]> {
+        let mut matrix = self.matrix;
+        let trace = (0..N).fold(S::zero(), |sum, k| sum + matrix[k][k]);
+        // Unknowns on which nothing depends stay.
+        let least = trace * S::epsilon() * S::epsilon();
+        for k in 0..N {
+            let own = matrix[k][k].max(least);
+            matrix[k][k] = damping.mul_add(own, own);
+        }
+        solve(matrix, self.gradient.map(|slope| -slope))
+    }
+
+    fn form(&self, step: [S; N]) -> S {
+        let rows = self.matrix.iter().zip(step);
+        rows.fold(S::zero(), |sum, (row, x)| {
+            let product = row
+                .iter()
+                .zip(step)
+                .fold(S::zero(), |sum, (&a, y)| a.mul_add(y, sum));
+            x.mul_add(product, sum)
+        })
+    }
+}
