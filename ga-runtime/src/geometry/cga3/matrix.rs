@@ -11,6 +11,13 @@ pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
     })
 }
 
+/// The symmetric matrix of which the entries on and below the diagonal are given.
+pub(super) fn symmetric<S: Ring, const N: usize>(lower: Matrix<S, N>) -> Matrix<S, N> {
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| lower[row.max(column)][row.min(column)])
+    })
+}
+
 /// The solution x of `A x = b` by elimination with the largest pivot of each column; `None` where a
 /// pivot is zero or not finite.
 pub(super) fn solve<S: Real<Mask = bool>, const N: usize>(

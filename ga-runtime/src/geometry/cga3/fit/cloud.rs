@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::error::PrimitiveFitError;
-use crate::geometry::cga3::matrix::{Matrix, symmetric_eigen};
+use crate::geometry::cga3::matrix::{symmetric, symmetric_eigen};
 use crate::geometry::cga3::weight::{WeightError, checked};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -92,13 +92,14 @@ impl<S: Real<Mask = bool>> Cloud<S> {
             *place = place.divided(unit);
             let weighted = (*place * *weight).coordinates();
             for row in 0..3 {
-                for column in row..3 {
+                for column in 0..=row {
                     moments[row][column] =
                         weighted[row].mul_add(place[column], moments[row][column]);
                 }
             }
         }
-        let principal = axes(moments, total);
+        let principal = symmetric_eigen(symmetric(moments))
+            .map(|(square, axis)| (square / total, Vector::from(axis)));
         let dimension = dimension(&points, principal, rounding / unit);
         Ok(Self {
             points,
@@ -134,16 +135,6 @@ impl<S: Real<Mask = bool>> Cloud<S> {
         }
         Ok(())
     }
-}
-
-/// The principal axes of the moments, of which the upper triangle is given.
-fn axes<S: Real<Mask = bool>>(mut moments: Matrix<S, 3>, total: S) -> [(S, Vector<S>); 3] {
-    for row in 0..3 {
-        for column in 0..row {
-            moments[row][column] = moments[column][row];
-        }
-    }
-    symmetric_eigen(moments).map(|(square, axis)| (square / total, Vector::from(axis)))
 }
 
 fn dimension<S: Real<Mask = bool>>(

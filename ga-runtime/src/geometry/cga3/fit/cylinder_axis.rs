@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::cloud::Cloud;
 use super::place::Place;
 use super::quadric::SquareMoments;
+use crate::geometry::cga3::matrix::symmetric;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -100,10 +101,8 @@ impl<S: Real<Mask = bool>> Moments<S> {
         }
         for row in 0..6 {
             for column in 0..=row {
-                let about_mean =
+                fourth[row][column] =
                     mean[row].neg_mul_add(mean[column], fourth[row][column] / cloud.total);
-                fourth[row][column] = about_mean;
-                fourth[column][row] = about_mean;
             }
         }
         let second =
@@ -112,7 +111,7 @@ impl<S: Real<Mask = bool>> Moments<S> {
             products: mean,
             second,
             third,
-            fourth,
+            fourth: symmetric(fourth),
         }
     }
 

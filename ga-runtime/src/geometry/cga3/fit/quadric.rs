@@ -1,7 +1,7 @@
 //! Rounds by an algebraic fit, from moments.
 
 use super::place::Place;
-use crate::geometry::cga3::matrix::{Matrix, symmetric_eigen};
+use crate::geometry::cga3::matrix::{Matrix, symmetric, symmetric_eigen};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -32,11 +32,11 @@ impl<S: Real<Mask = bool>, const M: usize> SquareMoments<S, M> {
         mean = mean.map(|sum| sum / total);
         for row in 0..M {
             for column in 0..=row {
-                let product = mean[row].neg_mul_add(mean[column], products[row][column] / total);
-                products[row][column] = product;
-                products[column][row] = product;
+                products[row][column] =
+                    mean[row].neg_mul_add(mean[column], products[row][column] / total);
             }
         }
+        let products = symmetric(products);
         Self { mean, products }
     }
 
@@ -52,9 +52,7 @@ impl<S: Real<Mask = bool>, const M: usize> SquareMoments<S, M> {
     pub(super) fn round(&self) -> ([S; M], S, S) {
         let scale = (self.mean[0].sqrt() * S::from_integer(2)).recip();
         let mut matrix = self.products;
-        for k in 0..M {
-            matrix[0][k] *= scale;
-        }
+        matrix[0] = matrix[0].map(|entry| entry * scale);
         for row in &mut matrix {
             row[0] *= scale;
         }

@@ -4,7 +4,7 @@ use super::cloud::Weighted;
 use super::loss::{Limited, loss};
 use super::place::Place;
 use super::shape::Shape;
-use crate::geometry::cga3::matrix::{Matrix, solve};
+use crate::geometry::cga3::matrix::{Matrix, solve, symmetric};
 use crate::scalar::Real;
 
 /// The result of a search.
@@ -109,14 +109,9 @@ impl<S: Real<Mask = bool>, const N: usize> Equations<S, N> {
                 }
             }
         }
-        for i in 0..N {
-            for j in i + 1..N {
-                matrix[i][j] = matrix[j][i];
-            }
-        }
         Self {
             cost,
-            matrix,
+            matrix: symmetric(matrix),
             gradient,
         }
     }
@@ -127,9 +122,9 @@ impl<S: Real<Mask = bool>, const N: usize> Equations<S, N> {
         let trace = (0..N).fold(S::zero(), |sum, k| sum + matrix[k][k]);
         // Unknowns on which nothing depends stay.
         let least = trace * S::epsilon() * S::epsilon();
-        for k in 0..N {
-            let own = matrix[k][k].max(least);
-            matrix[k][k] = damping.mul_add(own, own);
+        for (k, row) in matrix.iter_mut().enumerate() {
+            let own = row[k].max(least);
+            row[k] = damping.mul_add(own, own);
         }
         solve(matrix, self.gradient.map(|slope| -slope))
     }
