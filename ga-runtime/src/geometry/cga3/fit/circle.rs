@@ -67,7 +67,7 @@ impl<S: Real<Mask = bool>> Shape<S, 6> for Circle<S> {
 
     fn rows([x, y, z]: [S; 3], curvature: S) -> ([S; 2], [[S; 6]; 2]) {
         let (zero, one) = (S::zero(), S::one());
-        let radial = Radial::new(x * x + z * z, z, curvature);
+        let radial = Radial::new(x * x, z, curvature);
         let in_plane = [
             -radial.normal * y,
             -radial.tangential * x * y,

@@ -100,7 +100,7 @@ impl<S: Real<Mask = bool>> Shape<S, 5> for Cylinder<S> {
 
     fn rows([x, y, z]: [S; 3], curvature: S) -> ([S; 2], [[S; 5]; 2]) {
         let zero = S::zero();
-        let radial = Radial::new(x * x + z * z, z, curvature);
+        let radial = Radial::new(x * x, z, curvature);
         let row = [
             -radial.normal * y,
             -radial.tangential * x * y,

@@ -44,7 +44,7 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
 
     fn rows([x, _, z]: [S; 3], curvature: S) -> ([S; 2], [[S; 3]; 2]) {
         let zero = S::zero();
-        let radial = Radial::new(x * x + z * z, z, curvature);
+        let radial = Radial::new(x * x, z, curvature);
         let row = [radial.tilt * x, -radial.normal, radial.curvature];
         ([radial.distance, zero], [row, [zero; 3]])
     }
@@ -80,10 +80,11 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
         let radius = place.curvature.recip();
         let widening = -radius * radius;
         let [first, _, third] = place.axes();
+        let origin = place.origin() + third * radius;
         let coordinate = |k: usize| [first[k] * radius, third[k], third[k] * widening];
         let unit = |k: usize| Vector::from([0, 1, 2].map(|i| if i == k { one } else { zero }));
         Parameters {
-            origin: place.origin() + third * radius,
+            origin: Vector::new(origin.e1, origin.e2, zero),
             axes: [0, 1, 2].map(unit),
             rows: [coordinate(0), coordinate(1), [zero, zero, widening]],
             are_lengths: [true; 3],

@@ -19,16 +19,20 @@ pub(super) struct Radial<S> {
 }
 
 impl<S: Real<Mask = bool>> Radial<S> {
-    /// The distance of the point q with the square `q²` and the height z over the tangent plane
-    /// from the round of curvature κ that touches it at the origin.
+    /// The distance of the point `q = t + z n`, with the square `t²` of its tangential part, from
+    /// the round of curvature κ that touches the tangent plane at the origin.
     ///
     /// The distance is `ρ − 1/κ` for the distance `ρ = |q − n/κ|` from the centre. With
-    /// `w = κρ = √(1 + κ(κq² − 2z))` it is `(κq² − 2z)/(1 + w)`, which also holds for κ = 0, where
+    /// `w = κρ = √(κ²t² + (κz − 1)²)` it is `(κq² − 2z)/(1 + w)`, which also holds for κ = 0, where
     /// it is −z (Chernov, Circular and Linear Regression, 2010, section 3.2).
     #[inline]
-    pub(super) fn new(square: S, z: S, curvature: S) -> Self {
+    pub(super) fn new(tangential_square: S, z: S, curvature: S) -> Self {
+        let square = z.mul_add(z, tangential_square);
         let power = curvature * square - z - z;
-        let w = curvature.mul_add(power, S::one()).max(S::zero()).sqrt();
+        let slope = curvature * z - S::one();
+        let w = (curvature * curvature)
+            .mul_add(tangential_square, slope * slope)
+            .sqrt();
         let distance = power / (S::one() + w);
         // At the centre the distance has no slope.
         let inverse = if S::epsilon().less_than(w) {
@@ -39,7 +43,7 @@ impl<S: Real<Mask = bool>> Radial<S> {
         Self {
             distance,
             tangential: curvature * inverse,
-            normal: (curvature * z - S::one()) * inverse,
+            normal: slope * inverse,
             tilt: -inverse,
             curvature: z.mul_add(distance, square) * inverse / (S::one() + w),
         }

@@ -50,16 +50,16 @@ pub(super) fn refine<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
         // The mean square by which the step changes distances.
         let change = now.form(step) / total;
         let mean_square = now.cost / total;
-        // Below this the costs differ by rounding only.
-        let rounding = epsilon * ratio(16);
-        let is_small = change.less_than(rounding * mean_square + rounding * rounding);
-        if is_small && !damping.less_than(S::one()) {
-            break;
-        }
+        // Below this the costs differ by the rounding of their sums only.
+        let rounding = epsilon * ratio(4096);
+        let least = epsilon * ratio(16);
+        let is_small = change.less_than(rounding * mean_square + least * least);
         if next.cost.less_than(now.cost) || (is_small && next.cost.is_finite()) {
             let limit = S::from_f64(1e-10).max(epsilon * ratio(8));
             let rounding = epsilon * ratio(4);
-            has_converged = change.less_than(limit * limit * mean_square + rounding * rounding);
+            // A step that damping shortened does not say how far the least is.
+            has_converged = damping.less_than(S::one())
+                && change.less_than(limit * limit * mean_square + rounding * rounding);
             (place, now) = (next_place, next);
             damping = (damping * S::from_f64(0.1)).max(epsilon * epsilon);
             growth = ratio(4);

@@ -52,3 +52,97 @@ pub(super) struct Parameters<S, const N: usize> {
     /// Which parameters are lengths, not angles.
     pub(super) are_lengths: [bool; N],
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cga3::{Circle, Line, Plane, Sphere};
+    use crate::geometry::fit::Cylinder;
+
+    /// The derivatives of the distances by the unknowns of a step, and those of the parameters of
+    /// the result, are those that differences give.
+    fn check<P: Shape<f64, N>, const N: usize>(curvature: f64) {
+        let axis = Vector::new(0.48, 0.6, 0.64);
+        let place = Place::new(
+            Vector::new(0.3, -0.2, 0.1),
+            axis,
+            axis.orthonormal_pair()[0],
+            curvature,
+        )
+        .unwrap();
+        let point = Vector::new(0.7, 0.4, -0.5);
+        let at = |place: Place<f64>| {
+            let (distances, _) =
+                P::rows(Place::local(place.motor.reverse(), point), place.curvature);
+            distances
+        };
+        let local = Place::local(place.motor.reverse(), point);
+        let (_, rows) = P::rows(local, curvature);
+        let known = P::parameters(place);
+        for unknown in 0..N {
+            let size = 1e-6;
+            let moved = |size: f64| {
+                let mut step = [0.0; N];
+                step[unknown] = size;
+                place.moved(&P::step(step))
+            };
+            let (ahead, behind) = (moved(size), moved(-size));
+            for component in 0..P::COMPONENTS {
+                let slope = (at(ahead)[component] - at(behind)[component]) / (2.0 * size);
+                assert!(
+                    (slope - rows[component][unknown]).abs() < 1e-8,
+                    "component {component} by {unknown}: {slope}, not {}",
+                    rows[component][unknown]
+                );
+            }
+            let (ahead, behind) = (P::parameters(ahead), P::parameters(behind));
+            if P::IS_ROUND {
+                let radius = (place.curvature + P::step(unit::<N>(unknown)).curvature * size)
+                    .recip()
+                    - (place.curvature - P::step(unit::<N>(unknown)).curvature * size).recip();
+                assert!((radius / (2.0 * size) - known.rows[N - 1][unknown]).abs() < 1e-8);
+            }
+            let shift = (ahead.origin - behind.origin) / (2.0 * size);
+            let tilt = (ahead.axes[2] - behind.axes[2]) / (2.0 * size);
+            let mut parameter = 0;
+            if !known.are_lengths[0] {
+                for axis in &known.axes[..2] {
+                    assert!((tilt.dot(*axis) - known.rows[parameter][unknown]).abs() < 1e-8);
+                    parameter += 1;
+                }
+            }
+            let lengths = N - parameter - usize::from(P::IS_ROUND);
+            let along = if lengths == 1 {
+                &known.axes[2..]
+            } else {
+                &known.axes[..lengths]
+            };
+            for axis in along {
+                let slope = shift.dot(*axis);
+                assert!(
+                    (slope - known.rows[parameter][unknown]).abs() < 1e-8,
+                    "parameter {parameter} by {unknown}: {slope}, not {}",
+                    known.rows[parameter][unknown]
+                );
+                parameter += 1;
+            }
+        }
+    }
+
+    fn unit<const N: usize>(place: usize) -> [f64; N] {
+        core::array::from_fn(|k| if k == place { 1.0 } else { 0.0 })
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        for curvature in [0.8, 2.5, -1.2] {
+            check::<Sphere<f64>, 4>(curvature);
+            check::<Circle<f64>, 6>(curvature);
+            check::<Cylinder<f64>, 5>(curvature);
+            #[cfg(feature = "cga2")]
+            check::<crate::cga2::Circle<f64>, 3>(curvature);
+        }
+        check::<Plane<f64>, 3>(0.0);
+        check::<Line<f64>, 4>(0.0);
+    }
+}

@@ -65,8 +65,7 @@ impl<S: Real<Mask = bool>> Shape<S, 4> for Sphere<S> {
     const IS_ROUND: bool = true;
 
     fn rows([x, y, z]: [S; 3], curvature: S) -> ([S; 2], [[S; 4]; 2]) {
-        let square = x * x + y * y + z * z;
-        let radial = Radial::new(square, z, curvature);
+        let radial = Radial::new(x.mul_add(x, y * y), z, curvature);
         let row = [
             radial.tilt * x,
             radial.tilt * y,

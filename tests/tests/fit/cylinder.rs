@@ -1,0 +1,51 @@
+//! Cylinders of many proportions: the search finds the global optimum.
+
+use core::f64::consts::TAU;
+
+use ga_runtime::cga3::Point;
+use ga_runtime::geometry::fit::Cylinder;
+use nullcone_tests::plain::{cross, length, minus};
+use nullcone_tests::random::SplitMix64;
+
+use super::sample::{Figure, noisy};
+
+/// The sum of the squared distances is never above that at the cylinder from which the points were
+/// drawn, which the optimum cannot exceed, and its axis is near.
+#[test]
+fn whole_and_partial_cylinders_of_any_height_are_found() {
+    let random = &mut SplitMix64(11);
+    let mut worst: f64 = 0.0;
+    for scene in 0..1500 {
+        let truth = Figure::random(random, 10.0, [0.5, 3.0]);
+        let arc = if scene % 2 == 0 {
+            TAU
+        } else {
+            1.2 + (TAU - 1.2) * random.unit()
+        };
+        let height = truth.radius * 10.0_f64.powf(random.within(1.3));
+        let noise = truth.radius * 0.01 * random.unit();
+        let count = 40 + (random.unit() * 100.0) as usize;
+        let points: Vec<_> = (0..count)
+            .map(|_| {
+                let place = truth.on_cylinder(arc * random.unit(), random.within(height));
+                Point::from(noisy(random, place, noise))
+            })
+            .collect();
+        let drawn: f64 = points
+            .iter()
+            .map(|p| {
+                let away = length(cross(minus(p.coordinates(), truth.point), truth.axis));
+                (away - truth.radius).powi(2)
+            })
+            .sum();
+        let fit = Cylinder::fit(&points).unwrap();
+        let sum = fit.rms().powi(2) * count as f64;
+        assert!(
+            sum <= drawn,
+            "{scene}: {sum} {drawn}, arc {arc}, height {}",
+            height / truth.radius
+        );
+        worst = worst.max((fit.radius() / truth.radius - 1.0).abs());
+    }
+    println!("the greatest relative error of a radius is {worst}");
+}
