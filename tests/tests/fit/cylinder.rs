@@ -15,7 +15,7 @@ use super::sample::{Figure, noisy};
 fn whole_and_partial_cylinders_of_any_height_are_found() {
     let random = &mut SplitMix64(11);
     let mut worst: f64 = 0.0;
-    for scene in 0..1500 {
+    for scene in 0..600 {
         let truth = Figure::random(random, 10.0, [0.5, 3.0]);
         let arc = if scene % 2 == 0 {
             TAU

@@ -3,6 +3,7 @@
 mod covariance;
 mod cylinder;
 mod exact;
+mod nearest;
 mod optimum;
 mod refused;
 mod robust;

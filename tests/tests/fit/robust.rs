@@ -101,6 +101,10 @@ fn half_of_the_points_may_be_wrong() {
         assert!(length(cross(off(point), truth.axis)) < bound);
         assert!(length(cross(axis, truth.axis)) < bound);
 
+        // Samples of cylinders take long without optimisation.
+        if seed % 10 != 0 {
+            continue;
+        }
         let cylinder = half_wrong(random, &truth, |random| {
             truth.on_cylinder(TAU * random.unit(), random.within(2.0))
         });

@@ -9,6 +9,7 @@ use super::interface::fits;
 use super::place::{Place, Step};
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Line, Point};
+use crate::geometry::cga3::matrix::identity;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -78,7 +79,7 @@ impl<S: Real<Mask = bool>> Shape<S, 4> for Line<S> {
         Parameters {
             origin: place.origin(),
             axes: [third, first, second],
-            rows: crate::geometry::cga3::matrix::identity(),
+            rows: identity(),
             are_lengths: [false, false, true, true],
         }
     }

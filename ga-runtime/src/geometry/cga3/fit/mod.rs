@@ -10,8 +10,8 @@
 //! | [`Cylinder`](Cylinder::fit) | 5 | 6 | in a plane |
 //!
 //! Each has `fit`, `fit_weighted` and `fit_robustly`; round ones also `fit_algebraically`, the fast
-//! start of the search. So has the circle of the plane, `cga2::Circle` (feature `cga2`), which needs
-//! 3 points for its 3 unknowns.
+//! start of the search. `cga2::Line` and `cga2::Circle` of the plane (feature `cga2`) have 2 and 3
+//! unknowns, for as many points.
 //!
 //! A fit is a [`PrimitiveFit`]: the primitive as an element of cga3, residuals, and the covariance
 //! of its parameters. All computation is relative to the centroid of the points and in units of
@@ -46,6 +46,8 @@ mod loss;
 mod place;
 #[cfg(feature = "cga2")]
 mod planar_circle;
+#[cfg(feature = "cga2")]
+mod planar_line;
 mod plane;
 mod quadric;
 mod radial;
@@ -63,6 +65,8 @@ pub use line::LineFit;
 pub use loss::Loss;
 #[cfg(feature = "cga2")]
 pub use planar_circle::PlanarCircleFit;
+#[cfg(feature = "cga2")]
+pub use planar_line::PlanarLineFit;
 pub use plane::PlaneFit;
 pub use result::PrimitiveFit;
 pub use robust::{RobustFit, RobustSettings};

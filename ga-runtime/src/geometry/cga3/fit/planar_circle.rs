@@ -100,7 +100,7 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
 }
 
 /// A point of the plane as a vector of space.
-fn in_space<S: Real>(point: Point<S>) -> Vector<S> {
+pub(super) fn in_space<S: Real>(point: Point<S>) -> Vector<S> {
     let [x, y] = point.coordinates();
     Vector::new(x, y, S::zero())
 }

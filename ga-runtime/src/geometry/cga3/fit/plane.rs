@@ -9,6 +9,7 @@ use super::interface::fits;
 use super::place::{Place, Step};
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Plane, Point};
+use crate::geometry::cga3::matrix::identity;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -82,7 +83,7 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Plane<S> {
         Parameters {
             origin: place.origin(),
             axes: place.axes(),
-            rows: crate::geometry::cga3::matrix::identity(),
+            rows: identity(),
             are_lengths: [false, false, true],
         }
     }

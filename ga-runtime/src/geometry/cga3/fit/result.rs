@@ -89,7 +89,7 @@ impl<P, S: Real<Mask = bool>, const N: usize> PrimitiveFit<P, S, N> {
 
     fn scaled(&self, variance: S) -> Option<[[S; N]; N]> {
         let matrix = self.unit_covariance?;
-        Some(matrix.map(|row| row.map(|entry| entry * variance)))
+        finite(matrix.map(|row| row.map(|entry| entry * variance)))
     }
 }
 
@@ -144,6 +144,11 @@ impl<S: Real<Mask = bool>> Located<S> {
         &self,
         parameters: &Parameters<S, N>,
     ) -> Result<(Vector<S>, S), PrimitiveFitError<S>> {
+        // The sagitta of a primitive of less curvature is rounding, within 8√ε of the extent.
+        let flat = S::epsilon().sqrt() * S::from_integer(8);
+        if P::IS_ROUND && !flat.less_than(self.place.curvature.abs()) {
+            return Err(PrimitiveFitError::Flat);
+        }
         let origin = self.centroid + parameters.origin * self.unit;
         let radius = if P::IS_ROUND {
             self.unit / self.place.curvature.abs()
@@ -163,11 +168,6 @@ pub(super) fn fitted<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     place: Place<S>,
     limited: Limited<S>,
 ) -> Result<PrimitiveFit<P, S, N>, PrimitiveFitError<S>> {
-    // The sagitta of a primitive of less curvature is rounding, within 8√ε of the extent.
-    let flat = S::epsilon().sqrt() * S::from_integer(8);
-    if P::IS_ROUND && !flat.less_than(place.curvature.abs()) {
-        return Err(PrimitiveFitError::Flat);
-    }
     let place = P::oriented(place);
     let parameters = P::parameters(place);
     let located = Located::new(cloud, place);
@@ -185,6 +185,7 @@ pub(super) fn fitted<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
         };
         cloud.largest_weight * sum / freedom * (cloud.unit * cloud.unit)
     });
+    let variance = variance.filter(|variance| variance.is_finite());
     Ok(PrimitiveFit {
         primitive,
         origin,
@@ -224,6 +225,10 @@ fn unit_covariance<S: Real<Mask = bool>, const N: usize>(
             entry * (units[i] * units[j]) / cloud.largest_weight
         })
     });
-    let is_finite = |matrix: &Matrix<S, N>| matrix.iter().flatten().all(|entry| entry.is_finite());
-    is_finite(&matrix).then_some(matrix)
+    finite(matrix)
+}
+
+fn finite<S: Real<Mask = bool>, const N: usize>(matrix: Matrix<S, N>) -> Option<Matrix<S, N>> {
+    let is_finite = matrix.iter().flatten().all(|entry| entry.is_finite());
+    is_finite.then_some(matrix)
 }

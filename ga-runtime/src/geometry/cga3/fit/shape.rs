@@ -61,8 +61,7 @@ mod tests {
 
     /// The derivatives of the distances by the unknowns of a step, and those of the parameters of
     /// the result, are those that differences give.
-    fn check<P: Shape<f64, N>, const N: usize>(curvature: f64) {
-        let axis = Vector::new(0.48, 0.6, 0.64);
+    fn check<P: Shape<f64, N>, const N: usize>(axis: Vector<f64>, curvature: f64) {
         let place = Place::new(
             Vector::new(0.3, -0.2, 0.1),
             axis,
@@ -105,14 +104,17 @@ mod tests {
             let shift = (ahead.origin - behind.origin) / (2.0 * size);
             let tilt = (ahead.axes[2] - behind.axes[2]) / (2.0 * size);
             let mut parameter = 0;
-            if !known.are_lengths[0] {
-                for axis in &known.axes[..2] {
-                    assert!((tilt.dot(*axis) - known.rows[parameter][unknown]).abs() < 1e-8);
-                    parameter += 1;
-                }
+            let tilts = known
+                .are_lengths
+                .iter()
+                .filter(|is_length| !**is_length)
+                .count();
+            for axis in &known.axes[..tilts] {
+                assert!((tilt.dot(*axis) - known.rows[parameter][unknown]).abs() < 1e-8);
+                parameter += 1;
             }
             let lengths = N - parameter - usize::from(P::IS_ROUND);
-            let along = if lengths == 1 {
+            let along = if lengths < tilts {
                 &known.axes[2..]
             } else {
                 &known.axes[..lengths]
@@ -135,14 +137,23 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_differences() {
+        let axis = Vector::new(0.48, 0.6, 0.64);
         for curvature in [0.8, 2.5, -1.2] {
-            check::<Sphere<f64>, 4>(curvature);
-            check::<Circle<f64>, 6>(curvature);
-            check::<Cylinder<f64>, 5>(curvature);
-            #[cfg(feature = "cga2")]
-            check::<crate::cga2::Circle<f64>, 3>(curvature);
+            check::<Sphere<f64>, 4>(axis, curvature);
+            check::<Circle<f64>, 6>(axis, curvature);
+            check::<Cylinder<f64>, 5>(axis, curvature);
         }
-        check::<Plane<f64>, 3>(0.0);
-        check::<Line<f64>, 4>(0.0);
+        check::<Plane<f64>, 3>(axis, 0.0);
+        check::<Line<f64>, 4>(axis, 0.0);
+    }
+
+    #[cfg(feature = "cga2")]
+    #[test]
+    fn derivatives_in_the_plane_are_those_of_differences() {
+        let axis = Vector::new(0.0, 0.0, 1.0);
+        for curvature in [0.8, 2.5, -1.2] {
+            check::<crate::cga2::Circle<f64>, 3>(axis, curvature);
+        }
+        check::<crate::cga2::Line<f64>, 2>(axis, 0.0);
     }
 }
