@@ -52,8 +52,8 @@ fn check<const N: usize>(name: &str, means: [f64; 2], freedom: f64) {
 
 fn covariances<P, const N: usize>(fit: &PrimitiveFit<P, f64, N>) -> [[[f64; N]; N]; 2] {
     [
-        fit.covariance_for(NOISE).unwrap(),
-        fit.covariance().unwrap(),
+        fit.covariance_for(NOISE).expect("determined parameters"),
+        fit.covariance().expect("determined parameters"),
     ]
 }
 

@@ -62,6 +62,23 @@ fn to_points(places: &[Vector]) -> Vec<Point<f64>> {
     places.iter().copied().map(Point::from).collect()
 }
 
+/// Asserts that the axes of a fit are right-handed and orthonormal, and that the third one, which
+/// the primitive has too, has a positive component of largest magnitude.
+fn check_axes<P, const N: usize>(
+    fit: &PrimitiveFit<P, f64, N>,
+    of_primitive: Option<Vector>,
+) -> Result<(), TestCaseError> {
+    let [u, v, n] = fit.axes();
+    prop_assert!(length(minus(cross(u, v), n)) < 1e-12 && (length(n) - 1.0).abs() < 1e-12);
+    let largest = n.into_iter().fold(
+        0.0,
+        |most: f64, x| if x.abs() > most.abs() { x } else { most },
+    );
+    prop_assert!(largest > 0.0, "{n:?}");
+    prop_assert!(length(minus(of_primitive.unwrap(), n)) < 1e-12);
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
@@ -93,11 +110,15 @@ proptest! {
         check(random, &sphere, &fit, |x| fit.residual(x), |f, x| length(minus(x, f.point)) - f.radius)?;
         let fit = Circle::fit(&to_points(&circle)).unwrap();
         check(random, &circle, &fit, |x| fit.residual(x), |f, x| (from_axis(f, x) - f.radius).hypot(height(f, x)))?;
+        check_axes(&fit, fit.primitive.unit_normal())?;
         let fit = Cylinder::fit(&to_points(&cylinder)).unwrap();
+        check_axes(&fit, fit.primitive.axis.unit_direction())?;
         check(random, &cylinder, &fit, |x| fit.residual(x), |f, x| from_axis(f, x) - f.radius)?;
         let fit = Plane::fit(&to_points(&plane)).unwrap();
+        check_axes(&fit, fit.primitive.unit_normal())?;
         check(random, &plane, &fit, |x| fit.residual(x), height)?;
         let fit = Line::fit(&to_points(&line)).unwrap();
+        check_axes(&fit, fit.primitive.unit_direction())?;
         check(random, &line, &fit, |x| fit.residual(x), from_axis)?;
     }
 
@@ -132,6 +153,7 @@ proptest! {
             line.iter().map(|p| (c * p.y() - s * p.x() - d).powi(2)).sum()
         };
         let [u, v] = fit_line.primitive.direction();
+        check_axes(&fit_line, Some([u, v, 0.0]))?;
         let angle = v.atan2(u);
         let [a, b, _] = fit_line.origin().coordinates();
         let d = u * b - v * a;

@@ -114,3 +114,50 @@ fn another_library_finds_the_same_optimum() {
     }
     println!("the greatest difference is {greatest:e}");
 }
+
+/// The algebraic fits of spheres and circles are those of Taubin, by another library's generalized
+/// eigenvectors.
+#[test]
+fn another_library_has_the_same_algebraic_fits() {
+    let file = oracle::extract("fit/primitives.json");
+    let cases = file["cases"].as_array().unwrap();
+    let mut count = 0;
+    for case in cases.iter().filter(|case| case["algebraic"].is_object()) {
+        count += 1;
+        let known = &case["algebraic"];
+        let (centre, radius) = (vector(&known["point"]), known["radius"].as_f64().unwrap());
+        let (found, found_radius) = if case["kind"] == "sphere" {
+            let sphere = Sphere::fit_algebraically(&points(case)).unwrap();
+            (sphere.centre(), sphere.radius())
+        } else {
+            let circle = Circle::fit_algebraically(&points(case)).unwrap();
+            let normal = circle.unit_normal().unwrap();
+            assert!(length(cross(normal, vector(&known["direction"]))) < 1e-9);
+            (circle.centre(), circle.radius())
+        };
+        let found = found.unwrap().coordinates();
+        // The radius of a blade has the rounding of the squared distance from the origin.
+        assert!(length(minus(found, centre)) < 1e-8, "{found:?} {centre:?}");
+        assert!((found_radius.unwrap() - radius).abs() < 1e-8);
+    }
+    assert_eq!(count, 6);
+}
+
+/// The algebraic fits of cylinders are near to the least distances.
+#[test]
+fn algebraic_fits_of_cylinders_are_near() {
+    let file = oracle::extract("fit/primitives.json");
+    let cases = file["cases"].as_array().unwrap();
+    let cylinders = cases.iter().filter(|case| case["kind"] == "cylinder");
+    for case in cylinders.filter(|case| case["loss"] == "squares" && case["weights"].is_null()) {
+        let found = Cylinder::fit_algebraically(&points(case)).unwrap();
+        let radius = case["radius"].as_f64().unwrap();
+        assert!(
+            (found.radius / radius - 1.0).abs() < 0.02,
+            "{} {radius}",
+            found.radius
+        );
+        let axis = found.axis.unit_direction().unwrap();
+        assert!(length(cross(axis, vector(&case["direction"]))) < 0.02);
+    }
+}

@@ -44,7 +44,11 @@ fn check_inliers<P, const N: usize>(found: &RobustFit<P, f64, N>, residual: impl
         "{}",
         found.scale
     );
-    assert!((0.5..1.7).contains(&(found.fit.standard_deviation().unwrap() / NOISE)));
+    let deviation = found
+        .fit
+        .standard_deviation()
+        .expect("more points than unknowns");
+    assert!((0.5..1.7).contains(&(deviation / NOISE)));
 }
 
 /// The centre or a point, the axis and the radius.
@@ -136,6 +140,43 @@ fn exact_points_among_wrong_ones_are_exact() {
         assert!((found.fit.radius() - truth.radius).abs() < 1e-13);
         assert_eq!(found.inliers, (0..60).step_by(2).collect::<Vec<_>>());
     }
+}
+
+/// The number of samples follows from the confidence: of so many points that agree, one sample is
+/// enough; where half of them agree, `ln(1 − p)/ln(1 − 2⁻ⁿ)` samples of n points.
+#[test]
+fn as_many_samples_are_drawn_as_the_confidence_needs() {
+    let random = &mut SplitMix64(9);
+    let truth = Figure::random(random, 5.0, [1.0, 2.0]);
+    let plane = |random: &mut SplitMix64| truth.on_plane(random.within(3.0), random.within(3.0));
+    let right: Vec<_> = (0..40).map(|_| Point::from(plane(random))).collect();
+    let settings = RobustSettings::new(THRESHOLD);
+    assert_eq!(Plane::fit_robustly(&right, &settings).unwrap().samples, 1);
+    let half = half_wrong(random, &truth, plane);
+    for (confidence, expected) in [(0.9, 17.2), (0.999, 51.7), (0.999_999, 103.5)] {
+        let found = Plane::fit_robustly(
+            &half,
+            &RobustSettings {
+                confidence,
+                ..settings
+            },
+        )
+        .unwrap();
+        // A few wrong points agree by chance, and some right ones do not.
+        let drawn = found.samples as f64;
+        assert!(
+            (0.7..1.2).contains(&(drawn / expected)),
+            "{drawn}, not {expected}"
+        );
+    }
+    let few = RobustSettings {
+        samples: 3,
+        ..settings
+    };
+    assert_eq!(
+        Plane::fit_robustly(&half, &few).map_or(3, |found| found.samples),
+        3
+    );
 }
 
 /// The scale from the median is that of the noise, for one and for two components.
