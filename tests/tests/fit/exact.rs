@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use ga_runtime::cga2;
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
-use ga_runtime::geometry::fit::Cylinder;
+use ga_runtime::geometry::fit::{Cylinder, PrimitiveFitError};
 use nullcone_tests::plain::{Vector, along, cross, dot, length, minus};
 use nullcone_tests::random::SplitMix64;
 use proptest::prelude::*;
@@ -165,4 +165,46 @@ proptest! {
         let fit = Cylinder::fit(&points).unwrap();
         prop_assert!((f64::from(fit.radius()) - truth.radius).abs() < 1e-5);
     }
+}
+
+/// A fit of points of any size is the scaled fit, or says that it is beyond the range of the scalar.
+#[test]
+fn sizes_near_the_ends_of_the_range() {
+    let random = &mut SplitMix64(5);
+    let truth = Figure::random(random, 3.0, [1.0, 2.0]);
+    let places: Vec<Vector> = (0..20)
+        .map(|_| truth.on_cylinder(TAU * random.unit(), random.within(2.0)))
+        .collect();
+    let scaled = |size: f64| -> Vec<Point<f64>> {
+        places
+            .iter()
+            .map(|p| Point::from(p.map(|x| x * size)))
+            .collect()
+    };
+    for size in [1e-140, 1e-100, 1e100, 1e140] {
+        let points = scaled(size);
+        let fit = Cylinder::fit(&points).unwrap();
+        assert!((fit.radius() / size - truth.radius).abs() < 1e-12);
+        assert!(fit.rms() < 1e-14 * size && fit.covariance_for(size).is_some());
+        let [one, same] = [scaled(1.0), points].map(|points| Sphere::fit(&points).unwrap());
+        assert!((same.radius() / size / one.radius() - 1.0).abs() < 1e-9);
+        assert!((same.rms() / size / one.rms() - 1.0).abs() < 1e-9);
+    }
+    for size in [1e170, 1e300] {
+        assert_eq!(
+            Sphere::fit(&scaled(size)).unwrap_err(),
+            PrimitiveFitError::OutOfRange
+        );
+        assert!(Plane::fit(&scaled(size)).map_or(true, |fit| fit.primitive.support().is_some()));
+    }
+    let apart = [
+        [-1.7e308, 0.0, 0.0],
+        [1.7e308, 0.0, 0.0],
+        [0.0, 1.7e308, 0.0],
+    ]
+    .map(Point::from);
+    assert_eq!(
+        Plane::fit(&apart).unwrap_err(),
+        PrimitiveFitError::OutOfRange
+    );
 }

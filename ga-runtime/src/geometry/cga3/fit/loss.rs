@@ -6,7 +6,7 @@ use crate::scalar::Real;
 /// estimate makes `Σ ρ(r/s)` least.
 ///
 /// The constants are those for which the estimate has 95 % of the efficiency of least squares if
-/// the distances are normally distributed (Huber and Ronchetti, Robust Statistics, 2009; Beaton and
+/// the distances from a surface are normally distributed (Huber and Ronchetti, Robust Statistics, 2009; Beaton and
 /// Tukey, The fitting of power series, Technometrics 16, 1974).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {

@@ -92,10 +92,8 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
     }
 
     fn element(origin: Vector<S>, _: [Vector<S>; 3], radius: S) -> Option<Self> {
-        Some(Self::from_centre_radius(
-            Point::new(origin.e1, origin.e2),
-            radius,
-        ))
+        let circle = Self::from_centre_radius(Point::new(origin.e1, origin.e2), radius);
+        circle.centre().zip(circle.radius_squared()).map(|_| circle)
     }
 }
 

@@ -129,6 +129,7 @@ impl<S: Real<Mask = bool>> Shape<S, 4> for Sphere<S> {
     }
 
     fn element(origin: Vector<S>, _: [Vector<S>; 3], radius: S) -> Option<Self> {
-        Some(Self::from_centre_radius(origin.into(), radius))
+        let sphere = Self::from_centre_radius(origin.into(), radius);
+        sphere.centre().zip(sphere.radius_squared()).map(|_| sphere)
     }
 }
