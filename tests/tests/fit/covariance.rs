@@ -1,8 +1,8 @@
 //! Covariances, by simulation.
 //!
 //! For true parameters p, estimates p̂ of noisy sets and their covariance C, the Mahalanobis square
-//! `(p̂ − p)ᵀ C⁻¹ (p̂ − p)` has the chi-square distribution of N degrees of freedom: its mean is N and
-//! its variance 2N.
+//! `(p̂ − p)ᵀ C⁻¹ (p̂ − p)` has the chi-square distribution of N degrees of freedom: its mean is N
+//! and its variance 2N.
 
 use core::f64::consts::{PI, TAU};
 
@@ -57,8 +57,8 @@ fn covariances<P, const N: usize>(fit: &PrimitiveFit<P, f64, N>) -> [[[f64; N]; 
     ]
 }
 
-/// The components of the true axis along the first two axes of a fit are minus the errors of its own
-/// to first order.
+/// The components of the true axis along the first two axes of a fit are minus the errors of its
+/// own to first order.
 fn tilt<P, const N: usize>(fit: &PrimitiveFit<P, f64, N>, axis: Vector) -> [f64; 2] {
     let [u, v, n] = fit.axes();
     let sign = dot(n, axis).signum();

@@ -167,7 +167,8 @@ proptest! {
     }
 }
 
-/// A fit of points of any size is the scaled fit, or says that it is beyond the range of the scalar.
+/// A fit of points of any size is the scaled fit, or says that it is beyond the range of the
+/// scalar.
 #[test]
 fn sizes_near_the_ends_of_the_range() {
     let random = &mut SplitMix64(5);

@@ -4,7 +4,8 @@ use ga_runtime::cga2;
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
 use ga_runtime::geometry::fit::{Cylinder, Loss, PrimitiveFitError, RobustSettings};
 use ga_runtime::geometry::motion::WeightError;
-use nullcone_tests::plain::{Vector, plus};
+use nullcone_tests::plain::{Vector, plus, rotated};
+use nullcone_tests::random::SplitMix64;
 
 type Error = PrimitiveFitError<f64>;
 
@@ -89,6 +90,37 @@ fn what_fits_equally_well_in_several_ways_is_named() {
         Plane::fit(&square).unwrap().primitive.unit_normal(),
         Some([0.0, 0.0, 1.0])
     );
+}
+
+/// Sets that are flat within 8√ε of their extent, which is 1.2 · 10⁻⁷, count as flat; thicker ones
+/// do not.
+#[test]
+fn nearly_flat_points_are_named() {
+    let [line, _, plane] = degenerate();
+    let thick = |set: &[Vector], thickness: f64| -> Vec<Point<f64>> {
+        let extent = 16.0 * thickness;
+        let moved = set.iter().enumerate().map(|(k, p)| {
+            let side = if k % 2 == 0 { extent } else { -extent };
+            Point::new(p[0] + side, p[1], p[2] + side * (k % 3) as f64)
+        });
+        moved.collect()
+    };
+    assert_eq!(
+        Sphere::fit(&thick(&plane, 1e-9)).unwrap_err(),
+        Error::Coplanar
+    );
+    assert_eq!(
+        Plane::fit(&thick(&line, 1e-9)).unwrap_err(),
+        Error::Collinear
+    );
+    for (set, primitive) in [(&plane, "sphere"), (&line, "plane")] {
+        let set = thick(set, 1e-6);
+        let refused = match primitive {
+            "sphere" => Sphere::fit(&set).err(),
+            _ => Plane::fit(&set).err(),
+        };
+        assert_eq!(refused, None, "{primitive}");
+    }
 }
 
 /// Points on both sides of a plane, as far on one as on the other and on average everywhere: a

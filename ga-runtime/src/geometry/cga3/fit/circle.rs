@@ -17,8 +17,8 @@ use crate::vga3::Vector;
 fits! {
     Circle, 6, CircleFit, Vector::from;
     /// The circle in space with the least sum of squared distances to three or more points that are
-    /// not collinear: `Σ (ρᵢ − r)² + hᵢ²`, for the height h of a point above the plane of the circle
-    /// and its distance ρ from the axis.
+    /// not collinear: `Σ (ρᵢ − r)² + hᵢ²`, for the height h of a point above the plane of the
+    /// circle and its distance ρ from the axis.
     ///
     /// The search begins with an algebraic fit, [`fit_algebraically`](Self::fit_algebraically), and
     /// continues by the method of Levenberg and Marquardt over the motor of a frame at a point of
@@ -28,8 +28,8 @@ fits! {
     ///
     /// The parameters of the [covariance](crate::geometry::fit::PrimitiveFit::covariance) are the
     /// changes of the normal along the first and the second of the
-    /// [axes](crate::geometry::fit::PrimitiveFit::axes), in radians, the displacements of the centre
-    /// along the three axes, and the radius. The third axis is the normal.
+    /// [axes](crate::geometry::fit::PrimitiveFit::axes), in radians, the displacements of the
+    /// centre along the three axes, and the radius. The third axis is the normal.
     ///
     /// # Errors
     /// Fewer than three points, numbers that are not finite, coincident or collinear points,
@@ -49,8 +49,8 @@ fits! {
 }
 
 impl<S: Real<Mask = bool>> Circle<S> {
-    /// The circle by algebraic fits alone: in the plane of least squared distances, Taubin's fit, as
-    /// in [`Sphere::fit_algebraically`](crate::cga3::Sphere::fit_algebraically).
+    /// The circle by algebraic fits alone: in the plane of least squared distances, Taubin's fit,
+    /// as in [`Sphere::fit_algebraically`](crate::cga3::Sphere::fit_algebraically).
     ///
     /// # Errors
     /// Those of [`Circle::fit`].

@@ -13,8 +13,8 @@ use crate::cga3::{Line, Point};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// A circular cylinder without ends: the points at one distance from a line. The conformal model has
-/// no blade for it.
+/// A circular cylinder without ends: the points at one distance from a line. The conformal model
+/// has no blade for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder<S> {
     /// The axis.
@@ -54,9 +54,9 @@ fits! {
     /// The parameters of the [covariance](crate::geometry::fit::PrimitiveFit::covariance) are the
     /// changes of the axis's direction along the first and the second of the
     /// [axes](crate::geometry::fit::PrimitiveFit::axes), in radians, the displacements of the
-    /// cylinder's axis along these two at the
-    /// [origin](crate::geometry::fit::PrimitiveFit::origin), which is the point of it nearest to the
-    /// centroid of the points, and the radius. The third axis is the direction.
+    /// cylinder's axis along these two at the [origin](crate::geometry::fit::PrimitiveFit::origin),
+    /// which is the point of it nearest to the centroid of the points, and the radius. The third
+    /// axis is the direction.
     ///
     /// # Errors
     /// Fewer than six points, since five lie on several cylinders; numbers that are not finite;
@@ -79,9 +79,9 @@ fits! {
 }
 
 impl<S: Real<Mask = bool>> Cylinder<S> {
-    /// The cylinder by algebraic fits alone. For any direction of the axis, Taubin's fit of a circle
-    /// to the points seen along it follows from their moments up to the fourth order, which are
-    /// summed once (Eberly, Fitting 3D data with a cylinder, 2003, has the fit of Kåsa in its
+    /// The cylinder by algebraic fits alone. For any direction of the axis, Taubin's fit of a
+    /// circle to the points seen along it follows from their moments up to the fourth order, which
+    /// are summed once (Eberly, Fitting 3D data with a cylinder, 2003, has the fit of Kåsa in its
     /// place); of some hundred directions the best ones are improved by small steps. The direction
     /// is accurate to about a thousandth.
     ///

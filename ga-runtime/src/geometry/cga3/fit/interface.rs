@@ -11,9 +11,8 @@ use crate::cga3::Point;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The most steps of a search. Points near a primitive take fewer than ten; short arcs with large
-/// errors may take hundreds.
-const MOST_STEPS: usize = 1000;
+/// The most steps of a search. Points near a primitive take fewer than ten, the worst some dozens.
+const MOST_STEPS: usize = 300;
 /// The most steps from each of several starts, before the best is continued.
 const FIRST_STEPS: usize = 20;
 

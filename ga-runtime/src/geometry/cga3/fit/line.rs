@@ -17,8 +17,9 @@ fits! {
     Line, 4, LineFit, Vector::from;
     /// The line with the least sum of squared distances to two or more points: through their
     /// centroid, along the direction of their greatest variance, the eigenvector of the largest
-    /// eigenvalue of their moments (Pearson, On lines and planes of closest fit to systems of points
-    /// in space, 1901). One Gauss–Newton step or two restore the accuracy that the squares lose.
+    /// eigenvalue of their moments (Pearson, On lines and planes of closest fit to systems of
+    /// points in space, 1901). One Gauss–Newton step or two restore the accuracy that the squares
+    /// lose.
     ///
     /// The direction has length 1, and its component of largest magnitude is positive.
     ///

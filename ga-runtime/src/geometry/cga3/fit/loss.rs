@@ -6,8 +6,8 @@ use crate::scalar::Real;
 /// estimate makes `Σ ρ(r/s)` least.
 ///
 /// The constants are those for which the estimate has 95 % of the efficiency of least squares if
-/// the distances from a surface are normally distributed (Huber and Ronchetti, Robust Statistics, 2009; Beaton and
-/// Tukey, The fitting of power series, Technometrics 16, 1974).
+/// the distances from a surface are normally distributed (Huber and Ronchetti, Robust Statistics,
+/// 2009; Beaton and Tukey, The fitting of power series, Technometrics 16, 1974).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
     /// Squares up to 1.345 s, then linear: distant points have a bounded influence.
@@ -29,8 +29,8 @@ impl Loss {
 /// A loss with its limit as a length; `None` for squares.
 pub(super) type Limited<S> = Option<(Loss, S)>;
 
-/// The loss ρ of a squared distance, its weight `ψ(r)/r`, and `ψ′(r)`, with `ψ = ½ρ′`. A loss is the
-/// square for small distances.
+/// The loss ρ of a squared distance, its weight `ψ(r)/r`, and `ψ′(r)`, with `ψ = ½ρ′`. A loss is
+/// the square for small distances.
 #[inline]
 pub(super) fn loss<S: Real<Mask = bool>>(limited: Limited<S>, square: S) -> [S; 3] {
     let (zero, one) = (S::zero(), S::one());

@@ -15,8 +15,8 @@
 //!
 //! A fit is a [`PrimitiveFit`]: the primitive as an element of cga3, residuals, and the covariance
 //! of its parameters. All computation is relative to the centroid of the points and in units of
-//! their extent, so that it loses no digits far from the origin. Sums run in the order of the input,
-//! so the same input gives the same result to the last bit.
+//! their extent, so that it loses no digits far from the origin. Sums run in the order of the
+//! input, so the same input gives the same result to the last bit.
 //!
 //! ```
 //! use ga_runtime::cga3::{Point, Sphere};

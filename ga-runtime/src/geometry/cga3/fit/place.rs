@@ -9,15 +9,16 @@ use crate::vga3::Vector;
 /// In the standard position a round primitive passes through the origin, where its normal is the
 /// third axis, and its centre is on that axis, at `1/κ`. So it has a place for every curvature κ,
 /// also for zero and below, where it is flat or its centre is on the other side. The second axis is
-/// the axis of a cylinder, the normal of a circle's plane, and the direction of a line, which passes
-/// through the origin itself.
+/// the axis of a cylinder, the normal of a circle's plane, and the direction of a line, which
+/// passes through the origin itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place<S> {
     pub(super) motor: Motor<S>,
     pub(super) curvature: S,
 }
 
-/// A change of a place: the angular and the linear velocity in its frame, and that of the curvature.
+/// A change of a place: the angular and the linear velocity in its frame, and that of the
+/// curvature.
 pub(super) struct Step<S> {
     pub(super) angular: [S; 3],
     pub(super) linear: [S; 3],

@@ -49,7 +49,8 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
         ([radial.distance, zero], [row, [zero; 3]])
     }
 
-    /// A tilt of the normal towards the first axis, a shift along it, and a change of the curvature.
+    /// A tilt of the normal towards the first axis, a shift along it, and a change of the
+    /// curvature.
     fn step([tilt, shift, curvature]: [S; 3]) -> Step<S> {
         let zero = S::zero();
         Step {

@@ -47,8 +47,8 @@ impl<S: Real<Mask = bool>, const M: usize> SquareMoments<S, M> {
     /// and Machine Intelligence 13, 1991). The points must be relative to their centroid.
     ///
     /// In conformal algebra the sum is `Σ (x·σ)²` for the dual sphere σ. The gradient has the mean
-    /// square `4A² mean(x²) + B²`, where the fit of Pratt (Direct least-squares fitting of algebraic
-    /// surfaces, SIGGRAPH 1987) has `σ² = B² − 4AC`.
+    /// square `4A² mean(x²) + B²`, where the fit of Pratt (Direct least-squares fitting of
+    /// algebraic surfaces, SIGGRAPH 1987) has `σ² = B² − 4AC`.
     pub(super) fn round(&self) -> ([S; M], S, S) {
         let scale = (self.mean[0].sqrt() * S::from_integer(2)).recip();
         let mut matrix = self.products;

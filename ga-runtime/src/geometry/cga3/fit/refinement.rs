@@ -25,10 +25,13 @@ pub(super) struct Equations<S, const N: usize> {
     gradient: [S; N],
 }
 
+/// The steps that use the matrix of Gauss and Newton.
+const FIRST_STEPS: usize = 12;
+
 /// Minimises `Σ w ρ(r)` over the places of a primitive, from a place, in at most so many steps, by
-/// the method of Levenberg and Marquardt on the tangent space of motors and the curvature (Marquardt,
-/// An algorithm for least-squares estimation of nonlinear parameters, 1963). For a loss the
-/// equations are weighted anew at each step (iteratively reweighted least squares).
+/// the method of Levenberg and Marquardt on the tangent space of motors and the curvature
+/// (Marquardt, An algorithm for least-squares estimation of nonlinear parameters, 1963). For a loss
+/// the equations are weighted anew at each step (iteratively reweighted least squares).
 pub(super) fn refine<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: &[Weighted<S>],
     total: S,
@@ -43,8 +46,13 @@ pub(super) fn refine<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     let mut damping = S::from_f64(1e-4);
     let mut growth = ratio(4);
     let mut has_converged = false;
-    for _ in 0..most_steps {
-        let Some(step) = now.step(damping) else { break };
+    for taken in 0..most_steps {
+        let step = if taken < FIRST_STEPS {
+            now.step(now.matrix, damping)
+        } else {
+            now.step(hessian::<P, S, N>(points, place, limited), damping)
+        };
+        let Some(step) = step else { break };
         let next_place = place.moved(&P::step(step));
         let next = Equations::<S, N>::at::<P>(points, next_place, limited);
         // The mean square by which the step changes distances.
@@ -116,15 +124,14 @@ impl<S: Real<Mask = bool>, const N: usize> Equations<S, N> {
         }
     }
 
-    /// The solution of the equations with each diagonal entry enlarged by a part of itself.
-    fn step(&self, damping: S) -> Option<[S; N]> {
-        let mut matrix = self.matrix;
-        let trace = (0..N).fold(S::zero(), |sum, k| sum + matrix[k][k]);
+    /// The solution of the equations with their own or another matrix, to which a part of the
+    /// diagonal of their own is added.
+    fn step(&self, mut matrix: Matrix<S, N>, damping: S) -> Option<[S; N]> {
+        let trace = (0..N).fold(S::zero(), |sum, k| sum + self.matrix[k][k]);
         // Unknowns on which nothing depends stay.
         let least = trace * S::epsilon() * S::epsilon();
         for (k, row) in matrix.iter_mut().enumerate() {
-            let own = row[k].max(least);
-            row[k] = damping.mul_add(own, own);
+            row[k] += damping * self.matrix[k][k].max(least) + least;
         }
         solve(matrix, self.gradient.map(|slope| -slope))
     }
@@ -139,4 +146,26 @@ impl<S: Real<Mask = bool>, const N: usize> Equations<S, N> {
             x.mul_add(product, sum)
         })
     }
+}
+
+/// Half the second derivatives of `Σ w ρ(r)`, by differences of its slopes. At the least, where
+/// these vanish, the change of the frame in which they are taken has no effect.
+fn hessian<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    points: &[Weighted<S>],
+    place: Place<S>,
+    limited: Limited<S>,
+) -> Matrix<S, N> {
+    // The cube root of ε, at which central differences are most accurate.
+    let size = (S::epsilon().ln() * S::from_ratio(1, 3)).exp();
+    let slopes = |unknown: usize, size: S| {
+        let mut step = [S::zero(); N];
+        step[unknown] = size;
+        Equations::<S, N>::at::<P>(points, place.moved(&P::step(step)), limited).gradient
+    };
+    let rows: Matrix<S, N> = core::array::from_fn(|unknown| {
+        let (ahead, behind) = (slopes(unknown, size), slopes(unknown, -size));
+        core::array::from_fn(|k| (ahead[k] - behind[k]) / (size + size))
+    });
+    let half = S::from_ratio(1, 2);
+    core::array::from_fn(|i| core::array::from_fn(|j| (rows[i][j] + rows[j][i]) * half))
 }

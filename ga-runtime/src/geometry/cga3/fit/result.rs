@@ -72,9 +72,9 @@ impl<P, S: Real<Mask = bool>, const N: usize> PrimitiveFit<P, S, N> {
 
     /// The covariance of the parameters for the estimated
     /// [`standard_deviation`](Self::standard_deviation), to first order in it: its square times the
-    /// inverse of the Gauss–Newton matrix `Σ wᵢ JᵢᵀJᵢ`. Lengths are in the unit of the points, angles
-    /// in radians. `None` where there is no standard deviation, or the points do not determine all
-    /// parameters.
+    /// inverse of the Gauss–Newton matrix `Σ wᵢ JᵢᵀJᵢ`. Lengths are in the unit of the points,
+    /// angles in radians. `None` where there is no standard deviation, or the points do not
+    /// determine all parameters.
     #[must_use]
     pub fn covariance(&self) -> Option<[[S; N]; N]> {
         self.scaled(self.variance?)

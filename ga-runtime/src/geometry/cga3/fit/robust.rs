@@ -21,8 +21,8 @@ use crate::vga3::Vector;
 /// Bolles, Random sample consensus, Communications of the ACM 24, 1981; Torr and Zisserman, MLESAC,
 /// Computer Vision and Image Understanding 78, 2000). Each best one so far is improved by least
 /// squares over the points that agree with it (Chum, Matas and Kittler, Locally optimized RANSAC,
-/// DAGM 2003). Then an M-estimate over the points that agree follows, which are collected anew until
-/// they stay the same.
+/// DAGM 2003). Then an M-estimate over the points that agree follows, which are collected anew
+/// until they stay the same.
 ///
 /// ```
 /// use ga_runtime::cga3::{Plane, Point};
@@ -147,7 +147,8 @@ pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     Err(PrimitiveFitError::NotConverged)
 }
 
-/// The given scale of the noise, or that of the distances from a place, but at least their rounding.
+/// The given scale of the noise, or that of the distances from a place, but at least their
+/// rounding.
 fn scale<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     cloud: &Cloud<S>,
     place: Place<S>,

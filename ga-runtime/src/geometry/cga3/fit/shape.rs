@@ -20,15 +20,15 @@ pub(super) trait Shape<S: Real<Mask = bool>, const N: usize>: Sized {
     /// Whether the primitive has a radius.
     const IS_ROUND: bool;
 
-    /// The components of the distance of a point of the frame, and their derivatives by the unknowns
-    /// of a [`step`](Self::step).
+    /// The components of the distance of a point of the frame, and their derivatives by the
+    /// unknowns of a [`step`](Self::step).
     fn rows(point: [S; 3], curvature: S) -> ([S; 2], [[S; N]; 2]);
 
     /// The change of place of a step.
     fn step(unknowns: [S; N]) -> Step<S>;
 
-    /// Places from which to search for the least distances, the best first, with what is expected of
-    /// them.
+    /// Places from which to search for the least distances, the best first, with what is expected
+    /// of them.
     fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>>;
 
     /// The same place with the documented orientation.
