@@ -75,7 +75,7 @@ fn check_axes<P, const N: usize>(
         |most: f64, x| if x.abs() > most.abs() { x } else { most },
     );
     prop_assert!(largest > 0.0, "{n:?}");
-    prop_assert!(length(minus(of_primitive.unwrap(), n)) < 1e-12);
+    prop_assert!(of_primitive.is_some_and(|axis| length(minus(axis, n)) < 1e-12));
     Ok(())
 }
 

@@ -27,7 +27,8 @@ fn degenerate() -> [Vec<Vector>; 3] {
 
 #[test]
 fn flat_points_are_named() {
-    for shift in [[0.0; 3], [1e6, -2e6, 1e6]] {
+    // Far away, what is flat is so up to rounding.
+    for shift in [[0.0; 3], [1e6, -2e6, 1e6], [1e11, 3e11, -7e11]] {
         for scale in [1.0, 1e-30, 1e30] {
             let [line, heap, plane] = degenerate()
                 .map(|set| {
@@ -79,6 +80,17 @@ fn what_fits_equally_well_in_several_ways_is_named() {
     let corners = points(&corners);
     assert_eq!(Plane::fit(&corners).unwrap_err(), Error::NotUnique);
     assert_eq!(Line::fit(&corners).unwrap_err(), Error::NotUnique);
+    // Up to rounding, in any orientation.
+    for seed in 0..50 {
+        let random = &mut SplitMix64(seed);
+        let (axis, angle) = (random.axis(), 3.0 * random.unit());
+        let turned: Vec<_> = corners
+            .iter()
+            .map(|p| Point::from(rotated(axis, angle, p.coordinates())))
+            .collect();
+        assert_eq!(Plane::fit(&turned).unwrap_err(), Error::NotUnique);
+        assert_eq!(Line::fit(&turned).unwrap_err(), Error::NotUnique);
+    }
     let square = points(&[
         [1.0, 1.0, 2.0],
         [1.0, -1.0, 2.0],
