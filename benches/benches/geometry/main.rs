@@ -25,6 +25,7 @@ fn group<'a>(criterion: &'a mut Criterion, operation: &str) -> Comparison<'a> {
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = construction::all, reading::all, measurement::all, meets::all, motions::all, fit::all, primitive_fit::all
+    targets = construction::all, reading::all, measurement::all, meets::all, motions::all, fit::all,
+        primitive_fit::all
 }
 criterion_main!(benches);

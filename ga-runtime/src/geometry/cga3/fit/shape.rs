@@ -86,12 +86,13 @@ mod tests {
                 place.moved(&P::step(step))
             };
             let (ahead, behind) = (moved(size), moved(-size));
-            for component in 0..P::COMPONENTS {
-                let slope = (at(ahead)[component] - at(behind)[component]) / (2.0 * size);
+            let pairs = at(ahead).into_iter().zip(at(behind));
+            for ((x, y), row) in pairs.zip(rows).take(P::COMPONENTS) {
+                let slope = (x - y) / (2.0 * size);
                 assert!(
-                    (slope - rows[component][unknown]).abs() < 1e-8,
-                    "component {component} by {unknown}: {slope}, not {}",
-                    rows[component][unknown]
+                    (slope - row[unknown]).abs() < 1e-8,
+                    "by {unknown}: {slope}, not {}",
+                    row[unknown]
                 );
             }
             let (ahead, behind) = (P::parameters(ahead), P::parameters(behind));
