@@ -122,6 +122,46 @@ proptest! {
         check(random, &line, &fit, |x| fit.residual(x), from_axis)?;
     }
 
+    /// Single precision finds what double precision finds for the same points, within the rounding
+    /// of a hundred numbers that the errors of the points enlarge.
+    #[test]
+    fn single_precision_finds_the_same(seed in any::<u64>(), noise in 1e-4..0.03_f64) {
+        let random = &mut SplitMix64(seed);
+        let truth = Figure::random(random, 2.0, [0.5, 2.0]);
+        let mut places = |point: &mut dyn FnMut(&mut SplitMix64) -> Vector| {
+            let single: Vec<Point<f32>> = (0..25)
+                .map(|_| {
+                    let place = point(random);
+                    Point::from(noisy(random, place, noise).map(|x| x as f32))
+                })
+                .collect();
+            let double = single.iter().map(|p| Point::from(p.coordinates().map(f64::from)));
+            let double: Vec<Point<f64>> = double.collect();
+            (single, double)
+        };
+        macro_rules! compare {
+            ($Type:ident, $places:expr) => {{
+                let (single, double) = $places;
+                let (single, double) = ($Type::fit(&single).unwrap(), $Type::fit(&double).unwrap());
+                prop_assert!((f64::from(single.radius()) - double.radius()).abs() < 1e-4);
+                prop_assert!((f64::from(single.rms()) - double.rms()).abs() < 1e-5);
+                let origin = single.origin().coordinates().map(f64::from);
+                prop_assert!(length(minus(origin, double.origin().coordinates())) < 2e-4);
+                let axis = single.axes()[2].map(f64::from);
+                prop_assert!(length(cross(axis, double.axes()[2])) < 2e-4);
+            }};
+        }
+        compare!(Sphere, places(&mut |random| {
+            truth.on_sphere((1.0 - random.unit()).acos(), TAU * random.unit())
+        }));
+        compare!(Circle, places(&mut |random| truth.on_circle(4.0 * random.unit())));
+        compare!(Cylinder, places(&mut |random| {
+            truth.on_cylinder(5.0 * random.unit(), random.within(2.0))
+        }));
+        compare!(Plane, places(&mut |random| truth.on_plane(random.within(1.0), random.within(2.0))));
+        compare!(Line, places(&mut |random| along(truth.point, random.within(2.0), truth.axis)));
+    }
+
     /// In the plane, whose lines and circles are compared with their normal and their centre.
     #[test]
     fn fits_in_the_plane_are_the_nearest(seed in any::<u64>(), noise in 1e-4..0.1_f64) {

@@ -32,6 +32,10 @@ const FIRST_STEPS: usize = 12;
 /// the method of Levenberg and Marquardt on the tangent space of motors and the curvature
 /// (Marquardt, An algorithm for least-squares estimation of nonlinear parameters, 1963). For a loss
 /// the equations are weighted anew at each step (iteratively reweighted least squares).
+///
+/// Where that takes many steps, the further ones are Newton's: the tilt of a low ring of a
+/// cylinder, for instance, changes distances less than their errors do, which the first matrix does
+/// not see.
 pub(super) fn refine<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: &[Weighted<S>],
     total: S,
