@@ -11,6 +11,7 @@ mod fit;
 mod measurement;
 mod meets;
 mod motions;
+mod primitive_fit;
 mod reading;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -24,6 +25,7 @@ fn group<'a>(criterion: &'a mut Criterion, operation: &str) -> Comparison<'a> {
 criterion_group! {
     name = benches;
     config = comparison::criterion();
-    targets = construction::all, reading::all, measurement::all, meets::all, motions::all, fit::all
+    targets = construction::all, reading::all, measurement::all, meets::all, motions::all, fit::all,
+        primitive_fit::all
 }
 criterion_main!(benches);

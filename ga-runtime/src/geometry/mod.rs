@@ -76,8 +76,8 @@
 //! what they hit first in [`ray`], 4×4 matrices in [`homogeneous`], and affine maps, which need not
 //! be conformal, in [`Affine`], with the motion and the similarity nearest to one. Matrices of maps
 //! of any other elements are in [`linear`](crate::linear). Means of many motions, curves through
-//! them and motions that fit points are in [`motion`]; chains of joints and their Jacobians in
-//! [`kinematics`].
+//! them and motions that fit points are in [`motion`], primitives that fit points in [`fit`]; chains
+//! of joints and their Jacobians in [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind
@@ -105,7 +105,7 @@ pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
     Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, Nearest, NearestVersor,
-    NotConformal, NotUnit, RotationPath, Screw, homogeneous, kinematics, motion, ray, relation,
+    NotConformal, NotUnit, RotationPath, Screw, fit, homogeneous, kinematics, motion, ray, relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotLorentz, NotSlowerThanLight, relative_velocity, velocity_sum};

@@ -4,7 +4,7 @@
 //! - [`borders`]: the borders of the regions of a picture in black and white, with their hierarchy.
 //! - [`outline`]: the border of the largest region or hole of a picture.
 //! - [`snake`]: closed curves that minimise an energy of their shape and of the picture.
-//! - [`fit`]: lines, circles and ellipses through points, and lines and circles in space.
+//! - [`fit`]: ellipses through points; for lines and circles see [`ga_runtime::geometry::fit`].
 //! - [`space_curve`](mod@space_curve): the closed curve in space that two views see as contours.
 //!
 //! Places are pixel coordinates `[u, v]`: u to the right and v down from the centre of the top left

@@ -7,9 +7,9 @@
 mod error;
 mod three_points;
 
-use ga_runtime::cga3::{DualQuaternion, Motor, MotorGenerator, Point};
+use ga_runtime::cga3::{DualQuaternion, Line, Motor, MotorGenerator, Plane, Point};
+use ga_runtime::geometry::fit::PrimitiveFitError;
 use ga_runtime::vga3::Vector;
-use nalgebra_035::{Matrix3, SymmetricEigen};
 
 pub use error::PerspectiveError;
 pub use three_points::three_points;
@@ -168,24 +168,14 @@ fn observations(
 
 /// Refuses points on one line.
 fn check_line(points: &[Point<f64>]) -> Result<(), PerspectiveError> {
-    let count = points.len() as f64;
-    let sum = points
-        .iter()
-        .fold(Vector::ZERO, |sum, point| sum + Vector::from(*point));
-    let centre = sum / count;
-    let scatter = points.iter().fold(Matrix3::zeros(), |scatter, point| {
-        let away = (Vector::from(*point) - centre).coordinates();
-        scatter + Matrix3::from_fn(|row, column| away[row] * away[column])
-    });
-    let mut squares: [f64; 3] = SymmetricEigen::new(scatter).eigenvalues.into();
-    squares.sort_by(f64::total_cmp);
-    let [smallest, middle, largest] = squares;
-    if middle <= 1e-14 * largest || largest <= 0.0 {
-        return Err(PerspectiveError::Collinear {
-            distance: ((smallest.max(0.0) + middle.max(0.0)) / count).sqrt(),
-        });
+    match Plane::fit(points) {
+        Err(PrimitiveFitError::Collinear | PrimitiveFitError::Coincident) => {
+            Err(PerspectiveError::Collinear {
+                distance: Line::fit(points).map_or(0.0, |fit| fit.rms()),
+            })
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// The least sum of squares over the points that agree.

@@ -3,14 +3,11 @@
 
 use std::f64::consts::TAU;
 
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_runtime::vga3::Vector;
+use ga_runtime::cga3::{Circle, Motor, Point, Rotor, Translator};
 use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
-use ga_vision::contour::fit::{FitError, circle_in_space, line_in_space};
 use ga_vision::contour::resampled;
 use ga_vision::contour::space_curve::{SpaceCurveError, SpaceCurveOptions, space_curve};
 use ga_vision::rig::StereoRig;
-use proptest::prelude::*;
 
 /// Cameras that look at a place 2 m away from different heights, 0.5 m apart, with distorted lenses
 /// and rolled against each other.
@@ -96,10 +93,10 @@ fn an_oblique_rig_finds_a_circle() {
         assert!((seen[0] - point.right[0]).hypot(seen[1] - point.right[1]) < 0.02);
     }
     assert!((found.length() - TAU * 0.25).abs() < 2e-4);
-    let fitted = circle_in_space(&found.triangulated()).unwrap();
-    assert!((fitted.radius().unwrap() - 0.25).abs() < 2e-5);
+    let fitted = Circle::fit(&found.triangulated()).unwrap();
+    assert!((fitted.radius() - 0.25).abs() < 2e-5);
     let truth = placement().transform(Point::default());
-    assert!(fitted.centre().unwrap().distance(truth) < 2e-5);
+    assert!(fitted.origin().distance(truth) < 2e-5);
 }
 
 #[test]
@@ -270,81 +267,4 @@ fn contours_that_give_no_curve_are_errors() {
     };
     let error = space_curve(&same, &left, &left, &options).unwrap_err();
     assert!(matches!(error, SpaceCurveError::Cameras(_)), "{error}");
-}
-
-fn nearby(noise: &[[f64; 3]], point: impl Fn(f64) -> Point<f64>) -> Vec<Point<f64>> {
-    let at = |k: usize| Vector::from(point(k as f64 / noise.len() as f64));
-    let moved = noise
-        .iter()
-        .enumerate()
-        .map(|(k, n)| at(k) + Vector::from(*n));
-    moved.map(Point::from).collect()
-}
-
-proptest! {
-    /// No circle near the fitted one has a smaller sum of squared distances.
-    #[test]
-    fn fitted_circles_in_space_are_the_nearest(
-        noise in prop::collection::vec(prop::array::uniform3(-0.02..0.02f64), 5..20),
-        change in prop::array::uniform3(-3e-3..3e-3f64),
-        tilt in prop::array::uniform3(-0.03..0.03f64),
-        wider in -3e-3..3e-3f64,
-    ) {
-        let points = nearby(&noise, circle);
-        let found = circle_in_space(&points).unwrap();
-        let cost = |circle: ga_runtime::cga3::Circle<f64>| -> f64 {
-            points.iter().map(|point| point.distance_to(circle).unwrap().powi(2)).sum()
-        };
-        let centre = Vector::from(found.centre().unwrap()) + Vector::from(change);
-        let normal = Vector::from(found.unit_normal().unwrap()) + Vector::from(tilt);
-        let other = ga_runtime::cga3::Circle::from_centre_normal_radius(
-            centre.into(),
-            normal.into(),
-            found.radius().unwrap() + wider,
-        );
-        prop_assert!(cost(found) <= cost(other.unwrap()) * (1.0 + 1e-9));
-    }
-
-    /// The same for lines.
-    #[test]
-    fn fitted_lines_in_space_are_the_nearest(
-        noise in prop::collection::vec(prop::array::uniform3(-0.02..0.02f64), 3..20),
-        change in prop::array::uniform3(-3e-3..3e-3f64),
-        tilt in prop::array::uniform3(-0.03..0.03f64),
-    ) {
-        let points = nearby(&noise, |t| placement().transform(Point::new(t, 0.0, 0.0)));
-        let found = line_in_space(&points).unwrap();
-        let cost = |line: ga_runtime::cga3::Line<f64>| -> f64 {
-            points.iter().map(|point| line.distance(*point).unwrap().powi(2)).sum()
-        };
-        let place = Vector::from(found.foot(points[0]).unwrap()) + Vector::from(change);
-        let direction = Vector::from(found.direction()) + Vector::from(tilt);
-        let other =
-            ga_runtime::cga3::Line::from_point_direction(place.into(), direction.into());
-        prop_assert!(cost(found) <= cost(other) * (1.0 + 1e-9));
-    }
-}
-
-#[test]
-fn points_that_determine_no_figure_in_space_are_errors() {
-    let line: Vec<Point<f64>> = (0..6)
-        .map(|k| placement().transform(Point::new(f64::from(k), 0.0, 0.0)))
-        .collect();
-    assert!(matches!(
-        circle_in_space(&line),
-        Err(FitError::Degenerate { .. })
-    ));
-    assert!(matches!(
-        circle_in_space(&line[..2]),
-        Err(FitError::TooFew { count: 2, .. })
-    ));
-    assert!(matches!(
-        line_in_space(&[line[0]; 3]),
-        Err(FitError::Degenerate { .. })
-    ));
-    let wrong = [line[0], line[1], Point::new(0.0, f64::INFINITY, 0.0)];
-    assert_eq!(
-        line_in_space(&wrong).err(),
-        Some(FitError::NotFinite { index: 2 })
-    );
 }

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use ga_image::plane::Plane;
 use ga_mesh::{Faces, Mesh, Polylines, obj};
-use ga_runtime::cga3::{Motor, Point};
-use ga_vision::contour::fit::{circle_in_space, line_in_space};
+use ga_runtime::cga3::{self, Motor, Point};
 use ga_vision::contour::space_curve::{
     SpaceCurve, SpaceCurveOptions, SpaceCurvePoint, space_curve,
 };
@@ -198,21 +197,19 @@ fn place(point: &SpaceCurvePoint) -> Place {
 }
 
 fn fitted_circle(points: &[Point<f64>]) -> Result<Circle> {
-    let circle = circle_in_space(points).context("the circle through the curve")?;
-    let parts = circle.centre().zip(circle.unit_normal());
-    let ((centre, normal), radius) = parts
-        .zip(circle.radius())
-        .context("the circle through the curve is beyond the range of numbers")?;
+    let fit = cga3::Circle::fit(points).context("the circle through the curve")?;
+    let [_, _, normal] = fit.axes();
     Ok(Circle {
-        centre_metres: centre.coordinates(),
+        centre_metres: fit.origin().coordinates(),
         normal,
-        radius_metres: radius,
-        rms_metres: rms(points, |point| point.distance_to(circle)),
+        radius_metres: fit.radius(),
+        rms_metres: fit.rms(),
     })
 }
 
 fn fitted_line(points: &[Point<f64>]) -> Result<Line> {
-    let line = line_in_space(points).context("the line through the curve")?;
+    let fit = cga3::Line::fit(points).context("the line through the curve")?;
+    let line = fit.primitive;
     let (nearest, direction) = line
         .support()
         .zip(line.unit_direction())
@@ -220,15 +217,8 @@ fn fitted_line(points: &[Point<f64>]) -> Result<Line> {
     Ok(Line {
         point_metres: nearest.coordinates(),
         direction,
-        rms_metres: rms(points, |point| line.distance(point)),
+        rms_metres: fit.rms(),
     })
-}
-
-/// The root of the mean square of distances.
-fn rms(points: &[Point<f64>], distance: impl Fn(Point<f64>) -> Option<f64>) -> f64 {
-    let squares = points.iter().filter_map(|point| distance(*point));
-    let sum: f64 = squares.map(|distance| distance * distance).sum();
-    (sum / points.len() as f64).sqrt()
 }
 
 impl Report {

@@ -8,6 +8,7 @@ use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::threshold;
+use ga_runtime::cga2::{self, Point};
 use ga_vision::contour::{Contour, OutlineError, borders, fit, perimeter, signed_area};
 use serde::Serialize;
 
@@ -130,11 +131,13 @@ fn settled(picture: &Plane<u8>, arguments: &Arguments, progress: &Progress) -> R
 }
 
 fn curve(points_px: Vec<[f64; 2]>, hole: bool, parent: Option<usize>) -> Curve {
-    let circle = fit::circle(&points_px).ok().and_then(|circle| {
-        Some(Circle {
-            centre_px: circle.centre()?.coordinates(),
-            radius_px: circle.radius()?,
-        })
+    let places: Vec<_> = points_px.iter().copied().map(Point::from).collect();
+    let circle = cga2::Circle::fit(&places).ok().map(|fit| {
+        let [u, v, _] = fit.origin().coordinates();
+        Circle {
+            centre_px: [u, v],
+            radius_px: fit.radius(),
+        }
     });
     let ellipse = fit::ellipse(&points_px).ok().map(|ellipse| Ellipse {
         centre_px: ellipse.centre,

@@ -1,7 +1,7 @@
 //! The motion and the similarity nearest to an affine map.
 
 use super::affine::{Affine, NotConformal, similarity};
-use super::motion::matrix::{Matrix, symmetric_eigen};
+use super::matrix::{Matrix, symmetric_eigen};
 use super::motion::moments::horn;
 use crate::cga3::{EvenVersor, Motor, Odd, OddVersor, Rotor, Similarity, Translator};
 use crate::geometry::number::are_numbers;

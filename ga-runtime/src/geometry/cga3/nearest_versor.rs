@@ -2,7 +2,7 @@
 
 use super::affine::NotConformal;
 use super::even_versor::from_even;
-use super::motion::matrix::{Matrix, inverse, transposed};
+use super::matrix::{Matrix, inverse, transposed};
 use super::odd_versor::times_pseudoscalar;
 use super::reflections::{Isometry, Versor, components, reflections_of, vector_of};
 use crate::cga3::{Even, EvenVersor, OddVersor, RoundVector};

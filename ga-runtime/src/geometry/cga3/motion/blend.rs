@@ -3,8 +3,8 @@
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
 use super::alignment::aligned;
-use super::weight::{WeightError, checked};
 use crate::cga3::{DualQuaternion, Motor, Rotor};
+use crate::geometry::cga3::weight::{WeightError, checked};
 use crate::scalar::Real;
 
 /// Motions that cannot be blended.

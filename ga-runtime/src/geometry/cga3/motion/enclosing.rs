@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::matrix::{Matrix, identity, solve};
+use crate::geometry::cga3::matrix::{Matrix, identity, solve};
 use crate::scalar::Real;
 
 /// The method terminates in exact arithmetic; this bound is for rounding in borderline cases, where

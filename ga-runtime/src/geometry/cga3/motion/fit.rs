@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use super::fit_error::FitError;
 use super::moments::Moments;
 use super::registration::{Pair, Sides, fixed_rotation};
-use super::weight::{WeightError, checked};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
+use crate::geometry::cga3::weight::{WeightError, checked};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 

@@ -2,7 +2,7 @@
 
 use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 
-use super::weight::WeightError;
+use crate::geometry::cga3::weight::WeightError;
 
 /// Pairs that do not determine a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,8 +6,8 @@ use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
 use super::alignment::{aligned, rotor_coordinates};
 use super::blend::{BlendError, counting, is_finite, largest_weight};
 use super::enclosing::lie_in_quarter_ball;
-use super::matrix::{Matrix, solve};
 use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
+use crate::geometry::cga3::matrix::{Matrix, solve};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 

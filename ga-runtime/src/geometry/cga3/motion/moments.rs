@@ -1,7 +1,7 @@
 //! The rotation of well-spread pairs of vectors, from sums over one pass.
 
-use super::matrix::{Matrix, solve};
 use crate::cga3::Rotor;
+use crate::geometry::cga3::matrix::{Matrix, solve};
 use crate::geometry::number::is_regular;
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;

@@ -1,9 +1,9 @@
 //! The rotation that takes vectors to vectors, by least squares.
 
 use super::fit_error::FitError;
-use super::matrix::{Matrix, solve, symmetric_eigen};
 use super::moments::horn;
 use crate::cga3::{MotorGenerator, Point, Rotor};
+use crate::geometry::cga3::matrix::{Matrix, solve, symmetric_eigen};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 

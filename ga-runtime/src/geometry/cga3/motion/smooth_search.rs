@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::matrix::{Matrix, solve_tridiagonal, transposed};
+use crate::geometry::cga3::matrix::{Matrix, solve_tridiagonal, transposed};
 use super::span::{Span, spans};
 use super::spline::{SplineError, bend, value, zero};
 use super::spline_end::SplineEnd;

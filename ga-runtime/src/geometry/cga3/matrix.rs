@@ -4,12 +4,19 @@ use alloc::vec::Vec;
 
 use crate::scalar::{Field, Real, Ring};
 
-pub(in super::super) type Matrix<S, const N: usize> = [[S; N]; N];
+pub(super) type Matrix<S, const N: usize> = [[S; N]; N];
 
 /// The identity matrix.
 pub(super) fn identity<S: Ring, const N: usize>() -> Matrix<S, N> {
     core::array::from_fn(|row| {
         core::array::from_fn(|column| if row == column { S::one() } else { S::zero() })
+    })
+}
+
+/// The symmetric matrix of which the entries on and below the diagonal are given.
+pub(super) fn symmetric<S: Ring, const N: usize>(lower: Matrix<S, N>) -> Matrix<S, N> {
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| lower[row.max(column)][row.min(column)])
     })
 }
 
@@ -80,7 +87,8 @@ pub(super) fn solve_tridiagonal<S: Real<Mask = bool>, const N: usize, const SIDE
     Some(sides)
 }
 
-pub(in super::super) fn inverse<S: Real<Mask = bool>, const N: usize>(
+/// The inverse; `None` where a pivot is zero or not finite.
+pub(super) fn inverse<S: Real<Mask = bool>, const N: usize>(
     a: Matrix<S, N>,
 ) -> Option<Matrix<S, N>> {
     let mut columns = identity();
@@ -90,10 +98,12 @@ pub(in super::super) fn inverse<S: Real<Mask = bool>, const N: usize>(
     Some(transposed(columns))
 }
 
-pub(in super::super) fn transposed<S: Ring, const N: usize>(a: Matrix<S, N>) -> Matrix<S, N> {
+/// The matrix with rows and columns exchanged.
+pub(super) fn transposed<S: Ring, const N: usize>(a: Matrix<S, N>) -> Matrix<S, N> {
     core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
 }
 
+/// The product of a matrix and a column.
 fn applied<S: Ring, const N: usize>(a: &Matrix<S, N>, x: [S; N]) -> [S; N] {
     a.map(|row| {
         row.into_iter()
@@ -114,12 +124,39 @@ fn subtract<S: Ring, const N: usize, const SIDES: usize>(
     }
 }
 
+/// The inverse of a positive definite matrix, with its diagonal scaled to 1 before; `None` where a
+/// diagonal entry is not positive, or the matrix is singular up to rounding.
+pub(super) fn inverse_of_positive_definite<S: Real<Mask = bool>, const N: usize>(
+    mut a: Matrix<S, N>,
+) -> Option<Matrix<S, N>> {
+    let scales: [S; N] = core::array::from_fn(|k| a[k][k].sqrt().recip());
+    if !scales.iter().all(|scale| scale.is_finite()) {
+        return None;
+    }
+    for row in 0..N {
+        for column in 0..N {
+            a[row][column] *= scales[row] * scales[column];
+        }
+    }
+    let most = (S::epsilon() * S::from_integer(64)).recip();
+    let mut inverse = [[S::zero(); N]; N];
+    for (row, unit) in identity::<S, N>().into_iter().enumerate() {
+        let solution = solve(a, unit)?;
+        let own = solution[row];
+        if !(S::zero().less_than(own) && own.less_than(most)) {
+            return None;
+        }
+        inverse[row] = core::array::from_fn(|k| solution[k] * scales[row] * scales[k]);
+    }
+    Some(inverse)
+}
+
 /// The eigenvalues of a symmetric matrix and their eigenvectors of length 1, the largest eigenvalue
 /// first.
 ///
 /// By the cyclic method of Jacobi (Golub and Van Loan, Matrix Computations, 2013, section 8.5):
 /// each step makes one off-diagonal entry zero by a rotation in the plane of two axes.
-pub(in super::super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
+pub(super) fn symmetric_eigen<S: Real<Mask = bool>, const N: usize>(
     mut a: Matrix<S, N>,
 ) -> [(S, [S; N]); N] {
     // Sweeps converge quadratically; small matrices rarely need more than six.

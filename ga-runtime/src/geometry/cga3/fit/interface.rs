@@ -1,0 +1,140 @@
+//! The functions that fit each primitive.
+
+use super::cloud::{Cloud, Weighted};
+use super::error::PrimitiveFitError;
+use super::loss::Limited;
+use super::place::Place;
+use super::refinement::refine;
+use super::result::{Located, PrimitiveFit, fitted};
+use super::shape::Shape;
+use crate::cga3::Point;
+use crate::scalar::Real;
+use crate::vga3::Vector;
+
+/// The most steps of a search. Points near a primitive take fewer than ten, the worst some dozens.
+const MOST_STEPS: usize = 300;
+/// The most steps from each of several starts, before the best is continued.
+const FIRST_STEPS: usize = 20;
+
+/// Defines the name of a result and the fits of a primitive, given what makes vectors of its points
+/// and the documentation of the first fit.
+macro_rules! fits {
+    ($Type:ident, $unknowns:literal, $Fit:ident, $place:expr; $(#[$documentation:meta])*) => {
+        #[doc = concat!("A [`", stringify!($Type), "`] that was fitted to points.")]
+        pub type $Fit<S> = $crate::geometry::fit::PrimitiveFit<$Type<S>, S, $unknowns>;
+
+        impl<S: Real<Mask = bool>> $Type<S> {
+            $(#[$documentation])*
+            pub fn fit(points: &[Point<S>]) -> Result<$Fit<S>, PrimitiveFitError<S>> {
+                let places = points.iter().map(|&point| (S::one(), $place(point)));
+                super::interface::fit(places)
+            }
+
+            /// The same with weights: `Σ wᵢ dᵢ²` is least. A weight w says that the coordinates of
+            /// the point have the variance `σ²/w`. Points of weight zero are ignored.
+            ///
+            /// # Errors
+            /// Those of [`fit`](Self::fit), and weights that are negative or not finite, or all
+            /// zero.
+            pub fn fit_weighted(
+                points: &[(S, Point<S>)],
+            ) -> Result<$Fit<S>, PrimitiveFitError<S>> {
+                let places = points.iter().map(|&(weight, point)| (weight, $place(point)));
+                super::interface::fit(places)
+            }
+
+            /// The same in the presence of gross errors: random samples find the points that agree
+            /// within a threshold, and an M-estimate of these follows. See
+            /// [`RobustSettings`](crate::geometry::fit::RobustSettings).
+            ///
+            /// # Errors
+            /// Those of [`fit`](Self::fit) for the points that agree; settings outside of their
+            /// range; [`PrimitiveFitError::NoConsensus`] where too few points agree.
+            pub fn fit_robustly(
+                points: &[Point<S>],
+                settings: &$crate::geometry::fit::RobustSettings<S>,
+            ) -> Result<$crate::geometry::fit::RobustFit<Self, S, $unknowns>, PrimitiveFitError<S>>
+            {
+                let places = points.iter().map(|&point| $place(point)).collect();
+                super::robust::fit(places, settings)
+            }
+        }
+
+        impl<S: Real<Mask = bool>> $Fit<S> {
+            /// The distance of a point from the primitive: signed for a surface, positive outside
+            /// or on the side of the normal.
+            #[must_use]
+            pub fn residual(&self, point: Point<S>) -> S {
+                self.located.residual::<$Type<S>, $unknowns>($place(point))
+            }
+        }
+    };
+}
+pub(super) use fits;
+
+/// The primitive with the least sum of squared distances.
+pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    points: impl ExactSizeIterator<Item = Weighted<S>>,
+) -> Result<PrimitiveFit<P, S, N>, PrimitiveFitError<S>> {
+    let cloud = cloud_of::<P, S, N>(points)?;
+    let starts = P::starts(&cloud)?;
+    let place = least::<P, S, N>(&cloud, &starts, None)?;
+    fitted(&cloud, place, None)
+}
+
+/// The primitive of the algebraic fit.
+pub(super) fn start<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    points: &[Point<S>],
+) -> Result<P, PrimitiveFitError<S>> {
+    let places = points.iter().map(|&point| (S::one(), Vector::from(point)));
+    let cloud = cloud_of::<P, S, N>(places)?;
+    let starts = P::starts(&cloud)?;
+    let place = starts.first().ok_or(PrimitiveFitError::NotUnique)?;
+    Located::new(&cloud, *place).element::<P, N>()
+}
+
+/// Points that spread as the primitive requires.
+pub(super) fn cloud_of<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    points: impl ExactSizeIterator<Item = Weighted<S>>,
+) -> Result<Cloud<S>, PrimitiveFitError<S>> {
+    let cloud = Cloud::of(points, P::NEEDED)?;
+    cloud.require(P::DIMENSION)?;
+    Ok(cloud)
+}
+
+/// The place of the least distances or losses that is reached from some places.
+pub(super) fn least<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    cloud: &Cloud<S>,
+    starts: &[Place<S>],
+    limited: Limited<S>,
+) -> Result<Place<S>, PrimitiveFitError<S>> {
+    let search =
+        |start, steps| refine::<P, S, N>(&cloud.points, cloud.total, start, limited, steps);
+    let steps = if starts.len() > 1 {
+        FIRST_STEPS
+    } else {
+        MOST_STEPS
+    };
+    let best = starts
+        .iter()
+        .map(|&start| search(start, steps))
+        .filter(|found| found.cost.is_finite())
+        .reduce(|best, next| {
+            if next.cost.less_than(best.cost) {
+                next
+            } else {
+                best
+            }
+        });
+    let best = match best {
+        Some(found) if !found.has_converged && steps < MOST_STEPS => {
+            search(found.place, MOST_STEPS)
+        }
+        Some(found) => found,
+        None => return Err(PrimitiveFitError::OutOfRange),
+    };
+    if !best.has_converged {
+        return Err(PrimitiveFitError::NotConverged);
+    }
+    Ok(best.place)
+}
