@@ -30,6 +30,7 @@ pub(crate) fn explain(definition: &Definition, mismatch: &Mismatch<'_, '_>) -> S
         Reason::NotDerived(..)
         | Reason::NoReadings
         | Reason::NotParameter(_)
+        | Reason::Zero
         | Reason::NotReadable
         | Reason::Fact(_) => reason.to_string(),
     });

@@ -90,11 +90,43 @@
 /// restrict its coefficients is built by `new_unchecked` or `try_new(…, tolerance)`, one of unit
 /// versors also by `normalize(hull)`.
 ///
+/// # Types by parameters
+///
+/// A type may list *parameters* in place of blades: numbers, or members of a type of blades. It is
+/// stored as these, in public fields of their names, and `new` takes them in their order.
+///
+/// ```text
+/// #[hull(RoundVector)]
+/// struct DualSphere {
+///     weight, centre: Point, radius_squared;
+///     self = weight * (centre - radius_squared / 2 * ei);
+///     weight = -(ei | self);
+///     radius_squared = (self | self) / (weight * weight);
+///     centre = self / weight + radius_squared / 2 * ei;
+/// }
+/// ```
+///
+/// `self = …` is the multivector that the parameters stand for, a formula as in [`ga!`](crate::ga).
+/// Its blades are blades of the hull, which is the type of sums. The formulas after it are
+/// *readings*: how each parameter follows from a multivector `self`, from parameters that are read
+/// above, and from what `let` binds. There is one for each parameter, or none at all: a type
+/// without readings is only an operand, such as one of two joint angles that stand for a rotation.
+/// The compiler checks at random members that the parameters read give the multivector back, and
+/// that the facts of the type follow. In readings a quotient by zero is zero, so that any
+/// multivector has parameters. `TryFrom` and `try_from_element` refuse one that they do not give
+/// back.
+///
+/// Products are computed with the parameters; their results are read, so that what is not needed of
+/// the multivector is not computed. Of what a versor makes of a member, parameters that stay or are
+/// moved are not read anew. In `ga!`, `x.centre` is a parameter. The coefficients of blades have
+/// the methods of every type, and text is written by blades; serde writes parameters by name.
+///
 /// # Products
 ///
 /// `products` lists the products to emit: `geometric` (`*`), `wedge` (`^`), `left_contraction`
 /// (`|`), `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`,
-/// `undual`. Braces list several types in one line. The result is stated with `->`, where `Self` is
+/// `undual`. Braces list several types in one line. `blade` before a type says that the operand is an
+/// outer product of vectors, as in [`ga!`](crate::ga#operands-that-are-blades). The result is stated with `->`, where `Self` is
 /// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
 /// type without facts has just the blades of the result. That each result lies in its type is
 /// verified when the macro runs, by exact evaluation at random points. Where no result is stated,
@@ -107,6 +139,7 @@
 /// # What every type has
 ///
 /// - `coefficients()`, an iterator of (name, value); `coefficient_of("e12")`; `is_finite()`.
+/// - For a type by parameters, the coefficients of its blades follow from these.
 /// - `Display`, as `1 + 2 e12`, and `FromStr` for the same text, with an error that names the term
 ///   and its place.
 /// - `+`, `-`, `*` and `/` by a number, negation; `+=`, `-=`, `*=`, `/=` and `Sum` where the result
@@ -203,6 +236,7 @@ macro_rules! algebra {
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `hypot(x, y)`, `ln`, `recip` | of scalars |
+/// | `recip_or_zero` | `1/x`, and 0 for x = 0 |
 /// | `sin`, `cos`, `tan`, `asin`, `acos`, `atan2(y, x)` | of scalars, angles in radians |
 /// | `sinh`, `cosh`, `tanh` | of scalars |
 /// | `pow(x, 3)`, `pow(x, -2)`, `pow(x, 1/2)` | power with a number as exponent |
@@ -213,7 +247,7 @@ macro_rules! algebra {
 /// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
 /// | `!c`, `c && d`, <code>c &#124;&#124; d</code> | conditions from conditions |
 /// | `2`, `0.5`, `pi`, `e12`, `Infinity` | exact numbers, π, basis blades, constant types |
-/// | `a.e12`, `xs[0]`, `t.1` | a coefficient; an element of an array or tuple |
+/// | `a.e12`, `s.centre`, `xs[0]`, `t.1` | a coefficient; a parameter; an element of an array or tuple |
 ///
 /// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error
@@ -247,27 +281,31 @@ macro_rules! algebra {
 ///
 /// # Operands that are blades
 ///
-/// The types of cga3 for circles, lines and point pairs hold any sum of their blades, so that sums
+/// The types of cga3 for lines, bivectors and trivectors hold any sum of their blades, so that sums
 /// and coefficients need no checks. An operand marked `blade` is taken to be an outer product of
 /// vectors, as figures built from points are: the caller makes sure of that. What follows from the
-/// Plücker relations is then known, here that a circle C has a scalar `C ~C`:
+/// Plücker relations is then known, here that a circle C, held as a trivector, has a scalar `C ~C`.
+/// Types by parameters, such as `Circle`, need no mark.
 ///
 /// ```
-/// use ga_runtime::cga3::{Circle, Point};
+/// use ga_runtime::cga3::{Circle, Point, Trivector};
 ///
 /// ga_runtime::ga! { ga_runtime::cga3;
-///     fn inverse_of(blade c: Circle) -> Circle { inverse(c) }
+///     fn inverse_of(blade c: Trivector) -> Trivector { inverse(c) }
 /// }
 ///
 /// # fn main() {
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point::from);
 /// let circle: Circle<f64> = points[0] ^ points[1] ^ points[2];
+/// let circle = Trivector::from(circle);
 /// assert_eq!(inverse_of(inverse_of(circle)), circle);
 /// # }
 /// ```
 ///
 /// In a call from another function, the argument must be known to be a blade. An algebra of your
-/// own can say it in a type, by `#[facts(blade)]`.
+/// own can say it in a type, by `#[facts(blade)]`. Where a result of a type by parameters is one
+/// only for blades, operands that are flats are taken for blades without a mark: `line & sphere` is
+/// a `PointPair`.
 ///
 /// # Conditions
 ///
@@ -348,8 +386,8 @@ macro_rules! algebra {
 /// There is one division, by the weight. Where it is zero for particular values, the result is not
 /// finite: a dual plane and a direction are at infinity. What is always there, such as a `Plane` or
 /// a `Line`, is an error. `endpoints` of an imaginary pair, where a line misses a sphere, is NaN;
-/// the two ends of a tangent are the same. Multivectors of a round's blades that are not blades are
-/// read by the same formulas.
+/// the two ends of a tangent are the same. Bivectors and trivectors that are not blades are read by
+/// the same formulas. A round that stores its centre needs no division.
 ///
 /// # Types of results
 ///

@@ -11,8 +11,8 @@ pub use crate::__interoperate as interoperate;
 /// Methods and traits that every declared type has.
 pub use crate::__surface as surface;
 pub use crate::element::{
-    Relative, are_within, default_tolerance, divided_by_largest, grade, one, parse, scaled_norm,
-    write,
+    Relative, are_within, default_tolerance, divided_by_largest, grade, largest, one, parse,
+    scaled_norm, write,
 };
 #[cfg(feature = "serde-1")]
 pub use crate::interop::serde::coefficients;

@@ -69,7 +69,7 @@ pub(crate) fn line(line: cga3::Line<f64>) -> Line {
 }
 
 pub(crate) fn sphere(sphere: cga3::Sphere<f64>) -> Sphere {
-    let dual = sphere.dual();
+    let dual = cga3::RoundVector::from(sphere.dual());
     Sphere {
         weight: dual.eo,
         middle: DVec3::new(dual.e1, dual.e2, dual.e3),
@@ -77,7 +77,7 @@ pub(crate) fn sphere(sphere: cga3::Sphere<f64>) -> Sphere {
     }
 }
 
-pub(crate) fn round(b: cga3::DualCircle<f64>) -> Round {
+pub(crate) fn round(b: cga3::Bivector<f64>) -> Round {
     Round {
         axis: -DVec3::new(b.e1o, b.e2o, b.e3o),
         moment: DVec3::new(b.e23, -b.e13, b.e12),

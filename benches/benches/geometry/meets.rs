@@ -1,9 +1,8 @@
 //! Where figures meet, and the common perpendicular of two lines.
 //!
-//! The meets of spheres give a circle or a pair of points as an element, real or imaginary, with
-//! ten coefficients. The rows of glam give centre, normal and radius of a real circle, or two
-//! points; the rows "to coefficients" compute the ten coefficients and tell the cases apart, as
-//! ours do.
+//! The meets of spheres give a circle or a pair of points as an element, real or imaginary, by its
+//! centre, normal and squared radius. The rows of glam give centre, normal and radius of a real
+//! circle, or two points; the rows "to coefficients" compute the ten coefficients of the blade.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Line, Plane, Sphere};

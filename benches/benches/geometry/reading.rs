@@ -1,7 +1,7 @@
 //! Centres, radii, normals and directions, read from coefficients.
 
 use criterion::Criterion;
-use ga_runtime::cga3::{Circle, DualCircle, Line, Plane, PointPair, Sphere};
+use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Sphere};
 use nullcone_benches::inputs;
 
 use super::by_hand::{self, Ball};
@@ -30,11 +30,11 @@ pub(crate) fn all(criterion: &mut Criterion) {
         .map(|[p, q, ..]| Line::through(*p, *q))
         .collect();
     let plain_spheres: Vec<_> = spheres.iter().map(|s| by_hand::sphere(*s)).collect();
-    let plain_circles: Vec<_> = circles.iter().map(|c| by_hand::round(c.dual())).collect();
-    let plain_pairs: Vec<_> = pairs
+    let plain_circles: Vec<_> = circles
         .iter()
-        .map(|p| by_hand::round(DualCircle::from(*p)))
+        .map(|c| by_hand::round(c.dual().into()))
         .collect();
+    let plain_pairs: Vec<_> = pairs.iter().map(|p| by_hand::round((*p).into())).collect();
     let plain_planes: Vec<_> = planes.iter().map(|p| by_hand::plane(*p)).collect();
     let plain_lines: Vec<_> = lines.iter().map(|l| by_hand::line(*l)).collect();
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use ga_runtime::Element;
-use ga_runtime::cga3::{Circle, Infinity, Line, Motor, Multivector, Point, PointPair};
+use ga_runtime::cga3::{Circle, Infinity, Motor, Multivector, Point, PointPair, Trivector};
 use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::geometry::relation::meet::{CircleAndCircle, LineAndCircle, LineAndLine};
 
@@ -53,9 +53,9 @@ pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementEr
 fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multivector<f64>>> {
     let [a, b] = [curve(a)?, curve(b)?];
     let tolerance = Tolerance::new(1e-9, 1e-9);
-    let line = |c: Circle<f64>| {
-        is_flat(c).then(|| Line::new(c.e12i, c.e13i, c.e23i, c.e1oi, c.e2oi, c.e3oi))
-    };
+    let line = |c: Trivector<f64>| is_flat(c).then(|| c.extract_line());
+    let round =
+        |c: Trivector<f64>| Circle::from_coefficients_unchecked(&mut |blade| c.coefficient(blade));
     let point = |p: Point<f64>| Some(Multivector::from(p));
     let tangent = |p, direction| PointPair::tangent(p, direction).map(Multivector::from);
     Some(match (line(a), line(b)) {
@@ -65,7 +65,7 @@ fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multiv
             LineAndLine::Parallel { .. } | LineAndLine::Skew(_) => None,
         },
         (Some(line), None) | (None, Some(line)) => {
-            let circle = if is_flat(a) { b } else { a };
+            let circle = round(if is_flat(a) { b } else { a });
             match line.meet(circle, tolerance)? {
                 LineAndCircle::Points(pair) | LineAndCircle::Imaginary(pair) => Some(pair.into()),
                 LineAndCircle::Tangent {
@@ -76,7 +76,7 @@ fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multiv
                 LineAndCircle::Apart => None,
             }
         }
-        (None, None) => match a.meet(b, tolerance)? {
+        (None, None) => match round(a).meet(round(b), tolerance)? {
             CircleAndCircle::Points(pair) | CircleAndCircle::Imaginary(pair) => Some(pair.into()),
             CircleAndCircle::Tangent {
                 point: p,
@@ -89,14 +89,14 @@ fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multiv
     })
 }
 
-/// A line or circle, as a circle; `None` for elements with blades of another grade.
-fn curve(element: Multivector<f64>) -> Option<Circle<f64>> {
+/// A line or circle; `None` for elements with blades of another grade.
+fn curve(element: Multivector<f64>) -> Option<Trivector<f64>> {
     let is_other = |blade: usize| blade.count_ones() != 3 && element.coefficient(blade) != 0.0;
-    let circle = Circle::from_coefficients_unchecked(&mut |blade| element.coefficient(blade));
-    (!(0..32).any(is_other) && circle != Circle::default()).then_some(circle)
+    let curve = element.extract_trivector();
+    (!(0..32).any(is_other) && curve != Trivector::ZERO).then_some(curve)
 }
 
-fn is_flat(c: Circle<f64>) -> bool {
+fn is_flat(c: Trivector<f64>) -> bool {
     [c.e123, c.e12o, c.e13o, c.e23o] == [0.0; 4]
 }
 

@@ -1,7 +1,7 @@
 //! General multivectors, classified by their grades.
 
 use ga_runtime::Element;
-use ga_runtime::cga3::{Circle, Motor, Multivector, PointPair, RoundVector, Sphere};
+use ga_runtime::cga3::{Bivector, Motor, Multivector, Quadvector, RoundVector, Trivector};
 
 use super::drawable::balanced;
 use super::{Drawable, NotDrawable, Shape};
@@ -29,14 +29,14 @@ impl Drawable for Multivector<f64> {
             [1] => part::<RoundVector<f64>>(self).shape(),
             [2] => {
                 check_blade(&element)?;
-                part::<PointPair<f64>>(self).shape()
+                part::<Bivector<f64>>(self).shape()
             }
             [3] => {
                 // A trivector is a blade where its dual bivector is a blade.
                 check_blade(&element.dual())?;
-                part::<Circle<f64>>(self).shape()
+                part::<Trivector<f64>>(self).shape()
             }
-            [4] => part::<Sphere<f64>>(self).shape(),
+            [4] => part::<Quadvector<f64>>(self).shape(),
             [0] | [5] => Err(NotDrawable::NeitherBladeNorMotor),
             _ => motor(self)
                 .ok_or(NotDrawable::NeitherBladeNorMotor)?

@@ -1,12 +1,13 @@
 //! Points, point pairs, circles and spheres.
 
+use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Circle, DualCircle, DualFlatPoint, DualPointPair, DualSphere, FlatPoint, Line, Plane, Point,
-    PointPair, RoundVector, Sphere,
+    Bivector, Circle, DualCircle, DualFlatPoint, DualPointPair, DualSphere, FlatPoint, Line, Plane,
+    Point, PointPair, Quadvector, RoundVector, Sphere, Trivector,
 };
 use ga_runtime::vga3::Vector;
 
-use super::drawable::balanced;
+use super::drawable::{balanced, check_coefficients};
 use super::{Drawable, NotDrawable, Shape};
 
 impl Drawable for Point<f64> {
@@ -15,21 +16,58 @@ impl Drawable for Point<f64> {
     }
 }
 
+/// A dual sphere or a dual plane.
 impl Drawable for RoundVector<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
         balanced(self)?.undual().shape()
     }
 }
 
+/// A sphere or a plane.
+impl Drawable for Quadvector<f64> {
+    fn shape(&self) -> Result<Shape, NotDrawable> {
+        let sum = balanced(self)?;
+        match sum.e123o == 0.0 {
+            true => Plane::new(sum.e123i, sum.e12oi, sum.e13oi, sum.e23oi).shape(),
+            false => read::<Sphere<f64>>(sum).shape(),
+        }
+    }
+}
+
+/// A circle or a line.
+impl Drawable for Trivector<f64> {
+    fn shape(&self) -> Result<Shape, NotDrawable> {
+        let sum = balanced(self)?;
+        let rounds = [sum.e123, sum.e12o, sum.e13o, sum.e23o];
+        match rounds == [0.0; 4] {
+            true => Line::new(sum.e12i, sum.e13i, sum.e23i, sum.e1oi, sum.e2oi, sum.e3oi).shape(),
+            false => read::<Circle<f64>>(sum).shape(),
+        }
+    }
+}
+
+/// A point pair, a flat point or a free vector.
+impl Drawable for Bivector<f64> {
+    fn shape(&self) -> Result<Shape, NotDrawable> {
+        let sum = balanced(self)?;
+        let rounds = [sum.e1o, sum.e2o, sum.e3o, sum.e12, sum.e13, sum.e23];
+        match rounds == [0.0; 6] {
+            // The original coefficients: the length of a free vector is part of its shape.
+            true => FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).shape(),
+            false => read::<PointPair<f64>>(sum).shape(),
+        }
+    }
+}
+
+/// The parameters of a blade that is a round.
+fn read<T: Element<Scalar = f64>>(sum: impl Element<Scalar = f64>) -> T {
+    T::from_coefficients_unchecked(&mut |blade| sum.coefficient(blade))
+}
+
 impl Drawable for Sphere<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
-        let sphere = balanced(self)?;
-        if sphere.e123o == 0.0 {
-            return Plane::new(sphere.e123i, sphere.e12oi, sphere.e13oi, sphere.e23oi).shape();
-        }
-        let centre = sphere.centre().ok_or(NotDrawable::NoWeight)?;
-        let squared = sphere.radius_squared().ok_or(NotDrawable::NoWeight)?;
-        let (radius, imaginary) = match Radius::new(squared, centre) {
+        let centre = placed(self.centre, [self.weight, 0.0, 0.0], self.radius_squared)?;
+        let (radius, imaginary) = match Radius::new(self.radius_squared, centre) {
             Radius::Zero => return Shape::Point { at: centre }.checked(),
             Radius::Real(radius) => (radius, false),
             Radius::Imaginary(radius) => (radius, true),
@@ -45,23 +83,9 @@ impl Drawable for Sphere<f64> {
 
 impl Drawable for Circle<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
-        let circle = balanced(self)?;
-        let rounds = [circle.e123, circle.e12o, circle.e13o, circle.e23o];
-        if rounds == [0.0; 4] {
-            return Line::new(
-                circle.e12i,
-                circle.e13i,
-                circle.e23i,
-                circle.e1oi,
-                circle.e2oi,
-                circle.e3oi,
-            )
-            .shape();
-        }
-        let centre = circle.centre().ok_or(NotDrawable::NoWeight)?;
-        let normal = Vector::from(circle.unit_normal().ok_or(NotDrawable::NoWeight)?);
-        let squared = circle.radius_squared().ok_or(NotDrawable::NoWeight)?;
-        let (radius, imaginary) = match Radius::new(squared, centre) {
+        let centre = placed(self.centre, self.normal.vector(), self.radius_squared)?;
+        let normal = Vector::from(self.unit_normal().ok_or(NotDrawable::NoWeight)?);
+        let (radius, imaginary) = match Radius::new(self.radius_squared, centre) {
             Radius::Zero => return Shape::TangentBivector { at: centre, normal }.checked(),
             Radius::Real(radius) => (radius, false),
             Radius::Imaginary(radius) => (radius, true),
@@ -78,15 +102,9 @@ impl Drawable for Circle<f64> {
 
 impl Drawable for PointPair<f64> {
     fn shape(&self) -> Result<Shape, NotDrawable> {
-        let pair = balanced(self)?;
-        if [pair.e1o, pair.e2o, pair.e3o, pair.e12, pair.e13, pair.e23] == [0.0; 6] {
-            // The original coefficients: the length of a free vector is part of its shape.
-            return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).shape();
-        }
-        let direction = Vector::from(pair.unit_direction().ok_or(NotDrawable::NoWeight)?);
-        let centre = pair.centre().ok_or(NotDrawable::NoWeight)?;
-        let squared = pair.radius_squared().ok_or(NotDrawable::NoWeight)?;
-        let (radius, imaginary) = match Radius::new(squared, centre) {
+        let centre = placed(self.centre, self.direction.vector(), self.radius_squared)?;
+        let direction = Vector::from(self.unit_direction().ok_or(NotDrawable::NoWeight)?);
+        let (radius, imaginary) = match Radius::new(self.radius_squared, centre) {
             Radius::Zero => {
                 return Shape::TangentVector {
                     at: centre,
@@ -107,17 +125,40 @@ impl Drawable for PointPair<f64> {
     }
 }
 
+/// The centre of a round, whose weight is not zero and whose numbers are finite.
+fn placed(
+    centre: Point<f64>,
+    weight: [f64; 3],
+    radius_squared: f64,
+) -> Result<Point<f64>, NotDrawable> {
+    match check_coefficients(weight) {
+        Err(NotDrawable::Zero) => return Err(NotDrawable::NoWeight),
+        checked => checked?,
+    }
+    let numbers = centre.coordinates().into_iter().chain([radius_squared]);
+    match numbers.into_iter().find(|number| !number.is_finite()) {
+        Some(number) => Err(NotDrawable::NotFinite(number)),
+        None => Ok(centre),
+    }
+}
+
 macro_rules! by_the_direct_form {
     ($($Dual:ident)*) => {$(
         impl Drawable for $Dual<f64> {
             fn shape(&self) -> Result<Shape, NotDrawable> {
-                balanced(self)?.undual().shape()
+                self.undual().shape()
             }
         }
     )*};
 }
 
-by_the_direct_form!(DualFlatPoint DualPointPair DualCircle DualSphere);
+by_the_direct_form!(DualPointPair DualCircle DualSphere);
+
+impl Drawable for DualFlatPoint<f64> {
+    fn shape(&self) -> Result<Shape, NotDrawable> {
+        balanced(self)?.undual().shape()
+    }
+}
 
 /// A radius, classified by the sign of its square.
 enum Radius {

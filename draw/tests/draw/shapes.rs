@@ -2,8 +2,8 @@
 
 use ga_draw::{Drawable, NotDrawable, Scene, Shape, Style};
 use ga_runtime::cga3::{
-    Circle, Direction, DualPlane, Infinity, Line, Motor, Multivector, Plane, Point, PointPair,
-    Rotor, RoundVector, Sphere, Translator,
+    Bivector, Circle, Direction, DualPlane, Infinity, Line, Motor, Multivector, Plane, Point,
+    PointPair, Rotor, RoundVector, Sphere, Translator,
 };
 
 use crate::{assert_well_formed, close};
@@ -118,13 +118,10 @@ fn what_has_no_place_is_refused() {
         scene.add(far, Style::default()).unwrap_err(),
         NotDrawable::TooLarge(1e200)
     );
-    assert_eq!(
-        PointPair::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0).shape(),
-        Err(NotDrawable::Zero)
-    );
+    assert_eq!(Bivector::<f64>::ZERO.shape(), Err(NotDrawable::Zero));
     let at_infinity = RoundVector::new(0.0, 0.0, 0.0, 0.0, 1.0);
     assert_eq!(at_infinity.shape(), Err(NotDrawable::NoWeight));
-    let infinite = Sphere::new(f64::INFINITY, 0.0, 0.0, 0.0, 0.0);
+    let infinite = Sphere::from_centre_radius_squared(Point::ORIGIN, f64::INFINITY);
     assert_eq!(infinite.shape(), Err(NotDrawable::NotFinite(f64::INFINITY)));
     let mixed: Multivector<f64> = Multivector {
         scalar: 1.0,

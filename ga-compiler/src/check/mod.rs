@@ -59,13 +59,7 @@ pub fn check_with_warnings(
     if is_sound {
         parameters::check(&mut definition, &mut sound, &syntax.types, &mut diagnostics);
     }
-    definition.products = products::check(
-        &definition.algebra,
-        &definition.types,
-        &sound,
-        &syntax.products,
-        &mut diagnostics,
-    );
+    definition.products = products::check(&definition, &sound, &syntax.products, &mut diagnostics);
     let warnings = diagnostics.into_result()?;
     Ok((definition, warnings))
 }

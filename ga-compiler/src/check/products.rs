@@ -5,18 +5,19 @@ use syn::Ident;
 
 use super::limits;
 use crate::algebra::{Algebra, Blade};
-use crate::define::{Operation, ProductDefinition, SCALAR_TYPE, TypeDefinition};
+use crate::define::{Definition, Operation, ProductDefinition, SCALAR_TYPE, TypeDefinition};
 use crate::diag::Diagnostics;
-use crate::parse::ProductSyntax;
+use crate::parse::{OperandTypeSyntax, ProductSyntax};
+use crate::resolve::as_blade;
 use crate::verify;
 
 pub(super) fn check(
-    algebra: &Algebra,
-    types: &[TypeDefinition],
+    definition: &Definition,
     sound: &[bool],
     syntax: &[ProductSyntax],
     diagnostics: &mut Diagnostics,
 ) -> Vec<ProductDefinition> {
+    let (algebra, types) = (&definition.algebra, &definition.types[..]);
     let mut products: Vec<ProductDefinition> = Vec::new();
     let mut terms = 0;
     for line in syntax {
@@ -35,14 +36,17 @@ pub(super) fn check(
             diagnostics.error(line.operation.span(), message);
             continue;
         }
-        let choices = resolve_operands(types, line, diagnostics);
+        let choices = resolve_operands(definition, line, diagnostics);
         let result = resolve_result(types, line.result.as_ref(), diagnostics);
         let (Some(choices), Some(result)) = (choices, result) else {
             continue;
         };
         let (before, mut zeros) = (products.len(), Vec::new());
         let combinations = combinations(&choices);
-        for operands in &combinations {
+        for marked in &combinations {
+            let operands: &Vec<usize> = &marked.iter().map(|(place, _)| *place).collect();
+            let as_blades = marked.iter().map(|(_, kind)| kind.cloned());
+            let as_blades: Vec<Option<TypeDefinition>> = as_blades.collect();
             let repeated = products
                 .iter()
                 .any(|known| known.operation == operation && known.operands == *operands);
@@ -65,6 +69,9 @@ pub(super) fn check(
                 sound,
                 operation,
                 operands,
+                kinds: (operands.iter().zip(&as_blades))
+                    .map(|(place, kind)| kind.as_ref().unwrap_or(&types[*place]))
+                    .collect(),
                 span: line.operation.span(),
             };
             if terms <= limits::MAX_TERMS {
@@ -87,6 +94,7 @@ pub(super) fn check(
                     operation,
                     operands: operands.clone(),
                     result,
+                    as_blades,
                 }),
                 Some(Found::Zero) => zeros.push(context.title()),
                 None => {}
@@ -108,18 +116,33 @@ pub(super) fn check(
     products
 }
 
-fn resolve_operands(
-    types: &[TypeDefinition],
+/// A type of an operand, as an index, and with the fact that it is a blade, if it is marked so.
+type Marked<'a> = (usize, Option<&'a TypeDefinition>);
+
+fn resolve_operands<'a>(
+    definition: &'a Definition,
     line: &ProductSyntax,
     diagnostics: &mut Diagnostics,
-) -> Option<Vec<Vec<usize>>> {
+) -> Option<Vec<Vec<Marked<'a>>>> {
+    let types = &definition.types;
     let mut complete = true;
     let mut choices = Vec::new();
     for names in &line.operands {
         let mut places = Vec::new();
-        for name in names {
+        for OperandTypeSyntax { name, is_blade } in names {
             match types.iter().position(|kind| kind.name == *name) {
-                Some(place) => places.push(place),
+                Some(place) if *is_blade => match as_blade(definition, place) {
+                    Some(kind) => places.push((place, Some(kind))),
+                    None => {
+                        complete = false;
+                        let message = format!(
+                            "`{name}` cannot be marked `blade`: all of its members are blades, or \
+                             those that are do not form one family"
+                        );
+                        diagnostics.error(name.span(), message);
+                    }
+                },
+                Some(place) => places.push((place, None)),
                 None => {
                     complete = false;
                     diagnostics.error(name.span(), format!("unknown type `{name}`"));
@@ -162,7 +185,7 @@ fn resolve_result<'a>(
     place.map(|place| Stated::Type(name, Some(place)))
 }
 
-fn combinations(choices: &[Vec<usize>]) -> Vec<Vec<usize>> {
+fn combinations<T: Copy>(choices: &[Vec<T>]) -> Vec<Vec<T>> {
     choices.iter().fold(vec![vec![]], |all, next| {
         all.iter()
             .flat_map(|start| {
@@ -192,6 +215,8 @@ struct Context<'a> {
     sound: &'a [bool],
     operation: Operation,
     operands: &'a [usize],
+    /// The types of the operands, with what is known of them beside.
+    kinds: Vec<&'a TypeDefinition>,
     span: Span,
 }
 
@@ -228,10 +253,9 @@ impl Context<'_> {
     }
 
     fn fits(&self, place: Option<usize>) -> Result<(), Vec<String>> {
-        let operands: Vec<_> = self.operands.iter().map(|&o| &self.types[o]).collect();
         verify::result_fits(
             self.algebra,
-            &operands,
+            &self.kinds,
             &self.operation.expression(),
             place.map(|p| &self.types[p]),
         )
@@ -241,8 +265,8 @@ impl Context<'_> {
         if self.sound.contains(&false) {
             return None;
         }
-        let operands: Vec<_> = self.operands.iter().map(|&o| &self.types[o]).collect();
-        let blades = verify::result_blades(self.algebra, &operands, &self.operation.expression());
+        let expression = self.operation.expression();
+        let blades = verify::result_blades(self.algebra, &self.kinds, &expression);
         let names: Vec<_> = blades
             .iter()
             .map(|&blade| self.algebra.names().name(blade))

@@ -16,7 +16,8 @@
 //! fact         = "unit_versor" | "null" | "blade" | "weight" "(" blade ")"
 //! products     = "products" "{" product* "}"
 //! product      = operation "(" operands ["," operands] ")" [ "->" type ] ";"
-//! operands     = type | "{" type ("," type)* "}"
+//! operands     = operand | "{" operand ("," operand)* "}"
+//! operand      = ["blade"] type
 //! ```
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
@@ -142,9 +143,17 @@ pub struct ProductSyntax {
     /// The name of the operation.
     pub operation: Ident,
     /// The types of each operand.
-    pub operands: Vec<Vec<Ident>>,
+    pub operands: Vec<Vec<OperandTypeSyntax>>,
     /// The type of the result; `Self` stands for the type of the last operand.
     pub result: Option<Ident>,
+}
+
+/// A type of an operand.
+pub struct OperandTypeSyntax {
+    /// Its name.
+    pub name: Ident,
+    /// Whether it is marked `blade`: the caller makes sure that the operand is one.
+    pub is_blade: bool,
 }
 
 impl Parse for DeclarationSyntax {
@@ -395,6 +404,22 @@ impl Parse for CoefficientSyntax {
     }
 }
 
+impl Parse for OperandTypeSyntax {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let name: Ident = input.parse()?;
+        if name == "blade" && input.peek(Ident) {
+            return Ok(Self {
+                name: input.parse()?,
+                is_blade: true,
+            });
+        }
+        Ok(Self {
+            name,
+            is_blade: false,
+        })
+    }
+}
+
 impl Parse for ProductSyntax {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let operation = input.parse()?;
@@ -405,7 +430,7 @@ impl Parse for ProductSyntax {
             if body.peek(syn::token::Brace) {
                 let list;
                 braced!(list in body);
-                let names = Punctuated::<Ident, Token![,]>::parse_terminated(&list)?;
+                let names = Punctuated::<OperandTypeSyntax, Token![,]>::parse_terminated(&list)?;
                 if names.is_empty() {
                     return Err(list.error("expected a type"));
                 }

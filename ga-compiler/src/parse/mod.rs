@@ -14,7 +14,8 @@ mod place;
 
 pub use declaration::{
     BasisSyntax, CoefficientSyntax, DeclarationSyntax, FactSyntax, MetricEntrySyntax, MetricSyntax,
-    ParametersSyntax, ProductSyntax, ReadingSyntax, TypeSyntax, parse_declaration,
+    OperandTypeSyntax, ParametersSyntax, ProductSyntax, ReadingSyntax, TypeSyntax,
+    parse_declaration,
 };
 pub use faulty::{FaultyFunctions, parse_faulty};
 pub use formula::{Formula, FormulaKind};

@@ -76,6 +76,9 @@ pub fn resolve<'a>(
 
 /// The same, where `explain` says in words why a value is not of its declared type.
 ///
+/// What is read for a type by parameters may be of a blade only: `line & sphere` is a point pair if
+/// the line is one. So where a value is not of such a type, operands of flats are taken for blades.
+///
 /// # Errors
 /// As for [`resolve`].
 pub fn resolve_with<'a>(
@@ -84,7 +87,33 @@ pub fn resolve_with<'a>(
     block: &Block,
     explain: &dyn Fn(&Mismatch<'_, '_>) -> String,
 ) -> Result<Resolved<'a>> {
+    let resolved = resolve_assuming(definition, function, block, explain, false);
+    match resolved {
+        Err(error) if is_of_parameters(definition, error.kind()) => {
+            resolve_assuming(definition, function, block, explain, true).map_err(|_| error)
+        }
+        resolved => resolved,
+    }
+}
+
+/// Whether a value is not of a type by parameters.
+fn is_of_parameters(definition: &Definition, error: &ResolveErrorKind) -> bool {
+    let ResolveErrorKind::TypeMismatch(_, name, _) = error else {
+        return false;
+    };
+    let kind = definition.type_named(name);
+    kind.is_some_and(|kind| kind.parameters.is_some())
+}
+
+fn resolve_assuming<'a>(
+    definition: &'a Definition,
+    function: &FunctionSyntax,
+    block: &Block,
+    explain: &dyn Fn(&Mismatch<'_, '_>) -> String,
+    are_blades: bool,
+) -> Result<Resolved<'a>> {
     let mut resolver = Resolver::new(definition, block, explain);
+    resolver.are_blades = are_blades;
     resolver.callers.push(function);
     let uniform = resolver.operands(function)?;
     let result = resolver.shape(&function.result)?;
@@ -184,6 +213,8 @@ struct Resolver<'a, 's> {
     zeros: Vec<StepId>,
     /// The values of types by parameters.
     parametrised: Parametrised,
+    /// Whether operands of flats are taken for blades, marked so or not.
+    are_blades: bool,
 }
 
 impl<'a, 's> Resolver<'a, 's> {
@@ -209,6 +240,7 @@ impl<'a, 's> Resolver<'a, 's> {
             warnings: Vec::new(),
             zeros: Vec::new(),
             parametrised: Parametrised::default(),
+            are_blades: false,
         }
     }
 
@@ -287,19 +319,28 @@ impl<'a, 's> Resolver<'a, 's> {
 
     /// Adds the operands of a shape to the program.
     fn operand(&mut self, shape: &Shape, syntax: &OperandSyntax) -> Result<()> {
+        if let Shape::Type(index) = shape
+            && let Some(parameters) = &self.definition.types[*index].parameters
+        {
+            // Their members are what they are, marked or not.
+            for parameter in &parameters.list {
+                let kind = (parameter.index).map_or(&self.definition.scalar, |index| {
+                    &self.definition.types[index]
+                });
+                self.builder.program.operand(kind);
+            }
+            return Ok(());
+        }
         let kind = match shape {
             Shape::Scalar | Shape::Type(_) if syntax.is_blade => self.as_blade(shape, syntax)?,
             Shape::Scalar => &self.definition.scalar,
-            Shape::Type(index) => match &self.definition.types[*index] {
-                TypeDefinition {
-                    parameters: Some(parameters),
-                    ..
-                } => {
-                    let mut parts = parameters.list.iter();
-                    return parts.try_for_each(|part| self.operand(&part.shape(), syntax));
+            Shape::Type(index) => {
+                let kind = &self.definition.types[*index];
+                match self.are_blades && is_flat(self.definition, *index) {
+                    true => as_blade(self.definition, *index).unwrap_or(kind),
+                    false => kind,
                 }
-                kind => kind,
-            },
+            }
             Shape::Array(element, count) => {
                 return (0..*count).try_for_each(|_| self.operand(element, syntax));
             }
@@ -318,12 +359,8 @@ impl<'a, 's> Resolver<'a, 's> {
     /// The type of an operand that is marked `blade`, with that fact.
     fn as_blade(&self, shape: &Shape, syntax: &OperandSyntax) -> Result<&'a TypeDefinition> {
         let definition = self.definition;
-        let known = definition.as_blades.get_or_init(|| {
-            let types = definition.types.iter();
-            types.map(|kind| with_blade(definition, kind)).collect()
-        });
         let found = match shape {
-            Shape::Type(index) => known.get(*index).and_then(Option::as_ref),
+            Shape::Type(index) => as_blade(definition, *index),
             _ => None,
         };
         found.ok_or_else(|| {
@@ -461,6 +498,21 @@ impl<'a, 's> Resolver<'a, 's> {
         let kind = ResolveErrorKind::TypeMismatch(what.to_owned(), name, reason);
         Err(ResolveError::new(kind, place.place()))
     }
+}
+
+/// Whether a type is not that of sums of a type by parameters, of which sums are meant to be.
+fn is_flat(definition: &Definition, index: usize) -> bool {
+    let mut types = definition.types.iter();
+    !types.any(|kind| kind.parameters.is_some() && kind.hull == Some(index))
+}
+
+/// A type with the fact that its members are blades; `None` where all of them are, or none.
+pub(crate) fn as_blade(definition: &Definition, index: usize) -> Option<&TypeDefinition> {
+    let known = definition.as_blades.get_or_init(|| {
+        let types = definition.types.iter();
+        types.map(|kind| with_blade(definition, kind)).collect()
+    });
+    known.get(index)?.as_ref()
 }
 
 /// The type whose members are the blades among those of another; `None` where all or none are.

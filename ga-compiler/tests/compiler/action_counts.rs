@@ -6,19 +6,19 @@ use crate::counts::{Row, check_names, check_renamed, cost};
 
 const ACTIONS: [Row; 22] = [
     (
-        "s: DualSphere, x: RoundVector -> RoundVector",
+        "s: RoundVector, x: RoundVector -> RoundVector",
         "s: Weighted, x: Weighted -> Weighted",
         "sandwich(s, x)",
         cost(21, 12, 0),
     ),
     (
-        "s: DualSphere, x: Point -> RoundVector",
+        "s: RoundVector, x: Point -> RoundVector",
         "s: Weighted, x: Place -> Weighted",
         "sandwich(s, x)",
         cost(23, 14, 0),
     ),
     (
-        "s: Sphere, x: Point -> RoundVector",
+        "s: Quadvector, x: Point -> RoundVector",
         "s: Ball, x: Place -> Weighted",
         "sandwich(s, x)",
         cost(23, 14, 0),
@@ -48,13 +48,13 @@ const ACTIONS: [Row; 22] = [
         cost(33, 19, 0),
     ),
     (
-        "s: DualSphere, x: Circle -> Circle",
+        "s: RoundVector, x: Trivector -> Trivector",
         "s: Weighted, x: Ring -> Ring",
         "sandwich(s, x)",
         cost(59, 38, 3),
     ),
     (
-        "s: DualSphere, x: Sphere -> Sphere",
+        "s: RoundVector, x: Quadvector -> Quadvector",
         "s: Weighted, x: Ball -> Ball",
         "sandwich(s, x)",
         cost(21, 12, 2),
@@ -84,13 +84,13 @@ const ACTIONS: [Row; 22] = [
         cost(64, 48, 0),
     ),
     (
-        "v: Similarity, x: Circle -> Circle",
+        "v: Similarity, x: Trivector -> Trivector",
         "v: Similar, x: Ring -> Ring",
         "sandwich(v, x)",
         cost(86, 74, 2),
     ),
     (
-        "v: Similarity, x: Sphere -> Sphere",
+        "v: Similarity, x: Quadvector -> Quadvector",
         "v: Similar, x: Ball -> Ball",
         "sandwich(v, x)",
         cost(47, 44, 0),
@@ -114,19 +114,19 @@ const ACTIONS: [Row; 22] = [
         cost(25, 19, 0),
     ),
     (
-        "m: Motor, p: Point, q: Point -> PointPair",
+        "m: Motor, p: Point, q: Point -> Bivector",
         "m: Motion, p: Place, q: Place -> Pair",
         "sandwich(m, p ^ q)",
         cost(61, 49, 0),
     ),
     (
-        "m: Motor, p: Point, q: Point -> PointPair",
+        "m: Motor, p: Point, q: Point -> Bivector",
         "m: Motion, p: Place, q: Place -> Pair",
         "sandwich(m, p) ^ sandwich(m, q)",
         cost(61, 49, 0),
     ),
     (
-        "m: Motor, p: Point, q: Point, r: Point -> Circle",
+        "m: Motor, p: Point, q: Point, r: Point -> Trivector",
         "m: Motion, p: Place, q: Place, r: Place -> Ring",
         "sandwich(m, p ^ q ^ r)",
         cost(99, 73, 0),

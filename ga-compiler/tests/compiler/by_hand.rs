@@ -41,7 +41,7 @@ const CGA3: &[Row] = &[
         56,
     ),
     (
-        "p: Point, d: Direction, s: DualSphere -> (Point, Point)",
+        "p: Point, d: Direction, s: RoundVector -> (Point, Point)",
         "endpoints((p ^ d) & undual(s))",
         54,
     ),

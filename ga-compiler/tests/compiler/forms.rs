@@ -29,7 +29,7 @@ const CASES: [(FormRule, &str); 18] = [
     ),
     (
         FormRule::Outermorphism,
-        "fn f(m: Motor, p: Point, q: Point) -> PointPair { sandwich(m, p) ^ sandwich(m, q) }",
+        "fn f(m: Motor, p: Point, q: Point) -> Bivector { sandwich(m, p) ^ sandwich(m, q) }",
     ),
     (
         FormRule::Linearity,
@@ -46,15 +46,15 @@ const CASES: [(FormRule, &str); 18] = [
     ),
     (
         FormRule::Duality,
-        "fn f(a: Sphere, b: Sphere) -> Circle { undual(dual(a) ^ dual(b)) }",
+        "fn f(a: Quadvector, b: Quadvector) -> Trivector { undual(dual(a) ^ dual(b)) }",
     ),
     (
         FormRule::Quotient,
-        "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> PointPair { (a / s) ^ b }",
+        "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> Bivector { (a / s) ^ b }",
     ),
     (
         FormRule::Difference,
-        "fn f(m: Motor, p: Point, q: Point) -> PointPair { sandwich(m, p ^ q) }",
+        "fn f(m: Motor, p: Point, q: Point) -> Bivector { sandwich(m, p ^ q) }",
     ),
     (
         FormRule::Vector,
@@ -66,7 +66,7 @@ const CASES: [(FormRule, &str); 18] = [
     ),
     (
         FormRule::Distribution,
-        "fn f(a: RoundVector, b: RoundVector, c: RoundVector) -> PointPair { (a ^ b) + (a ^ c) }",
+        "fn f(a: RoundVector, b: RoundVector, c: RoundVector) -> Bivector { (a ^ b) + (a ^ c) }",
     ),
     (
         FormRule::Frame,
@@ -80,7 +80,7 @@ const CASES: [(FormRule, &str); 18] = [
     ),
     (
         FormRule::ScalarFactor,
-        "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> PointPair { (s * a) ^ b }",
+        "fn f(s: Scalar, a: RoundVector, b: RoundVector) -> Bivector { (s * a) ^ b }",
     ),
 ];
 

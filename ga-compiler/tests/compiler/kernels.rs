@@ -62,7 +62,7 @@ fn errors_say_what_is_wrong() {
         ),
         ("(p: Pont) -> Scalar { p | p }", "unknown type `Pont`"),
         (
-            "(b: PointPair) -> EvenVersor { exp(b) }",
+            "(b: Bivector) -> EvenVersor { exp(b) }",
             "needs B² to be the sum of a scalar and a part that commutes and has square zero",
         ),
         (

@@ -236,7 +236,7 @@ fn long_functions_cost_in_proportion() {
     };
     let wedges = |n: usize| {
         let wedges = all(n - 1, &|i| format!("(x[{i}] ^ x[{}])", i + 1), " + ");
-        format!("fn f(x: [Point; {n}]) -> PointPair {{ {wedges} }}")
+        format!("fn f(x: [Point; {n}]) -> Bivector {{ {wedges} }}")
     };
     let inner = |n: usize| {
         let row = |i: usize| {

@@ -16,28 +16,36 @@ crate::algebra! {
     /// An object X in *direct* form, an outer product of its points, consists of the points x with
     /// `x ∧ X = 0`; in *dual* form, `X I⁻¹`, of those with `x·X = 0`. The form is part of the type:
     /// [`Circle`] is direct, [`DualCircle`] dual; `dual` and `undual` convert between them.
-    /// Conversions by `From` keep the coefficients as they are. An even versor M acts as
+    /// Conversions by `From` keep the coefficients of blades. An even versor M acts as
     /// `x' = M x ~M`, and in a product the right factor acts first.
+    ///
+    /// Spheres, circles and point pairs are *rounds*. They are stored by their parameters, centre c,
+    /// weight or direction, and squared radius r², from which their coefficients follow. Sums of
+    /// rounds are of the types of all blades of a grade, which hold flats too: [`RoundVector`],
+    /// [`Bivector`], [`Trivector`], [`Quadvector`].
     ///
     /// Objects:
     ///
-    /// | type | blades | grade | object |
+    /// | type | blades, or parameters | grade | object |
     /// | --- | --- | --- | --- |
     /// | [`Point`] | e1 e2 e3, eo = 1, ei = ½x² | 1 | the point x |
     /// | [`RoundVector`] | e1 e2 e3 eo ei | 1 | weighted point, dual sphere or dual plane |
-    /// | [`DualSphere`] | e1 e2 e3 eo ei | 1 | dual sphere `c − ½r² ei` |
+    /// | [`DualSphere`] | `weight centre radius_squared` | 1 | dual sphere `w (c − ½r² ei)` |
     /// | [`DualPlane`] | e1 e2 e3 ei | 1 | dual plane `n + d ei` |
-    /// | [`PointPair`] | all ten of grade 2 | 2 | two points `p∧q` |
-    /// | [`DualCircle`] | all ten of grade 2 | 2 | circle, the meet `σ∧τ` of two dual spheres |
+    /// | [`PointPair`] | `centre direction radius_squared` | 2 | two points `p∧q` |
+    /// | [`Bivector`] | all ten of grade 2 | 2 | sums of pairs, dual circles, dual lines |
+    /// | [`DualCircle`] | `centre normal radius_squared` | 2 | circle, the meet `σ∧τ` |
     /// | [`FlatPoint`] | e1i e2i e3i eoi | 2 | point and infinity `p∧ei` |
     /// | [`Direction`] | e1i e2i e3i | 2 | free vector `v∧ei` |
     /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | 2 | dual line, meet `π∧ρ` of dual planes |
-    /// | [`Circle`] | all ten of grade 3 | 3 | circle `p∧q∧r` |
-    /// | [`DualPointPair`] | all ten of grade 3 | 3 | two points, the meet of three dual spheres |
+    /// | [`Circle`] | `centre normal radius_squared` | 3 | circle `p∧q∧r` |
+    /// | [`Trivector`] | all ten of grade 3 | 3 | sums of circles, lines, dual pairs |
+    /// | [`DualPointPair`] | `centre direction radius_squared` | 3 | two points, `σ∧τ∧υ` |
     /// | [`DualFlatPoint`] | e123 e12i e13i e23i | 3 | flat point, the meet of three dual planes |
     /// | [`DualDirection`] | e12i e13i e23i | 3 | free bivector `B∧ei`, attitude of a plane |
     /// | [`Line`] | e12i e13i e23i e1oi e2oi e3oi | 3 | line `p∧q∧ei` |
-    /// | [`Sphere`] | all five of grade 4 | 4 | sphere `p∧q∧r∧s` |
+    /// | [`Sphere`] | `weight centre radius_squared` | 4 | sphere `p∧q∧r∧s` |
+    /// | [`Quadvector`] | all five of grade 4 | 4 | weighted sphere or plane, and sums |
     /// | [`Plane`] | e12oi e13oi e23oi e123i | 4 | plane `p∧q∧r∧ei` |
     /// | [`Pseudoscalar`] | e123oi | 5 | all of space |
     ///
@@ -53,7 +61,7 @@ crate::algebra! {
     /// | [`Transversor`] | scalar = 1, e1o e2o e3o | special conformal map `1 − k eo` |
     /// | [`EvenVersor`] | all sixteen of even grade | conformal map that preserves orientation |
     /// | [`DualPlane`] | e1 e2 e3 ei | reflection in the plane |
-    /// | [`DualSphere`], [`RoundVector`] | e1 e2 e3 eo ei | inversion, reflection |
+    /// | [`DualSphere`], [`RoundVector`] | as above | inversion, reflection |
     /// | [`OddVersor`] | all sixteen of odd grade | conformal map that reverses orientation |
     ///
     /// Logarithms and sums:
@@ -62,6 +70,7 @@ crate::algebra! {
     /// | --- | --- | --- |
     /// | [`MotorGenerator`] | e12 e13 e23 e1i e2i e3i | log of a motor, velocity of a motion |
     /// | [`SimilarityGenerator`] | MotorGenerator and eoi | log of a similarity |
+    /// | [`Bivector`] | all ten of grade 2 | log of a conformal map |
     /// | [`Quaternion`] | as [`Rotor`] | sums of rotors |
     /// | [`DualQuaternion`] | as [`Motor`] | sums of motors |
     /// | [`Even`], [`Odd`] | all sixteen of even, of odd grade | sums of versors |
@@ -130,8 +139,8 @@ crate::algebra! {
         #[facts(null, weight(eo))]
         struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
 
-        /// A vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c,
-        /// a dual plane.
+        /// Any vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c,
+        /// a dual plane, and their sums.
         ///
         /// ```
         /// use ga_runtime::cga3::{Point, RoundVector};
@@ -144,9 +153,13 @@ crate::algebra! {
         /// ```
         struct RoundVector { e1, e2, e3, eo, ei }
 
-        /// The dual sphere `c − ½r² ei` about the point c, or a multiple of it: the points x with
-        /// `x·σ = 0`. It is a point for r = 0, imaginary for r² < 0, and a dual plane where its
-        /// coefficient of eo is zero.
+        /// The dual sphere `w (c − ½r² ei)` about the point c: the points x with `x·σ = 0`. It is a
+        /// point for r = 0 and imaginary for r² < 0.
+        ///
+        /// It is stored as its weight w, its centre c and its squared radius r², so that a small
+        /// sphere far from the origin keeps its size, which the coefficient of ei would lose in
+        /// c². A vector without a weight is a dual plane, and no dual sphere: [`RoundVector`]
+        /// holds either.
         ///
         /// ```
         /// use ga_runtime::cga3::{DualSphere, Point};
@@ -155,7 +168,14 @@ crate::algebra! {
         /// // The norm is the squared radius times the squared weight.
         /// assert_eq!(sphere.norm_squared(), 4.0);
         /// ```
-        struct DualSphere { e1, e2, e3, eo, ei }
+        #[hull(RoundVector)]
+        struct DualSphere {
+            weight, centre: Point, radius_squared;
+            self = weight * (centre - radius_squared / 2 * ei);
+            weight = -(ei | self);
+            radius_squared = (self | self) / (weight * weight);
+            centre = self / weight + radius_squared / 2 * ei;
+        }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
         ///
@@ -167,8 +187,35 @@ crate::algebra! {
         /// ```
         struct DualPlane { e1, e2, e3, ei }
 
-        /// Two points, `p∧q`; they are real, coinciding or imaginary if its square is positive,
-        /// zero or negative.
+        /// Any multivector of grade 2: point pairs, dual circles and lines, flat points, and their
+        /// sums.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Bivector, Point, PointPair};
+        /// let pair: PointPair<f64> = Point::new(1.0, 0.0, 0.0) ^ Point::new(3.0, 0.0, 0.0);
+        /// let sum: Bivector<f64> = pair + pair;
+        /// assert_eq!(PointPair::try_from(sum), Ok(pair * 2.0));
+        /// ```
+        struct Bivector { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+
+        /// Any multivector of grade 3: circles, lines, dual point pairs, and their sums.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Circle, Line, Point, Trivector};
+        /// let circle = Circle::from_centre_normal_radius(Point::ORIGIN, [0.0, 0.0, 1.0], 2.0);
+        /// let line = Line::through(Point::ORIGIN, Point::new(1.0, 0.0, 0.0));
+        /// let sum = Trivector::from(circle.unwrap()) + Trivector::from(line);
+        /// assert!(Circle::try_from(Trivector::from(line)).is_err());
+        /// assert_eq!(sum.e1oi, line.e1oi);
+        /// ```
+        struct Trivector { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+
+        /// Two points, `p∧q`; they are real, coinciding or imaginary if its squared radius is
+        /// positive, zero or negative.
+        ///
+        /// It is stored as the centre c, half way between the points, the direction d = q − p, the
+        /// length of which is the weight, and the squared radius r², a quarter of the squared
+        /// distance: `(c + ½r² ei) ∧ (d + (c·d) ei)`. [`Bivector`] holds sums of pairs.
         ///
         /// ```
         /// use ga_runtime::cga3::{Point, PointPair};
@@ -178,10 +225,20 @@ crate::algebra! {
         /// // The norm is minus the square: negative for a real pair.
         /// assert_eq!((pair.square(), pair.norm_squared()), (4.0, -4.0));
         /// ```
-        struct PointPair { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+        #[hull(Bivector)]
+        struct PointPair {
+            centre: Point, direction: Direction, radius_squared;
+            self = (centre + radius_squared / 2 * ei) ^ (centre | direction);
+            let flat = ei | self;
+            direction = -flat ^ ei;
+            radius_squared = (self | self) / (flat | flat);
+            centre = -self * ei * self / (2 * (flat | flat));
+        }
 
         /// A circle in dual form, the meet `σ∧τ` of two dual spheres or planes that contain it. Its
         /// square is negative where the circle is real.
+        ///
+        /// It is stored as centre, normal and squared radius, as the [`Circle`] is.
         ///
         /// ```
         /// use ga_runtime::cga3::{DualCircle, DualPlane, DualSphere, Point};
@@ -192,7 +249,15 @@ crate::algebra! {
         /// // The norm is positive for a real circle.
         /// assert!(circle.norm_squared() > 0.0);
         /// ```
-        struct DualCircle { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+        #[hull(Bivector)]
+        struct DualCircle {
+            centre: Point, normal: Direction, radius_squared;
+            self = (centre - radius_squared / 2 * ei) ^ (centre | normal);
+            let flat = ei | self;
+            normal = -flat ^ ei;
+            radius_squared = -(self | self) / (flat | flat);
+            centre = -self * ei * self / (2 * (flat | flat));
+        }
 
         /// A point and infinity, `p∧ei`: the meet of a line and a plane.
         ///
@@ -228,7 +293,11 @@ crate::algebra! {
         /// ```
         struct MotorGenerator { e12, e13, e23, e1i, e2i, e3i }
 
-        /// A circle, `p∧q∧r` for three of its points; a line where one of them is infinity.
+        /// A circle, `p∧q∧r` for three of its points.
+        ///
+        /// It is stored as its centre c, its normal n, the length of which is the weight, and its
+        /// squared radius r²: `((c − ½r² ei) ∧ (n + (c·n) ei)) I`. Three points on a line have no
+        /// circle: their product has the normal zero. [`Line`] and [`Trivector`] hold lines.
         ///
         /// ```
         /// use ga_runtime::cga3::{Circle, Point};
@@ -239,9 +308,19 @@ crate::algebra! {
         /// // The norm is negative for a real circle, positive for an imaginary one.
         /// assert!(circle.norm_squared() < 0.0);
         /// ```
-        struct Circle { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+        #[hull(Trivector)]
+        struct Circle {
+            centre: Point, normal: Direction, radius_squared;
+            self = undual((centre - radius_squared / 2 * ei) ^ (centre | normal));
+            let dual = dual(self);
+            let flat = ei | dual;
+            normal = -flat ^ ei;
+            radius_squared = -(dual | dual) / (flat | flat);
+            centre = -dual * ei * dual / (2 * (flat | flat));
+        }
 
-        /// A point pair in dual form, the meet `σ∧τ∧υ` of three dual spheres or planes.
+        /// A point pair in dual form, the meet `σ∧τ∧υ` of three dual spheres or planes, stored as
+        /// the [`PointPair`] is.
         ///
         /// ```
         /// use ga_runtime::cga3::{DualPointPair, Point, PointPair};
@@ -251,7 +330,16 @@ crate::algebra! {
         /// // The norm is positive for a real pair.
         /// assert!(dual.norm_squared() > 0.0);
         /// ```
-        struct DualPointPair { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
+        #[hull(Trivector)]
+        struct DualPointPair {
+            centre: Point, direction: Direction, radius_squared;
+            self = dual((centre + radius_squared / 2 * ei) ^ (centre | direction));
+            let pair = undual(self);
+            let flat = ei | pair;
+            direction = -flat ^ ei;
+            radius_squared = (pair | pair) / (flat | flat);
+            centre = -pair * ei * pair / (2 * (flat | flat));
+        }
 
         /// A flat point in dual form, the meet `π∧ρ∧σ` of three dual planes.
         ///
@@ -287,7 +375,24 @@ crate::algebra! {
         /// ```
         struct Line { e12i, e13i, e23i, e1oi, e2oi, e3oi }
 
-        /// A sphere, `p∧q∧r∧s` for four of its points; a plane where one of them is infinity.
+        /// Any multivector of grade 4: a weighted sphere or plane, or a sum of them.
+        ///
+        /// ```
+        /// use ga_runtime::cga3::{Plane, Point, Quadvector, Sphere};
+        /// let sphere = Sphere::from_centre_radius(Point::new(1.0, 2.0, 3.0), 2.0);
+        /// let plane = Plane::from_point_normal(Point::ORIGIN, [0.0, 0.0, 1.0]);
+        /// // A sum of a sphere and a plane is a sphere through their circle.
+        /// let sum: Quadvector<f64> = Quadvector::from(sphere) + Quadvector::from(plane);
+        /// assert!(Sphere::try_from(sum).is_ok());
+        /// assert!(Sphere::try_from(Quadvector::from(plane)).is_err());
+        /// ```
+        struct Quadvector { e123o, e123i, e12oi, e13oi, e23oi }
+
+        /// A sphere, `p∧q∧r∧s` for four of its points, `w (c − ½r² ei) I`.
+        ///
+        /// It is stored as its weight w, its centre c and its squared radius r², as the
+        /// [`DualSphere`] is. Four points in a plane have no sphere: their product has the weight
+        /// zero, and [`Plane`] and [`Quadvector`] hold planes.
         ///
         /// ```
         /// use ga_runtime::cga3::{Point, Sphere};
@@ -296,7 +401,15 @@ crate::algebra! {
         /// // The norm is minus the squared radius times the squared weight.
         /// assert_eq!(sphere.norm_squared(), -4.0);
         /// ```
-        struct Sphere { e123o, e123i, e12oi, e13oi, e23oi }
+        #[hull(Quadvector)]
+        struct Sphere {
+            weight, centre: Point, radius_squared;
+            self = undual(weight * (centre - radius_squared / 2 * ei));
+            let dual = dual(self);
+            weight = -(ei | dual);
+            radius_squared = (dual | dual) / (weight * weight);
+            centre = dual / weight + radius_squared / 2 * ei;
+        }
 
         /// A plane, `p∧q∧r∧ei` for three of its points.
         ///
@@ -522,17 +635,31 @@ crate::algebra! {
         }
 
         products {
-            // Joins: of points to pairs, circles and spheres, and with infinity to flats.
-            wedge({Point, RoundVector}, {Point, RoundVector}) -> PointPair;
-            wedge(PointPair, {Point, RoundVector}) -> Circle;
-            wedge({Point, RoundVector}, PointPair) -> Circle;
-            wedge(Circle, {Point, RoundVector}) -> Sphere;
-            wedge({Point, RoundVector}, Circle) -> Sphere;
-            wedge({Sphere, Plane}, {Point, RoundVector}) -> Pseudoscalar;
-            wedge({Point, RoundVector}, {Sphere, Plane}) -> Pseudoscalar;
+            // Joins: of points to pairs, circles and spheres, and with infinity to flats. What may
+            // be none of these is of the type of its sums.
+            wedge(Point, Point) -> PointPair;
+            wedge(RoundVector, {Point, RoundVector}) -> Bivector;
+            wedge(Point, RoundVector) -> Bivector;
+            wedge(PointPair, Point) -> Circle;
+            wedge(Point, PointPair) -> Circle;
+            wedge(Bivector, {Point, RoundVector}) -> Trivector;
+            wedge({Point, RoundVector}, Bivector) -> Trivector;
+            wedge(PointPair, RoundVector) -> Trivector;
+            wedge(RoundVector, PointPair) -> Trivector;
+            wedge(Circle, Point) -> Sphere;
+            wedge(Point, Circle) -> Sphere;
+            wedge(Trivector, {Point, RoundVector}) -> Quadvector;
+            wedge({Point, RoundVector}, Trivector) -> Quadvector;
+            wedge(Circle, RoundVector) -> Quadvector;
+            wedge(RoundVector, Circle) -> Quadvector;
+            wedge({Sphere, Quadvector, Plane}, {Point, RoundVector}) -> Pseudoscalar;
+            wedge({Point, RoundVector}, {Sphere, Quadvector, Plane}) -> Pseudoscalar;
             wedge(PointPair, PointPair) -> Sphere;
+            wedge(Bivector, Bivector) -> Quadvector;
             wedge(PointPair, {Circle, Line}) -> Pseudoscalar;
             wedge({Circle, Line}, PointPair) -> Pseudoscalar;
+            wedge(Bivector, Trivector) -> Pseudoscalar;
+            wedge(Trivector, Bivector) -> Pseudoscalar;
             wedge(FlatPoint, {Point, RoundVector}) -> Line;
             wedge({Point, RoundVector}, FlatPoint) -> Line;
             wedge({Point, RoundVector}, Direction) -> Line;
@@ -541,69 +668,86 @@ crate::algebra! {
             wedge(Line, {Point, RoundVector}) -> Plane;
             wedge({Point, RoundVector}, Line) -> Plane;
             wedge({Point, RoundVector}, Infinity) -> FlatPoint;
-            wedge(PointPair, Infinity) -> Line;
-            wedge(Circle, Infinity) -> Plane;
-            wedge(Sphere, Infinity) -> Pseudoscalar;
+            wedge({PointPair, Bivector}, Infinity) -> Line;
+            wedge({Circle, Trivector}, Infinity) -> Plane;
+            wedge({Sphere, Quadvector}, Infinity) -> Pseudoscalar;
 
             // The same with the basis vectors, which cost nothing.
-            wedge({E1, E2, E3, Origin}, {Point, RoundVector}) -> PointPair;
-            wedge({Point, RoundVector}, {E1, E2, E3, Origin}) -> PointPair;
-            wedge(PointPair, {E1, E2, E3, Origin}) -> Circle;
-            wedge(Circle, {E1, E2, E3, Origin}) -> Sphere;
+            wedge(Origin, Point) -> PointPair;
+            wedge(Point, Origin) -> PointPair;
+            wedge(Origin, RoundVector) -> Bivector;
+            wedge(RoundVector, Origin) -> Bivector;
+            wedge({E1, E2, E3}, {Point, RoundVector}) -> Bivector;
+            wedge({Point, RoundVector}, {E1, E2, E3}) -> Bivector;
+            wedge(PointPair, Origin) -> Circle;
+            wedge({PointPair, Bivector}, {E1, E2, E3}) -> Trivector;
+            wedge(Circle, Origin) -> Sphere;
+            wedge({Circle, Trivector}, {E1, E2, E3}) -> Quadvector;
             wedge(FlatPoint, {E1, E2, E3, Origin}) -> Line;
             wedge(Line, {E1, E2, E3, Origin}) -> Plane;
             wedge(Infinity, {Point, RoundVector}) -> FlatPoint;
-            wedge(Infinity, PointPair) -> Line;
-            wedge(Infinity, Circle) -> Plane;
+            wedge(Infinity, {PointPair, Bivector}) -> Line;
+            wedge(Infinity, {Circle, Trivector}) -> Plane;
             left_contraction({E1, E2, E3, Origin}, {Point, RoundVector}) -> Scalar;
             left_contraction({Point, RoundVector}, {E1, E2, E3, Origin, Infinity}) -> Scalar;
 
             // Meeting.
             vee({Sphere, Plane}, Sphere) -> Circle;
             vee(Sphere, Plane) -> Circle;
+            vee(Quadvector, Quadvector) -> Trivector;
             vee(Plane, Plane) -> Line;
             vee({Sphere, Plane}, Circle) -> PointPair;
             vee(Circle, {Sphere, Plane}) -> PointPair;
-            vee(Sphere, Line) -> PointPair;
-            vee(Line, Sphere) -> PointPair;
+            vee(Quadvector, Trivector) -> Bivector;
+            vee(Trivector, Quadvector) -> Bivector;
+            vee(Sphere, blade Line) -> PointPair;
+            vee(blade Line, Sphere) -> PointPair;
             vee(Plane, Line) -> FlatPoint;
             vee(Line, Plane) -> FlatPoint;
             vee({Circle, Line}, {Circle, Line}) -> RoundVector;
-            vee({Sphere, Plane}, {Point, RoundVector}) -> Scalar;
-            vee({Point, RoundVector}, {Sphere, Plane}) -> Scalar;
+            vee({Sphere, Quadvector, Plane}, {Point, RoundVector}) -> Scalar;
+            vee({Point, RoundVector}, {Sphere, Quadvector, Plane}) -> Scalar;
 
             // Meeting in dual form.
             wedge(DualPlane, DualPlane) -> MotorGenerator;
             wedge(DualSphere, {DualSphere, DualPlane}) -> DualCircle;
             wedge(DualPlane, DualSphere) -> DualCircle;
             wedge(DualCircle, {DualSphere, DualPlane}) -> DualPointPair;
-            wedge(MotorGenerator, DualSphere) -> DualPointPair;
+            wedge(blade MotorGenerator, DualSphere) -> DualPointPair;
             wedge(MotorGenerator, DualPlane) -> DualFlatPoint;
 
             // Measuring: inner products and contractions.
             left_contraction({Point, RoundVector, DualPlane}, {Point, RoundVector, DualPlane}) -> Scalar;
             left_contraction({Point, DualSphere}, DualSphere) -> Scalar;
-            left_contraction({Point, RoundVector, DualPlane}, PointPair) -> RoundVector;
-            left_contraction({Point, RoundVector, DualPlane}, {Circle, Line}) -> PointPair;
-            left_contraction({Point, RoundVector, DualPlane}, {Sphere, Plane}) -> Circle;
-            left_contraction({Point, RoundVector}, Pseudoscalar) -> Sphere;
+            left_contraction({Point, RoundVector, DualPlane}, {PointPair, Bivector}) -> RoundVector;
+            left_contraction({Point, RoundVector, DualPlane}, {Circle, Trivector, Line}) -> Bivector;
+            left_contraction({Point, RoundVector, DualPlane}, {Sphere, Quadvector, Plane}) -> Trivector;
+            left_contraction(Point, Pseudoscalar) -> Sphere;
+            left_contraction(RoundVector, Pseudoscalar) -> Quadvector;
             left_contraction(DualPlane, Pseudoscalar) -> Plane;
             left_contraction(PointPair, PointPair) -> Scalar;
+            left_contraction(Bivector, Bivector) -> Scalar;
+            left_contraction(Bivector, Trivector) -> RoundVector;
+            left_contraction(Bivector, Quadvector) -> Bivector;
             left_contraction(PointPair, {Circle, Line, Sphere, Plane}) -> Multivector;
             left_contraction(MotorGenerator, MotorGenerator) -> Scalar;
             left_contraction({Circle, Line}, {Circle, Line}) -> Scalar;
+            left_contraction(Trivector, Trivector) -> Scalar;
             left_contraction({Circle, Line}, {Sphere, Plane}) -> RoundVector;
-            left_contraction({Sphere, Plane}, {Sphere, Plane}) -> Scalar;
+            left_contraction({Sphere, Quadvector, Plane}, {Sphere, Quadvector, Plane}) -> Scalar;
             left_contraction(Infinity, {Point, RoundVector}) -> Scalar;
-            left_contraction(Infinity, PointPair) -> RoundVector;
-            left_contraction(Infinity, Circle) -> PointPair;
+            left_contraction(Infinity, {PointPair, Bivector}) -> RoundVector;
+            left_contraction(Infinity, {Circle, Trivector}) -> Bivector;
             left_contraction(Infinity, Line) -> Direction;
-            left_contraction(Infinity, Sphere) -> Circle;
-            right_contraction(PointPair, {Point, RoundVector}) -> RoundVector;
-            right_contraction({Circle, Line}, {Point, RoundVector}) -> PointPair;
-            right_contraction({Sphere, Plane}, {Point, RoundVector}) -> Circle;
+            left_contraction(Infinity, {Sphere, Quadvector}) -> Trivector;
+            right_contraction({PointPair, Bivector}, {Point, RoundVector}) -> RoundVector;
+            right_contraction({Circle, Trivector, Line}, {Point, RoundVector}) -> Bivector;
+            right_contraction({Sphere, Quadvector, Plane}, {Point, RoundVector}) -> Trivector;
             scalar_product({Point, RoundVector, DualPlane}, {Point, RoundVector, DualPlane}) -> Scalar;
             scalar_product(PointPair, PointPair) -> Scalar;
+            scalar_product(Bivector, Bivector) -> Scalar;
+            scalar_product(Trivector, Trivector) -> Scalar;
+            scalar_product(Quadvector, Quadvector) -> Scalar;
             scalar_product(FlatPoint, FlatPoint) -> Scalar;
             scalar_product(MotorGenerator, MotorGenerator) -> Scalar;
             scalar_product(Circle, {Circle, Line}) -> Scalar;
@@ -613,10 +757,18 @@ crate::algebra! {
             scalar_product(Multivector, Multivector) -> Scalar;
 
             // Conversion to the dual form and back.
-            dual({Point, RoundVector}) -> Sphere;
-            undual({Point, RoundVector}) -> Sphere;
+            dual(Point) -> Sphere;
+            undual(Point) -> Sphere;
+            dual(RoundVector) -> Quadvector;
+            undual(RoundVector) -> Quadvector;
+            dual(Quadvector) -> RoundVector;
+            undual(Quadvector) -> RoundVector;
             dual(DualPlane) -> Plane;
             undual(DualPlane) -> Plane;
+            dual(Bivector) -> Trivector;
+            undual(Bivector) -> Trivector;
+            dual(Trivector) -> Bivector;
+            undual(Trivector) -> Bivector;
             dual(PointPair) -> DualPointPair;
             undual(DualPointPair) -> PointPair;
             dual(FlatPoint) -> DualFlatPoint;
@@ -663,7 +815,8 @@ crate::algebra! {
             commutator(MotorGenerator, MotorGenerator) -> MotorGenerator;
             commutator(MotorGenerator, Line) -> Line;
             commutator(Line, Line) -> MotorGenerator;
-            commutator(PointPair, PointPair) -> PointPair;
+            commutator(PointPair, PointPair) -> Bivector;
+            commutator(Bivector, Bivector) -> Bivector;
             commutator(Multivector, Multivector) -> Multivector;
 
             wedge(Multivector, Multivector) -> Multivector;
@@ -676,22 +829,29 @@ crate::algebra! {
             sandwich(
                 {Rotor, Translator, Motor},
                 {
-                    Point, RoundVector, DualPlane, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line,
-                    Sphere, Plane, Motor
+                    Point, RoundVector, DualSphere, DualPlane, PointPair, DualCircle, Bivector, FlatPoint, Direction,
+                    MotorGenerator, Circle, DualPointPair, Trivector, Line, Sphere, Quadvector, Plane, Motor
                 }
             ) -> Self;
             sandwich(
                 {Dilator, Similarity},
                 {
-                    RoundVector, DualPlane, PointPair, FlatPoint, Direction, MotorGenerator, Circle, Line, Sphere, Plane
+                    RoundVector, DualSphere, DualPlane, PointPair, DualCircle, Bivector, FlatPoint, Direction,
+                    MotorGenerator, Circle, DualPointPair, Trivector, Line, Sphere, Quadvector, Plane
                 }
             ) -> Self;
             sandwich({Dilator, Similarity}, Point) -> RoundVector;
             sandwich(Transversor, {Point, RoundVector}) -> RoundVector;
             sandwich(Even, RoundVector) -> Multivector;
             // Reflections and inversions.
-            sandwich(DualPlane, {RoundVector, DualPlane, PointPair, FlatPoint, Circle, Line, Sphere, Plane}) -> Self;
-            sandwich(RoundVector, {RoundVector, PointPair, Circle, Sphere}) -> Self;
+            sandwich(
+                DualPlane,
+                {
+                    RoundVector, DualSphere, DualPlane, PointPair, DualCircle, Bivector, FlatPoint, Circle,
+                    DualPointPair, Trivector, Line, Sphere, Quadvector, Plane
+                }
+            ) -> Self;
+            sandwich(RoundVector, {RoundVector, Bivector, Trivector, Quadvector}) -> Self;
             sandwich({DualPlane, RoundVector}, Point) -> RoundVector;
         }
     }

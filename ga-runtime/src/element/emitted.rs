@@ -171,6 +171,25 @@ macro_rules! __surface_entry {
             }
         }
     };
+    // The multiple of norm 1 of a type that is not stored as coefficients.
+    (unit_multiple $name:ident) => {
+        impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {
+            /// The multiple `x/√|n|` of this element with [`norm_squared`](Self::norm_squared) 1 or
+            /// −1, the sign of `n = ⟨x ~x⟩₀`; `None` where n is zero, or a coefficient is not
+            /// finite. Large and small elements lose nothing.
+            #[inline]
+            #[must_use]
+            pub fn normalized(self) -> ::core::option::Option<Self> {
+                let size = $crate::__private::largest(self)?;
+                let element = self / size;
+                let size = $crate::scalar::Real::abs(element.norm_squared());
+                let unit = element / $crate::scalar::Real::sqrt(size);
+                ($crate::scalar::Real::less_than(S::zero(), size)
+                    && <Self as $crate::Element>::is_finite(unit))
+                .then_some(unit)
+            }
+        }
+    };
     // A unit versor that rounding may have changed.
     (renormalized $name:ident) => {
         impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {

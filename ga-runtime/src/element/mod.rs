@@ -15,7 +15,7 @@ pub use text::ParseElementError;
 pub use membership::are_within;
 pub(crate) use membership::member;
 #[doc(hidden)]
-pub use normalized::{divided_by_largest, scaled_norm};
+pub use normalized::{divided_by_largest, largest, scaled_norm};
 pub use relative::Relative;
 #[doc(hidden)]
 pub use text::{parse, write};
@@ -66,7 +66,7 @@ pub trait Element: Copy {
     /// The coefficient of a blade; zero for one that the type does not have.
     fn coefficient(&self, blade: usize) -> Self::Scalar;
 
-    /// The same element over another scalar, each coefficient converted by itself: to `f32` for
+    /// The same element over another scalar, each number converted by itself: to `f32` for
     /// drawing, to lanes, to constants of dual numbers. The target is the same type with the other
     /// scalar. A unit versor remains one up to rounding of the new scalar.
     ///
@@ -80,7 +80,32 @@ pub trait Element: Copy {
     where
         Self: Sized,
     {
-        U::from_coefficients_unchecked(&mut |blade| scalar(self.coefficient(blade)))
+        U::from_numbers(&mut |place| scalar(self.number(place)))
+    }
+
+    /// One of the numbers that the element is made of, by its place: those of its parameters for a
+    /// type that has some, and otherwise the coefficients of its blades.
+    ///
+    /// ```
+    /// use ga_runtime::{Element, cga3::{Point, Sphere}};
+    /// let sphere = Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 0.5);
+    /// // The weight, the coefficients of the centre, the squared radius.
+    /// assert_eq!((sphere.number(0), sphere.number(1), sphere.number(6)), (1.0, 5.0, 0.25));
+    /// ```
+    #[inline]
+    fn number(&self, place: usize) -> Self::Scalar {
+        let blade = Self::BLADES.get(place);
+        blade.map_or_else(Self::Scalar::zero, |blade| self.coefficient(*blade))
+    }
+
+    /// The element that is made of some numbers, by their places. The caller must ensure that they
+    /// are those of a member.
+    #[inline]
+    fn from_numbers(number: &mut dyn FnMut(usize) -> Self::Scalar) -> Self {
+        Self::from_coefficients_unchecked(&mut |blade| {
+            let place = Self::BLADES.iter().position(|other| *other == blade);
+            place.map_or_else(Self::Scalar::zero, &mut *number)
+        })
     }
 
     /// The member whose stored coefficients the function returns. The caller must ensure that

@@ -1,6 +1,15 @@
 //! Norms for elements of unit norm.
 
-use crate::scalar::Real;
+use super::Element;
+use crate::scalar::{Real, Ring};
+
+/// The largest absolute value of a coefficient; `None` where it is zero or not finite.
+pub fn largest<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T::Scalar> {
+    let zero = T::Scalar::zero();
+    let coefficients = element.coefficients();
+    let largest = coefficients.fold(zero, |most, (_, x)| most.max(x.abs()));
+    (element.is_finite() && zero.less_than(largest)).then_some(largest)
+}
 
 /// An element and the absolute value of its squared norm, both of them divided so that the latter
 /// neither overflows nor underflows; `None` where it is zero, or a coefficient is not finite.

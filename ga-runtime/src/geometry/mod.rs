@@ -63,7 +63,7 @@
 //! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`, `nearest_to`;
 //!   read by `reflections`, `similarity_and_transversor`; functions `log`, `powf`, `sqrt`,
 //!   `interpolate`.
-//! - `PointPair`: any bivector; built by `EvenVersor::log`, `From` of the other generators;
+//! - `Bivector`: any element of grade 2; built by `EvenVersor::log`, `From` of the other generators;
 //!   functions `exp`.
 //! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`,
 //!   `nearest_to`; read by `reflections`, `similarity_and_inversion`.
@@ -105,7 +105,8 @@ pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
     Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, Nearest, NearestVersor,
-    NotConformal, NotUnit, RotationPath, Screw, fit, homogeneous, kinematics, motion, ray, relation,
+    NotConformal, NotUnit, RotationPath, Screw, fit, homogeneous, kinematics, motion, ray,
+    relation,
 };
 #[cfg(feature = "sta")]
 pub use sta::{NotLorentz, NotSlowerThanLight, relative_velocity, velocity_sum};

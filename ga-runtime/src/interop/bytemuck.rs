@@ -57,8 +57,8 @@
 macro_rules! declared_types {
     ($callback:ident) => {
         $callback! { cga3 {
-            Point 3, RoundVector 5, DualSphere 5, DualPlane 4, PointPair 10, DualCircle 10, FlatPoint 4, Direction 3,
-            MotorGenerator 6, Circle 10, DualPointPair 10, DualFlatPoint 4, DualDirection 3, Line 6, Sphere 5,
+            Point 3, RoundVector 5, DualSphere 5, DualPlane 4, Bivector 10, Trivector 10, Quadvector 5, PointPair 7,
+            DualCircle 7, FlatPoint 4, Direction 3, MotorGenerator 6, Circle 7, DualPointPair 7, DualFlatPoint 4, DualDirection 3, Line 6, Sphere 5,
             Plane 4, Pseudoscalar 1, Rotor 4, Translator 3, Motor 8, Dilator 2, Similarity 12, Transversor 3,
             EvenVersor 16, OddVersor 16, SimilarityGenerator 7, Quaternion 4, DualQuaternion 8, Even 16, Odd 16,
             Multivector 32

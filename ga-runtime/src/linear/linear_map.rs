@@ -69,14 +69,15 @@ where
     /// that is not, these values say nothing about others: [`try_of`](Self::try_of) tests it.
     ///
     /// ```
-    /// use ga_runtime::cga3::{Circle, DualSphere, Point, RoundVector, Sphere};
+    /// use ga_runtime::cga3::{Circle, Point, RoundVector, Sphere};
     /// use ga_runtime::linear::LinearMap;
     /// // The join with a circle: from vectors to spheres, a matrix with five rows and columns.
     /// let [p, q, r, s] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 2.0]]
     ///     .map(Point::from);
     /// let circle = Circle::through(p, q, r);
     /// let join = LinearMap::of(|x: RoundVector<f64>| circle ^ x);
-    /// assert_eq!(join.apply(s.into()), Sphere::through(p, q, r, s));
+    /// let sphere = Sphere::try_from(join.apply(s.into())).unwrap();
+    /// assert!(sphere.centre.distance(Sphere::through(p, q, r, s).centre) < 1e-15);
     /// ```
     #[must_use]
     pub fn of(function: impl Fn(A) -> B) -> Self {

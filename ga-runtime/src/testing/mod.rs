@@ -53,5 +53,5 @@ pub use declared::{algebra_of, constant_to_dense, exact_member, for_all, member,
 pub use sample::sample;
 #[doc(hidden)]
 pub use written::{
-    assert_same, check_coefficients, check_linear, check_product, for_all_numbers, members,
+    assert_same, blades, check_coefficients, check_linear, check_product, for_all_numbers, members,
 };

@@ -24,6 +24,12 @@ pub fn members<T: Element<Scalar = Prime61>>() -> Members<Prime61> {
     Members::new(T::METRIC, T::BLADES, T::IS_FREE)
 }
 
+/// The construction of blades among the members of a type over the prime field.
+#[must_use]
+pub fn blades<T: Element<Scalar = Prime61>>() -> Members<Prime61> {
+    Members::new(T::METRIC, T::BLADES, false)
+}
+
 /// A test that takes the reference algebra and the numbers of each operand.
 type TestOfNumbers<'a> = dyn Fn(&Algebra<Prime61>, &[Vec<Prime61>]) -> Option<()> + 'a;
 

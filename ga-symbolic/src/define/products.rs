@@ -1,5 +1,6 @@
 //! The products that a declaration asks for.
 
+use super::TypeDefinition;
 use crate::algebra::{Product, Unary};
 use crate::expression::Expression;
 
@@ -15,12 +16,15 @@ pub enum Operation {
 }
 
 /// One operation on given types.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct ProductDefinition {
     /// The operation.
     pub operation: Operation,
     /// The types of the operands, as indices.
     pub operands: Vec<usize>,
+    /// For each operand that must be a blade though not all members of its type are, the type with
+    /// that fact.
+    pub as_blades: Vec<Option<TypeDefinition>>,
     /// The type of the result, as an index; none for a scalar.
     pub result: Option<usize>,
 }

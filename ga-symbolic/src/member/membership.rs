@@ -64,6 +64,9 @@ fn not_read(algebra: &Algebra, parameters: &Parameters, value: &Numbers) -> Opti
         let is_number = parameter.index.is_none();
         let kind = (!is_number).then_some(&parameter.kind);
         if !membership(algebra, kind, member).is_empty() {
+            if value.values().all(|number| number.is_zero()) {
+                return Some(Reason::Zero);
+            }
             return Some(Reason::NotParameter(parameter.name.to_string()));
         }
     }

@@ -17,6 +17,8 @@ pub enum Reason {
     NoReadings,
     /// What is read of the value for the parameter of that name is not of its type.
     NotParameter(String),
+    /// The value is zero, of which no parameters can be read.
+    Zero,
     /// The parameters that are read of the value give another one.
     NotReadable,
     /// A fact of the type does not hold.
@@ -34,6 +36,7 @@ impl fmt::Display for Reason {
             Self::NotDerived(_, name) => write!(f, "{name} is not as derived"),
             Self::NoReadings => write!(f, "its parameters have no formulas by which they are read"),
             Self::NotParameter(name) => write!(f, "what is read for `{name}` is not of its type"),
+            Self::Zero => write!(f, "it is always zero"),
             Self::NotReadable => write!(f, "the parameters that are read give another multivector"),
             Self::Fact(fact) => write!(f, "not `{fact}`"),
         }

@@ -118,12 +118,10 @@ impl Parametrised {
         index: usize,
     ) -> Result<Vec<StepId>> {
         let mut read = readings.insert(builder, &[value])?;
-        let originals = action(builder, value).and_then(|(versor, original)| {
-            let originals = self.known(original, index)?;
-            Some((versor, originals))
-        });
         let mut options: Vec<Vec<StepId>> = vec![Vec::new(); read.len()];
-        if let Some((versor, originals)) = originals {
+        if let Some((versor, original)) = action(builder, value)
+            && let Some(originals) = self.found(builder, parameters, readings, original, index)?
+        {
             let scales = scales(builder, parameters, versor, &originals)?;
             for (place, original) in originals.into_iter().enumerate() {
                 let mut figures = vec![original];
@@ -131,6 +129,17 @@ impl Parametrised {
                     figures.push(builder.push(Step::Sandwich(versor, original))?);
                 }
                 options[place] = multiples(builder, &figures, &scales)?;
+            }
+        }
+        if let Step::Quotient(dividend, divisor) = *builder.program.step(value) {
+            let known = self.known(dividend, index);
+            let plain = match known {
+                Some(known) => known,
+                None => self.by_readings(builder, parameters, readings, dividend, index)?,
+            };
+            for (place, step) in plain.into_iter().enumerate() {
+                options[place].push(step);
+                options[place].push(builder.push(Step::Quotient(step, divisor))?);
             }
         }
         let (factor, rest) = factored(builder, value)?;
@@ -148,6 +157,23 @@ impl Parametrised {
             *read = same.unwrap_or(*read);
         }
         Ok(read)
+    }
+
+    /// The parameters of a value that may be a member, known or read.
+    fn found(
+        &self,
+        builder: &mut Builder<'_>,
+        parameters: &Parameters,
+        readings: &Formulas,
+        value: StepId,
+        index: usize,
+    ) -> Result<Option<Vec<StepId>>> {
+        if let Some(known) = self.known(value, index) {
+            return Ok(Some(known));
+        }
+        let read = self.by_readings(builder, parameters, readings, value, index)?;
+        let written = parameters.value.insert(builder, &read)?[0];
+        Ok(is_same(builder, written, value).then_some(read))
     }
 
     /// The parameters of what a versor makes of a value, if some of that value's, moved, and the
@@ -201,11 +227,22 @@ pub fn is_same(builder: &Builder<'_>, a: StepId, b: StepId) -> bool {
     pairs.all(|(a, b)| numbers::equal(a, b))
 }
 
-/// The versor and the operand of an action, `sandwich(m, x)` or `m * x * rev(m)`.
-fn action(builder: &Builder<'_>, value: StepId) -> Option<(StepId, StepId)> {
+/// The versor and the operand of an action, `sandwich(m, x)` or `m * x * rev(m)`, or of the outer
+/// product of the images that a versor makes, or the negative of one.
+fn action(builder: &mut Builder<'_>, value: StepId) -> Option<(StepId, StepId)> {
     let program = &builder.program;
     match *program.step(value) {
         Step::Sandwich(versor, operand) => Some((versor, operand)),
+        Step::Negative(image) => {
+            let (versor, operand) = action(builder, image)?;
+            Some((versor, builder.push(Step::Negative(operand)).ok()?))
+        }
+        Step::Binary(Product::Wedge, left, right) => {
+            let (versor, left) = action(builder, left)?;
+            let (other, right) = action(builder, right)?;
+            let whole = builder.push(Step::Binary(Product::Wedge, left, right));
+            (versor == other).then_some((versor, whole.ok()?))
+        }
         Step::Binary(Product::Geometric, left, right) => {
             let Step::Unary(Unary::Reverse, versor) = *program.step(right) else {
                 return None;

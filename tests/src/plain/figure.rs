@@ -1,9 +1,9 @@
 //! Elements of cga3, constructed from plain vectors.
 
-use ga_runtime::cga3::{Circle, DualSphere, Line, Motor, Plane, Point, PointPair, Sphere};
+use ga_runtime::cga3::{Circle, Line, Motor, Plane, Point, PointPair, Sphere};
 use ga_runtime::scalar::Ring;
 
-use super::{Vector, along, dot, frame, unit_of};
+use super::{Vector, along, frame, unit_of};
 
 /// The point with these coordinates.
 pub fn point(p: Vector) -> Point<f64> {
@@ -37,8 +37,7 @@ pub fn pair(p: Vector, q: Vector) -> PointPair<f64> {
 
 /// The sphere with this centre and squared radius, which may be negative.
 pub fn sphere_of_square(c: Vector, squared: f64) -> Sphere<f64> {
-    let ei = (dot(c, c) - squared) / 2.0;
-    DualSphere::new(c[0], c[1], c[2], 1.0, ei).undual()
+    Sphere::from_centre_radius_squared(point(c), squared)
 }
 
 /// The circle with this squared radius, which may be negative: the intersection of a plane with a

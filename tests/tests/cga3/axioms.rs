@@ -2,10 +2,10 @@
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Circle, Dilator, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane, DualPointPair,
-    DualQuaternion, DualSphere, Even, FlatPoint, Infinity, Line, Motor, MotorGenerator,
-    Multivector, Plane, Point, PointPair, Pseudoscalar, Quaternion, Rotor, RoundVector, Similarity,
-    Sphere, Translator,
+    Bivector, Circle, Dilator, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane,
+    DualPointPair, DualQuaternion, DualSphere, Even, FlatPoint, Infinity, Line, Motor,
+    MotorGenerator, Multivector, Plane, Point, PointPair, Pseudoscalar, Quadvector, Quaternion,
+    Rotor, RoundVector, Similarity, Sphere, Translator, Trivector,
 };
 use ga_runtime::scalar::{Field, Prime61, Ring};
 use ga_runtime::testing::{exact_member, for_all, strategy};
@@ -184,8 +184,8 @@ fn conversions_keep_every_coefficient() {
     }
     check!(
         Point => RoundVector, Point => Multivector, DualPlane => RoundVector,
-        FlatPoint => PointPair, Direction => FlatPoint, Direction => MotorGenerator,
-        MotorGenerator => PointPair, Line => Circle, Plane => Sphere, Rotor => Motor,
+        FlatPoint => Bivector, Direction => FlatPoint, Direction => MotorGenerator,
+        MotorGenerator => Bivector, Line => Trivector, Plane => Quadvector, Rotor => Motor,
         Translator => Motor, Motor => Similarity, Dilator => Similarity, Rotor => Quaternion,
         Quaternion => DualQuaternion, Motor => DualQuaternion, Similarity => Even, Even => Multivector,
     );
@@ -195,7 +195,7 @@ fn conversions_keep_every_coefficient() {
             x.extract_even().extract_dual_quaternion(),
             x.extract_dual_quaternion()
         );
-        assert_eq!(x.extract_sphere().e123o, x.e123o);
+        assert_eq!(x.extract_quadvector().e123o, x.e123o);
     });
 }
 

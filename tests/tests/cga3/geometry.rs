@@ -299,7 +299,8 @@ fn what_does_not_exist_is_none() {
     let sphere = Sphere::through(a, b, Point::new(0.0, 1.0, 0.0), Point::new(1.0, 1.0, 0.0));
     assert_eq!((sphere.centre(), sphere.radius()), (None, None));
     // A sphere of negative squared radius has a centre but no radius.
-    let imaginary = RoundVector::new(1.0, 0.0, 0.0, 1.0, 1.0).undual();
+    let imaginary =
+        Sphere::try_from(RoundVector::new(1.0, 0.0, 0.0, 1.0, 1.0).undual()).expect("a sphere");
     assert_eq!(imaginary.radius_squared(), Some(-1.0));
     assert_eq!(imaginary.radius(), None);
     assert_eq!(

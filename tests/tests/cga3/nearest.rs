@@ -1,6 +1,6 @@
 //! The motion, similarity or versor nearest to a matrix, against nalgebra's singular values.
 
-use ga_runtime::cga3::{DualSphere, EvenVersor, OddVersor, Point, PointPair, RoundVector};
+use ga_runtime::cga3::{Bivector, DualSphere, EvenVersor, OddVersor, Point, RoundVector};
 use ga_runtime::geometry::{Affine, NotConformal};
 use ga_runtime::linear::LinearMap;
 use nalgebra_035::{Matrix3, Matrix5};
@@ -111,7 +111,7 @@ proptest! {
     #[test]
     fn versors_come_back_from_their_maps(c in prop::array::uniform10(-0.8..0.8_f64), weight in prop_oneof![-3.0..-0.1_f64, 0.1..3.0_f64], mirrors in any::<bool>()) {
         let [a, b, c, d, e, f, g, h, i, j] = c;
-        let versor = PointPair::new(a, b, c, d, e, f, g, h, i, j).exp().expect("a versor");
+        let versor = Bivector::new(a, b, c, d, e, f, g, h, i, j).exp().expect("a versor");
         let size = dense(&versor).coefficients().iter().fold(1.0, |most: f64, x| most.max(x.abs()));
         let bound = 1e-13 * size.powi(4);
         if mirrors {
@@ -139,7 +139,7 @@ proptest! {
     #[test]
     fn the_orthogonal_factor_is_found(c in prop::array::uniform10(-0.5..0.5_f64), s in prop::array::uniform15(-0.1..0.1_f64)) {
         let [a, b, c, d, e, f, g, h, i, j] = c;
-        let versor = PointPair::new(a, b, c, d, e, f, g, h, i, j).exp().expect("a versor");
+        let versor = Bivector::new(a, b, c, d, e, f, g, h, i, j).exp().expect("a versor");
         // In the orthonormal frame of e₋ and four vectors of square 1 the matrix G S of a symmetric
         // S is its own adjoint.
         let mut entries = s.into_iter();

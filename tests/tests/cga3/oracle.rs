@@ -4,8 +4,8 @@ use std::iter;
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Circle, DualPlane, Even, Infinity, Line, Motor, MotorGenerator, Multivector, Plane, Point,
-    Rotor, RoundVector, Sphere, Translator,
+    Circle, DualPlane, DualSphere, Even, Infinity, Line, Motor, MotorGenerator, Multivector, Plane,
+    Point, Rotor, RoundVector, Sphere, Translator,
 };
 use nullcone_tests::oracle;
 use serde_json::Value;
@@ -238,7 +238,7 @@ fn meets() {
         for record in records(&source, "sphere_plane") {
             let centre = Point::from(vector(&record["center"]));
             let radius = record["radius"].as_f64().expect("a number");
-            let sphere = RoundVector::dual_sphere(centre, radius);
+            let sphere = DualSphere::from_centre_radius(centre, radius);
             close("dual sphere", &sphere, &record["sphere_dual"], 1e-13, 0.0);
             let offset = record["offset"].as_f64().expect("a number");
             let plane = DualPlane::from_normal_distance(vector(&record["normal"]), offset);

@@ -184,7 +184,7 @@ fn a_line_meets_a_sphere_in_two_points() {
         [0.0, 0.0, 8.0],
     ];
     let [a, b, c, d] = on.map(cga3::Point::from);
-    let sphere = a ^ b ^ c ^ d;
+    let sphere = cga3::Quadvector::from(cga3::Sphere::through(a, b, c, d));
     let sphere = figures::Sphere {
         e123o: sphere.e123o,
         e123i: sphere.e123i,

@@ -1,6 +1,8 @@
 //! Types by parameters: rounds of centre and squared radius, a pose of rotation and translation, a
 //! line of point and direction, a sphere of centre and radius, an arm of angles.
 
+#![allow(clippy::float_cmp, reason = "the examples are exact")]
+
 use ga_runtime::scalar::{Lanes, Real};
 use ga_runtime::testing::assert_close;
 use ga_runtime::{Element, ga};

@@ -1,6 +1,6 @@
 //! Uniform operands: a struct holds the work on them, and its method does the rest.
 
-use ga_runtime::cga3::{Motor, Point, Rotor, RoundVector, Sphere, Translator};
+use ga_runtime::cga3::{Motor, Point, Quadvector, Rotor, RoundVector, Translator};
 use ga_runtime::scalar::{Dual, Lanes};
 use ga_runtime::testing::{assert_close, exact_member, for_all, member, strategy};
 
@@ -14,7 +14,7 @@ mod compiled {
         /// The same without a uniform operand.
         pub fn moved(m: Motor, p: Point) -> Point { m * p * reverse(m) }
         /// There may be several uniform operands, in any place.
-        pub fn scaled_join(a: Sphere, uniform n: Scalar, b: Sphere, uniform c: [RoundVector; 2]) -> (Sphere, Scalar) {
+        pub fn scaled_join(a: Quadvector, uniform n: Scalar, b: Quadvector, uniform c: [RoundVector; 2]) -> (Quadvector, Scalar) {
             let part = (c[0] | c[1]) * (n + 1);
             (part * a - b, (dual(b) | c[0]) + n * n)
         }
@@ -41,8 +41,8 @@ fn stages_together_are_the_function() {
             assert_eq!(compiled::calling(m, p), m.transform(p).ei() * (-1).into());
         },
     );
-    let a = Sphere::new(1, 2, 3, 4, 5);
-    let b = Sphere::new(2, 0, 1, -1, 3);
+    let a = Quadvector::new(1, 2, 3, 4, 5);
+    let b = Quadvector::new(2, 0, 1, -1, 3);
     let c = [
         RoundVector::new(1, 2, 3, 1, 0),
         RoundVector::new(2, 2, 2, 0, 1),

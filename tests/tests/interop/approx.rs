@@ -12,9 +12,9 @@ use nullcone_embedder::sta as spacetime;
 
 /// An element with one coefficient replaced.
 fn changed<T: Element<Scalar = f64>>(stored: &[usize], values: &[f64]) -> T {
-    T::from_coefficients_unchecked(&mut |blade| {
-        let place = stored.iter().position(|other| *other == blade);
-        values[place.expect("a stored blade")]
+    T::from_numbers(&mut |number| {
+        let place = stored.iter().position(|other| *other == number);
+        values[place.expect("a stored number")]
     })
 }
 
@@ -24,8 +24,8 @@ where
     T: Element<Scalar = f64> + AbsDiffEq<Epsilon = f64> + RelativeEq + UlpsEq,
 {
     let mut stored = Vec::new();
-    let _ = T::from_coefficients_unchecked(&mut |blade| {
-        stored.push(blade);
+    let _ = T::from_numbers(&mut |number| {
+        stored.push(number);
         0.0
     });
     let values: Vec<f64> = (1..=stored.len()).map(|k| k as f64).collect();

@@ -6,7 +6,7 @@ macro_rules! every_type {
     ($callback:ident) => {
         $callback! {
             cga3 {
-                Point, RoundVector, DualSphere, DualPlane, PointPair, DualCircle, FlatPoint, Direction,
+                Point, RoundVector, Bivector, Trivector, Quadvector, DualSphere, DualPlane, PointPair, DualCircle, FlatPoint, Direction,
                 MotorGenerator, Circle, DualPointPair, DualFlatPoint, DualDirection, Line, Sphere, Plane,
                 Pseudoscalar, Rotor, Translator, Motor, Dilator, Similarity, Transversor, EvenVersor, OddVersor,
                 SimilarityGenerator, Quaternion, DualQuaternion, Even, Odd, Multivector

@@ -57,8 +57,8 @@ macro_rules! ones {
 fn zeros_are_neutral() {
     zeros! {
         cga3 {
-            RoundVector, DualSphere, DualPlane, PointPair, DualCircle, FlatPoint, Direction, MotorGenerator, Circle,
-            DualPointPair, DualFlatPoint, DualDirection, Line, Sphere, Plane, Pseudoscalar, Quaternion, DualQuaternion, Even, Multivector
+            RoundVector, Bivector, Trivector, Quadvector, DualPlane, FlatPoint, Direction, MotorGenerator,
+            DualFlatPoint, DualDirection, Line, Plane, Pseudoscalar, Quaternion, DualQuaternion, Even, Multivector
         },
         pga3 { Plane, Line, Point, Pseudoscalar, MotorSum, Multivector },
         sta { Vector, Bivector, Even },

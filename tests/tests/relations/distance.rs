@@ -1,6 +1,6 @@
 //! Distances between primitives against plain formulas and dense sampling.
 
-use ga_runtime::cga3::{Circle, DualSphere, Line, Plane, Point, RoundVector, Sphere};
+use ga_runtime::cga3::{Circle, Direction, Line, Plane, Point, RoundVector};
 use ga_runtime::geometry::relation::Tolerance;
 use nullcone_tests::plain::*;
 use proptest::prelude::*;
@@ -235,13 +235,13 @@ fn zero_radius_is_a_point() {
 
 #[test]
 fn zero_weight_is_flat() {
-    // Rounds of weight zero are flats: a sphere is a plane, a circle a line, a pair its finite
-    // point.
-    let flat = DualSphere::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
+    // Sums of weight zero are flats: a sphere is a plane, a circle a line, a pair its finite point.
+    let flat = RoundVector::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
     check!(flat, point(O), 3.0, 1e-15);
-    let [a, b, c] = [0.0, 1.0, 3.0].map(|x| point([x, 2.0, 0.0]));
-    check!(Circle::through(a, b, c), point(O), 2.0, 1e-15);
-    let end = RoundVector::from(a) ^ RoundVector::new(0.0, 0.0, 0.0, 0.0, 1.0);
+    let [a, b, c] = [0.0, 1.0, 3.0].map(|x| RoundVector::from(point([x, 2.0, 0.0])));
+    check!(a ^ b ^ c, point(O), 2.0, 1e-15);
+    assert_eq!(Circle::try_from(a ^ b ^ c).ok(), None);
+    let end = a ^ RoundVector::new(0.0, 0.0, 0.0, 0.0, 1.0);
     check!(end, point(O), 2.0, 1e-15);
     // Flats of weight zero are not figures.
     let p = point(O);
@@ -249,7 +249,7 @@ fn zero_weight_is_flat() {
     assert_eq!(p.distance_to(plane(X, O)), None);
     assert_eq!(p.distance_to(Plane::new(1.0, 0.0, 0.0, 0.0)), None);
     assert_eq!(p.distance_to(Line::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0)), None);
-    assert_eq!(p.distance_to(Sphere::new(0.0, 0.0, 0.0, 0.0, 0.0)), None);
+    assert_eq!(p.distance_to(sphere(O, 1.0) * 0.0), None);
     assert_eq!(line(X, O).signed_distance_to(p), None);
 }
 
@@ -448,9 +448,7 @@ fn bad_input() {
             circle(O, Z, 1.0).distance_to(pair([bad, 0.0, 0.0], X)),
             None
         );
-        let coefficients = [bad, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        let [a, b, c, d, e, f, g, h, i, j] = coefficients;
-        let circle = Circle::new(a, b, c, d, e, f, g, h, i, j);
+        let circle = Circle::new(Point::ORIGIN, Direction::new(bad, 0.0, 1.0), 1.0);
         assert_eq!(
             (circle.distance_to(circle), good.distance_to(circle)),
             (None, None)

@@ -207,7 +207,7 @@ fn bad_input() {
     let t = tolerance();
     let (l, e, s, c) = (line(O, X), plane(O, X), sphere(O, 1.0), circle(O, Z, 1.0));
     // Of weight zero, none of these is a figure.
-    let flat_sphere = ga_runtime::cga3::DualSphere::new(0.0, 0.0, 2.0, 0.0, 6.0).undual();
+    let flat_sphere = sphere(O, 1.0) * 0.0;
     let flat_circle = Circle::through(point(O), point(X), point([2.0, 0.0, 0.0]));
     let nothing = |l2: Line<f64>, e2: Plane<f64>, s2: Sphere<f64>, c2: Circle<f64>| {
         assert!(
@@ -243,7 +243,11 @@ fn bad_input() {
     };
     nothing(line(O, O), plane(O, O), flat_sphere, flat_circle);
     for bad in [f64::NAN, f64::INFINITY] {
-        let broken = Circle::new(bad, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+        let broken = Circle::new(
+            point(O),
+            ga_runtime::cga3::Direction::new(bad, 0.0, 1.0),
+            1.0,
+        );
         nothing(
             line([0.0, bad, 0.0], X),
             plane([bad, 0.0, 0.0], X),

@@ -101,9 +101,8 @@ proptest! {
         }
         // Behind the ray there is nothing.
         prop_assert_eq!(ray(o, times(d, -1.0)).first_hit(wall), None);
-        // A sphere without weight is a plane.
-        let flat = Sphere::new(0.0, wall.e123i, wall.e12oi, wall.e13oi, wall.e23oi);
-        prop_assert_eq!(ray(o, d).first_hit(flat), ray(o, d).first_hit(wall));
+        // A sphere without weight is not hit.
+        prop_assert_eq!(ray(o, d).first_hit(sphere(through, 1.0) * 0.0), None);
     }
 
     #[test]
@@ -283,11 +282,9 @@ fn rays_in_lanes_go_as_each_of_them_does() {
             Direction::from_vector(vector(&|lane| single[lane].0.direction().vector())),
         );
         let ball = Sphere::new(
-            of(&|lane| single[lane].1.e123o),
-            of(&|lane| single[lane].1.e123i),
-            of(&|lane| single[lane].1.e12oi),
-            of(&|lane| single[lane].1.e13oi),
-            of(&|lane| single[lane].1.e23oi),
+            of(&|lane| single[lane].1.weight),
+            Point::from(vector(&|lane| single[lane].1.centre.coordinates())),
+            of(&|lane| single[lane].1.radius_squared),
         );
         let wall = Plane::new(
             of(&|lane| single[lane].2.e123i),

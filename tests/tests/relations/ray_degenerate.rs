@@ -200,7 +200,7 @@ fn hits_are_sound_whatever_the_numbers() {
         let sphere = Sphere::from_centre_radius(a, r) * w;
         let found = [
             ray.first_hit(sphere),
-            ray.first_hit(DualSphere::new(a.e1(), b.e1(), c.e1(), w, r)),
+            ray.first_hit(DualSphere::new(w, Point::new(a.e1(), b.e1(), c.e1()), r)),
             ray.first_hit(Plane::from_point_normal(a, normal)),
             ray.first_hit(Circle::through(a, b, c)),
             ray.first_hit([a, b, c]),

@@ -1,7 +1,7 @@
 //! Lanes: each holds the result of the operation on a single number.
 
 use ga_runtime::Element;
-use ga_runtime::cga3::{Circle, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
+use ga_runtime::cga3::{Circle, Direction, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
 use ga_runtime::scalar::{Field, LaneMask, Lanes, Mask, Prime61, Real, Ring};
 use ga_runtime::testing::exact_member;
 use ga_runtime::testing::strategy::{nonzero_prime, prime};
@@ -179,8 +179,8 @@ proptest! {
         motors in uniform8(motor()),
         lines in uniform8(free(|c| Line::new(c[0], c[1], c[2], c[3], c[4], c[5]))),
         planes in uniform8(free(|c| Plane::new(c[0], c[1], c[2], c[3]))),
-        spheres in uniform8(free(|c| Sphere::new(c[0], c[1], c[2], c[3], c[4]))),
-        circles in uniform8(free(|c| Circle::new(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9]))),
+        spheres in uniform8(free(|c| Sphere::new(c[0], Point::new(c[1], c[2], c[3]), c[4]))),
+        circles in uniform8(free(|c| Circle::new(Point::new(c[0], c[1], c[2]), Direction::new(c[3], c[4], c[5]), c[6]))),
     ) {
         let motor: Motor<Eight> = gather(motors);
         let line = motor.transform(gather::<_, Line<Eight>, _>(lines));
@@ -213,12 +213,8 @@ where
     A: Element,
     L: Element<Scalar = Lanes<A::Scalar, N>>,
 {
-    L::from_coefficients_unchecked(&mut |blade| {
-        Lanes::from_array(
-            elements
-                .each_ref()
-                .map(|element| element.coefficient(blade)),
-        )
+    L::from_numbers(&mut |place| {
+        Lanes::from_array(elements.each_ref().map(|element| element.number(place)))
     })
 }
 

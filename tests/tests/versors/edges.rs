@@ -3,7 +3,7 @@
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    DualPlane, Even, EvenVersor, Motor, MotorGenerator, OddVersor, Point, PointPair, Rotor,
+    Bivector, DualPlane, Even, EvenVersor, Motor, MotorGenerator, OddVersor, Point, Rotor,
     Similarity, Translator, Transversor,
 };
 use ga_runtime::geometry::motion::{MotorSpline, SplineError};
@@ -63,11 +63,11 @@ fn two_rotations_whose_angles_add_to_a_full_one_survive_a_round_trip() {
     for share in [0.01, 0.1, 0.7, 1.3] {
         // Rotations in the commuting planes e12 and e3∧(eo − ½ei), by angles that add up to 2π.
         let other = std::f64::consts::PI - share;
-        let generator = PointPair {
+        let generator = Bivector {
             e12: share,
             e3o: other,
             e3i: -0.5 * other,
-            ..PointPair::default()
+            ..Bivector::default()
         };
         let versor = generator.exp().expect("finite");
         let again = versor.log().exp().expect("finite");

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{
-    Dilator, DualPlane, DualSphere, EvenVersor, OddVersor, Point, PointPair, Rotor, RoundVector,
+    Bivector, Dilator, DualPlane, DualSphere, EvenVersor, OddVersor, Point, Rotor, RoundVector,
     Similarity, Translator, Transversor,
 };
 use ga_runtime::dense::Multivector;
@@ -14,7 +14,7 @@ use proptest::prelude::*;
 
 fn even(c: [f64; 10], scale: f64) -> EvenVersor<f64> {
     let [a, b, c, d, e, f, g, h, i, j] = c.map(|x| x * scale);
-    let generator = PointPair::new(a, b, c, d, e, f, g, h, i, j);
+    let generator = Bivector::new(a, b, c, d, e, f, g, h, i, j);
     generator.exp().expect("a moderate bivector")
 }
 

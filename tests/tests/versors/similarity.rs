@@ -1,7 +1,7 @@
 //! Similarities against plain Euclidean coordinates: `x' = s R x + t`.
 
 use ga_runtime::cga3::{
-    Dilator, EvenVersor, Motor, Point, PointPair, Rotor, Similarity, Translator,
+    Bivector, Dilator, EvenVersor, Motor, Point, Rotor, Similarity, Translator,
 };
 use ga_runtime::testing::assert_close;
 use nullcone_tests::plain::{dot, largest, largest_difference, rotated, unit, vector};
@@ -98,7 +98,7 @@ proptest! {
         let near = similarity(t, n, angle, s);
         let motor = Translator::from_displacement(t) * Rotor::from_axis_angle(n, angle).expect("an axis");
         let (found, expected) = (near.log(), motor.log());
-        let difference = PointPair::from(found) - PointPair::from(expected);
+        let difference = Bivector::from(found) - Bivector::from(expected);
         // The generator changes by the change of the factor times the translation.
         let bound = 100.0 * (s - 1.0) / (6.3 - angle) + 1e-12;
         prop_assert!(difference.e1i.abs().max(difference.e2i.abs()).max(difference.e3i.abs()) < bound);

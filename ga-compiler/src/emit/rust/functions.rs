@@ -311,11 +311,7 @@ impl Emitter<'_> {
     }
 
     /// The result from its coefficients.
-    fn build<'v>(
-        &self,
-        shape: &Shape,
-        values: &mut dyn Iterator<Item = &'v TokenStream>,
-    ) -> TokenStream {
+    fn build(&self, shape: &Shape, values: &mut dyn Iterator<Item = &TokenStream>) -> TokenStream {
         match shape {
             Shape::Scalar => values.next().cloned().unwrap_or_default(),
             Shape::Type(index) => self.member(&self.definition.types[*index], values),
@@ -330,10 +326,10 @@ impl Emitter<'_> {
         }
     }
 
-    fn member<'v>(
+    fn member(
         &self,
         kind: &TypeDefinition,
-        values: &mut dyn Iterator<Item = &'v TokenStream>,
+        values: &mut dyn Iterator<Item = &TokenStream>,
     ) -> TokenStream {
         let (path, name) = (self.path, &kind.name);
         if kind.is_constant() {

@@ -92,6 +92,10 @@ fn product_test(
         #runtime::testing::assert_same(#text, &[#(&#locals),*], &#found, &#expected);
         #references
     };
+    let kinds: Vec<_> = (kinds.into_iter())
+        .zip(&product.as_blades)
+        .map(|(kind, as_blade)| (kind, as_blade.is_some()))
+        .collect();
     test(runtime, path, &name, &kinds, &body)
 }
 
@@ -128,17 +132,17 @@ fn operator(operation: Operation) -> Option<TokenStream> {
     }
 }
 
-/// A test of random members of some types, which are called `operand0` and so on, or `number` for
+/// A test of random members of some types, or of blades among them, which are called `operand0` and so on, or `number` for
 /// further numbers beside them.
 fn test(
     runtime: &TokenStream,
     path: &TokenStream,
     name: &Ident,
-    kinds: &[&TypeDefinition],
+    kinds: &[(&TypeDefinition, bool)],
     body: &TokenStream,
 ) -> TokenStream {
     let (mut makers, mut counts, mut values) = (Vec::new(), Vec::new(), Vec::new());
-    for (place, kind) in kinds.iter().enumerate() {
+    for (place, (kind, is_blade)) in kinds.iter().enumerate() {
         let (local, maker) = (
             format_ident!("operand{place}"),
             format_ident!("members{place}"),
@@ -148,7 +152,8 @@ fn test(
             counts.push(quote! { 0 });
             values.push(quote! { let #local = #path::#name; });
         } else {
-            makers.push(quote! { let #maker = #runtime::testing::members::<#path::#name<_>>(); });
+            let members = format_ident!("{}", if *is_blade { "blades" } else { "members" });
+            makers.push(quote! { let #maker = #runtime::testing::#members::<#path::#name<_>>(); });
             counts.push(quote! { #runtime::testing::Members::count(&#maker) });
             values.push(quote! {
                 let #local: #path::#name<_> =
@@ -303,5 +308,11 @@ fn type_test(definition: &Definition, path: &TokenStream, kind: &TypeDefinition)
             #of_grade
         }
     };
-    test(runtime, path, &test_name, &[kind, kind], &body)
+    test(
+        runtime,
+        path,
+        &test_name,
+        &[(kind, false), (kind, false)],
+        &body,
+    )
 }

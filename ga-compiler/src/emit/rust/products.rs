@@ -83,7 +83,8 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
         context.kind(product.operands[1]),
     );
     let result = product.result.map(|index| context.kind(index));
-    let operands = [(left, receiver()), (right, other())];
+    let [first, second] = [0, 1].map(|place| operand_kind(context, product, place));
+    let operands = [(first, receiver()), (second, other())];
     let (body, needs) = match is_of_products(context.definition, product) {
         true => {
             let multiply = quote! { ::core::ops::Mul::mul };
@@ -117,6 +118,16 @@ fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> To
             fn #method(self, other: #argument) -> #output { #body }
         }
     }
+}
+
+/// The type of an operand, with what the product knows of it beside.
+fn operand_kind<'a>(
+    context: &Context<'a>,
+    product: &'a ProductDefinition,
+    place: usize,
+) -> &'a TypeDefinition {
+    let as_blade = product.as_blades[place].as_ref();
+    as_blade.unwrap_or_else(|| context.kind(product.operands[place]))
 }
 
 /// Whether a product is `a b ~a` of two multivectors with all of many blades. No rule saves

@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
+use super::arithmetic::type_of_multiples;
 use super::context::Context;
 use super::types::{is_identity, needs};
 use super::versors::in_norm;
@@ -34,7 +35,10 @@ fn entries(context: &Context<'_>, kind: &TypeDefinition) -> Vec<TokenStream> {
             let fields = kind.stored().map(|c| &c.name);
             entries.push(quote! { normalized #name [#(#measured)*] [#(#fields)*] });
         }
-    } else if is_closed(context.definition, kind, |_| true) {
+    } else if kind.parameters.is_some() && type_of_multiples(context, kind).name == *name {
+        entries.push(quote! { unit_multiple #name });
+    }
+    if !kind.is_linear() && is_closed(context.definition, kind, |_| true) {
         entries.push(quote! { multiplied #name });
     }
     if kind.facts.unit_versor && kind.facts_are_implied {

@@ -386,6 +386,10 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
     let type_name = kind.name.unraw().to_string();
     let facts = versors::facts(context, kind);
     let (unit_versor, free) = (kind.facts.unit_versor, is_free(context, kind));
+    let numbers = kind
+        .parameters
+        .as_ref()
+        .map(|parameters| numbers(context, parameters));
     quote! {
         impl<S: #bound> #runtime::Element for #path {
             type Scalar = S;
@@ -405,7 +409,44 @@ fn element(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
             ) -> Self {
                 #built
             }
+            #numbers
             #facts
+        }
+    }
+}
+
+/// The numbers that a member is made of, by their places: those of its parameters.
+fn numbers(context: &Context<'_>, parameters: &Parameters) -> TokenStream {
+    let (runtime, usize) = (context.runtime, quote! { ::core::primitive::usize });
+    let element = quote! { #runtime::Element };
+    let (mut arms, mut fields, mut next) = (Vec::new(), Vec::new(), 0_usize);
+    for parameter in &parameters.list {
+        let (field, first) = (&parameter.name, next);
+        match parameter.index {
+            None => {
+                next += 1;
+                arms.push(quote! { #first => self.#field });
+                fields.push(quote! { #field: number(#first) });
+            }
+            Some(_) => {
+                next += parameter.kind.coefficients.len();
+                let last = next - 1;
+                arms.push(quote! {
+                    #first ..= #last => #element::number(&self.#field, place - #first)
+                });
+                fields.push(quote! {
+                    #field: #element::from_numbers(&mut |place| number(#first + place))
+                });
+            }
+        }
+    }
+    let zero = constant(runtime, Ratio::ZERO);
+    quote! {
+        fn number(&self, place: #usize) -> S {
+            match place { #(#arms,)* _ => #zero }
+        }
+        fn from_numbers(number: &mut dyn ::core::ops::FnMut(#usize) -> S) -> Self {
+            Self { #(#fields),* }
         }
     }
 }

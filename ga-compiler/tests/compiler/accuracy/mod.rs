@@ -53,7 +53,7 @@ const ACTIONS: [&str; 20] = [
 ];
 
 /// Rules that are worse than the plain form somewhere, and cost more than another rule there.
-const WORSE: [(&str, SandwichRule); 3] = [
+const WORSE: [(&str, SandwichRule); 7] = [
     (
         "m: EvenVersor, x: RoundVector -> RoundVector",
         SandwichRule::LinearMap,
@@ -64,6 +64,19 @@ const WORSE: [(&str, SandwichRule); 3] = [
     ),
     (
         "m: OddVersor, x: Point -> RoundVector",
+        SandwichRule::LinearMap,
+    ),
+    (
+        "m: OddVersor, x: Line -> Circle",
+        SandwichRule::UnitCommutator,
+    ),
+    ("m: OddVersor, x: Line -> Circle", SandwichRule::LinearMap),
+    (
+        "m: Similarity, x: Circle -> Circle",
+        SandwichRule::UnitCommutator,
+    ),
+    (
+        "m: Similarity, x: Circle -> Circle",
         SandwichRule::LinearMap,
     ),
 ];
@@ -451,6 +464,10 @@ fn evaluate<N: Number>(kernel: &Kernel, inputs: &[N]) -> Vec<N> {
             Node::Quotient(a, b) => results[a.index()].quotient(results[b.index()]),
             Node::Function(Function::SquareRoot, arguments) => {
                 scaled(&results, &arguments[0]).root()
+            }
+            Node::Function(Function::Divisor, arguments) => scaled(&results, &arguments[0]),
+            Node::Function(Function::Reciprocal, arguments) => {
+                N::of(1.0).quotient(scaled(&results, &arguments[0]))
             }
             Node::Function(..) => panic!("kernels of arithmetic and roots only"),
         };

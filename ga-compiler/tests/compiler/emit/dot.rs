@@ -93,6 +93,8 @@ impl Picture {
                 assert_eq!(edges[1].1, "divisor");
                 operands[0] * operands[1].recip()
             }
+            "nonzero" => operands[0],
+            "recip_or_zero" => operands[0].recip(),
             "√" => Function::SquareRoot
                 .evaluate(&operands)
                 .unwrap_or(Residue::ZERO),

@@ -143,6 +143,12 @@ impl Reader<'_> {
             assert!(self.take(")"), "at {}", self.rest);
             return value;
         }
+        if self.take("nonzero(") {
+            return self.call(Function::Divisor);
+        }
+        if self.take("recip_or_zero(") {
+            return self.call(Function::Reciprocal);
+        }
         if self.take("√(") {
             return self.call(Function::SquareRoot);
         }
@@ -205,8 +211,10 @@ fn assert_formula_agrees(definition: &Definition, function: &CompiledFunction) {
     // Points have eo and ei without storing them.
     let result = function.result.to_text(definition);
     let is_of_points = result == "Point" || result.starts_with("[Point;");
-    let is_stored =
-        |label: &str| !(is_of_points && (label.ends_with("eo") || label.ends_with("ei")));
+    let is_stored = |label: &str| {
+        let is_fixed = label.ends_with("eo") || label.ends_with("ei");
+        !((is_of_points || label.contains("centre.")) && is_fixed)
+    };
     let stored: Vec<_> = found
         .iter()
         .filter(|(label, _)| is_stored(label))

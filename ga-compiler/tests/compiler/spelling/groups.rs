@@ -143,7 +143,7 @@ pub(super) const CGA3: &[Group] = &[
         &["sandwich(m * m, p)", "sandwich(m, sandwich(m, p))"],
     ),
     (
-        "s: DualSphere, p: Point -> RoundVector",
+        "s: RoundVector, p: Point -> RoundVector",
         &["sandwich(s, p)", "-(s * p * rev(s))", "-(s * p * s)"],
     ),
     (
@@ -405,7 +405,7 @@ pub(super) const CGA3: &[Group] = &[
         ],
     ),
     (
-        "s: DualSphere, p: Point -> RoundVector",
+        "s: RoundVector, p: Point -> RoundVector",
         &[
             "sandwich(s, p)",
             "(s | s) * p - 2 * (s | p) * s",

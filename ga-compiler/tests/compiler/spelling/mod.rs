@@ -33,29 +33,37 @@ fn count(definition: &Definition, types: &str, formula: &str) -> Cost {
     })
 }
 
-/// What a text in cga3 is in the algebra of [`algebras::renamed`].
-fn renamed(text: &str) -> String {
-    const NAMES: [(&str, &str); 12] = [
-        ("RoundVector", "Weighted"),
-        ("PointPair", "Pair"),
-        ("Point", "Place"),
-        ("Motor", "Motion"),
-        ("Plane", "Flat"),
-        ("Sphere", "Ball"),
-        ("Line", "Axis"),
-        ("Circle", "Ring"),
-        ("Rotor", "Rotation"),
-        ("Translator", "Translation"),
-        ("ei", "infinity"),
-        ("eo", "origin"),
-    ];
+/// The types by parameters as those of all multivectors of their grades.
+const BY_BLADES: [(&str, &str); 3] = [
+    ("PointPair", "Bivector"),
+    ("Circle", "Trivector"),
+    ("Sphere", "Quadvector"),
+];
+
+/// The names in [`algebras::renamed`].
+const RENAMED: [(&str, &str); 12] = [
+    ("RoundVector", "Weighted"),
+    ("Bivector", "Pair"),
+    ("Point", "Place"),
+    ("Motor", "Motion"),
+    ("Plane", "Flat"),
+    ("Quadvector", "Ball"),
+    ("Line", "Axis"),
+    ("Trivector", "Ring"),
+    ("Rotor", "Rotation"),
+    ("Translator", "Translation"),
+    ("ei", "infinity"),
+    ("eo", "origin"),
+];
+
+fn renamed(text: &str, names: &[(&str, &str)]) -> String {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut result = String::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let end = rest.find(|c| is_word(c) != is_word(first));
         let (word, after) = rest.split_at(end.unwrap_or(rest.len()));
-        let name = NAMES.iter().find(|(name, _)| *name == word);
+        let name = names.iter().find(|(name, _)| *name == word);
         result += name.map_or(word, |(_, name)| name);
         rest = after;
     }
@@ -108,8 +116,11 @@ fn spellings_cost_the_same_under_other_names() {
     };
     let groups: Vec<Group> = CGA3.iter().filter(is_there).copied().collect();
     assert!(groups.len() > 12, "{}", groups.len());
-    let other = check(&algebras::renamed(), &groups, renamed);
-    let cga3 = check(&algebras::cga3(), &groups, str::to_owned);
+    let by_blades = |text: &str| renamed(text, &BY_BLADES);
+    let other = check(&algebras::renamed(), &groups, |text| {
+        renamed(&by_blades(text), &RENAMED)
+    });
+    let cga3 = check(&algebras::cga3(), &groups, by_blades);
     for ((group, [other, _]), [cga3, _]) in groups.iter().zip(other).zip(cga3) {
         assert_eq!(other, cga3, "{group:?}");
     }

@@ -28,7 +28,7 @@ enum Formula {
 use Formula::{Composed, Inner, Joined, Met, Moved, Multiple, Name, Quotient, Reversed, Sum};
 
 const OPERANDS: &str = "m: Motor, n: Motor, r: Rotor, p: Point, q: Point, x: RoundVector, \
-                        a: Sphere, b: Plane, s: Scalar, t: Scalar";
+                        a: Quadvector, b: Plane, s: Scalar, t: Scalar";
 
 fn boxed(formula: Formula) -> Box<Formula> {
     Box::new(formula)
@@ -70,11 +70,11 @@ fn formula(random: &mut Random) -> (Formula, &'static str) {
         0 => (vector(random, 3), "RoundVector"),
         1 => {
             let pair = Joined(vec![vector(random, 1), vector(random, 1)]);
-            (pair, "PointPair")
+            (pair, "Bivector")
         }
         2 => {
             let pair = Joined(vec![vector(random, 0), vector(random, 0)]);
-            (Moved(boxed(versor(random, 1)), boxed(pair)), "PointPair")
+            (Moved(boxed(versor(random, 1)), boxed(pair)), "Bivector")
         }
         3 => {
             let inner = Inner(boxed(vector(random, 2)), boxed(vector(random, 1)));
@@ -82,7 +82,7 @@ fn formula(random: &mut Random) -> (Formula, &'static str) {
         }
         4 => {
             let met = Met(boxed(Name("a")), boxed(Name("b")));
-            (Moved(boxed(versor(random, 1)), boxed(met)), "Circle")
+            (Moved(boxed(versor(random, 1)), boxed(met)), "Trivector")
         }
         _ => {
             let versor = versor(random, 2);

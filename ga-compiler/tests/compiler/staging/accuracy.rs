@@ -277,8 +277,7 @@ fn inversions_in_spheres_far_from_the_origin() {
         check(source, |random| {
             let centre = random.vector(distance);
             let near = plus(centre, random.vector(1.0));
-            let square = dot(centre, centre);
-            joined([&centre, &[1.0, 0.5 * (square - 1e-2)], &near])
+            joined([&[1.0], &centre, &[1e-2], &near])
         });
     }
 }
@@ -296,8 +295,7 @@ fn lines_that_nearly_touch_a_sphere() {
             // The nearest point of the line lies this deep in the sphere of radius 1.
             let nearest = plus(centre, across.map(|x| x * (1.0 - depth)));
             let [p, q] = [-2.0, 3.0].map(|way| plus(nearest, axis.map(|x| x * way)));
-            let square = dot(centre, centre) - 1.0;
-            joined([&centre, &[1.0, 0.5 * square], &p, &q])
+            joined([&[1.0], &centre, &[1.0], &p, &q])
         });
     }
 }

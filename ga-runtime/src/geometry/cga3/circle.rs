@@ -1,13 +1,20 @@
 //! Circles.
 
-use super::round::{self, RoundBivector, real_radius};
-use crate::cga3::{Circle, DualDirection, Infinity, Line, Plane, Point, Sphere};
-use crate::geometry::number::is_moderate;
+use super::round;
+use crate::cga3::{Circle, Direction, DualDirection, Infinity, Line, Plane, Point, Sphere};
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
+crate::ga! {
+    crate::cga3;
+
+    // As one formula, since the centre of the pair `p∧q` would be rounded.
+    fn through(p: Point, q: Point, r: Point) -> Circle { p ^ q ^ r }
+}
+
 impl<S: Field> Circle<S> {
-    /// The circle through three points, `p∧q∧r`; a line where they are collinear.
+    /// The circle through three points, `p∧q∧r`. Its normal is zero where they are collinear, so
+    /// that it has no [centre](Self::centre); [`Line::through`] joins them.
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
@@ -21,7 +28,7 @@ impl<S: Field> Circle<S> {
     #[inline]
     #[must_use]
     pub fn through(p: Point<S>, q: Point<S>, r: Point<S>) -> Self {
-        p ^ q ^ r
+        through(p, q, r)
     }
 
     /// The plane of the circle, `C∧ei`.
@@ -78,12 +85,12 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// The same with a normal of length 1.
     #[inline]
     pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
-        let infinite = (centre.length_squared() - radius_squared) * S::from_ratio(1, 2);
-        let bivector = round::bivector(centre, normal, infinite);
-        // No coefficient is larger than the sum of 1, c² and |r²|.
-        let is_finite = is_moderate(centre.length_squared() + radius_squared.abs())
-            || round::is_finite(bivector);
-        is_finite.then(|| bivector.undual())
+        let (centre, normal) = (Point::from(centre), Direction::from_vector(normal.into()));
+        round::is_finite(centre, normal, radius_squared).then_some(Self {
+            centre,
+            normal,
+            radius_squared,
+        })
     }
 
     /// The tangent element at a point, in the plane perpendicular to a normal: a circle of radius
@@ -95,20 +102,19 @@ impl<S: Real<Mask = bool>> Circle<S> {
         Self::from_centre_normal_radius_squared(point, normal, S::zero())
     }
 
-    /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero, such as a
-    /// line.
+    /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero.
     #[inline]
     #[must_use]
     pub fn unit_normal(self) -> Option<[S; 3]> {
-        round::unit_axis(self.carrier().normal()).map(Vector::coordinates)
+        round::unit_axis(self.normal.vector()).map(Vector::coordinates)
     }
 
-    /// The centre; `None` for a line, or where it or the squared radius is beyond the range of the
-    /// scalar.
+    /// The centre; `None` for a circle of weight zero, such as that through three points on a line,
+    /// and where a number is not finite.
     #[inline(always)]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        Some(RoundBivector::with_square(self.dual())?.centre())
+        self.is_round().then_some(self.centre)
     }
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no
@@ -116,17 +122,14 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline(always)]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        Some(-self.parts()?.signed_square()?)
+        self.is_round().then_some(self.radius_squared)
     }
 
-    /// The radius; `None` for a line and for an imaginary circle. The coefficients of the circle
-    /// determine r² only up to the rounding of the squared distance of the centre from the origin:
-    /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    /// The radius; `None` where there is no [centre](Self::centre), and for an imaginary circle.
     #[inline(always)]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        let [a, b] = self.parts()?.squares();
-        real_radius([b, a])
+        round::radius(self.radius_squared()?)
     }
 
     /// The line through the centre along the normal of the circle's plane; `None` where there is no
@@ -141,11 +144,8 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline]
     #[must_use]
     pub fn axis(self) -> Option<Line<S>> {
-        let round = RoundBivector::with_square(self.dual())?;
-        Some(Line::from_point_direction(
-            round.centre(),
-            round.axis().into(),
-        ))
+        let normal = self.unit_normal()?;
+        Some(Line::from_point_direction(self.centre()?, normal))
     }
 
     /// The smallest sphere that contains the circle, with the same centre and the same squared
@@ -153,13 +153,21 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline]
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
-        let round = self.parts()?;
-        let squared = -round.signed_square()?;
-        Some(Sphere::from_centre_radius_squared(round.centre(), squared))
+        let centre = self.centre()?;
+        Some(Sphere::from_centre_radius_squared(
+            centre,
+            self.radius_squared,
+        ))
     }
 
+    /// Whether the circle has a weight, and all numbers are finite.
     #[inline(always)]
-    pub(super) fn parts(self) -> Option<RoundBivector<S>> {
-        RoundBivector::of(self.dual())
+    fn is_round(self) -> bool {
+        let Self {
+            centre,
+            normal,
+            radius_squared,
+        } = self;
+        !round::is_zero(normal) && round::is_finite(centre, normal, radius_squared)
     }
 }

@@ -9,10 +9,10 @@
 //! is never positive: one of the two parts is always a rotation, which may be by zero.
 
 use super::number_pair::{cosh_and_sinh_ratio, cosh_factors, nested_series, sinh_ratio_factors};
-use crate::cga3::{Even, EvenVersor, PointPair, Similarity, SimilarityGenerator, Sphere};
+use crate::cga3::{Bivector, Even, EvenVersor, Quadvector, Similarity, SimilarityGenerator};
 use crate::scalar::{Real, Ring};
 
-impl<S: Real<Mask = bool>> PointPair<S> {
+impl<S: Real<Mask = bool>> Bivector<S> {
     /// The versor `exp(B)` of any bivector: for `B = −½θA` a rotation by θ about the circle or line
     /// whose dual is the unit bivector A, for `−½ t ei` a translation by t, for `½ ln s · eo∧ei` a
     /// scaling by s, for `−k eo` a [`Transversor`], for a sum the flow of their sum. Other
@@ -24,13 +24,13 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// [`Transversor`]: crate::cga3::Transversor
     ///
     /// ```
-    /// use ga_runtime::cga3::{Circle, Point, PointPair};
+    /// use ga_runtime::cga3::{Circle, Point, Bivector};
     /// // A half turn about a circle maps its centre to infinity, a quarter turn maps it to a point
     /// // of the axis at the distance of the radius.
     /// let [p, q, r] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0_f64, 0.0, 0.0]].map(Point::from);
     /// let axis = Circle::through(p, q, r).dual();
     /// let unit = axis * (axis.norm_squared().sqrt().recip() * std::f64::consts::FRAC_PI_4);
-    /// let versor = PointPair::from(unit).exp().unwrap();
+    /// let versor = Bivector::from(unit).exp().unwrap();
     /// let image = versor.transform_point(Point::default()).unwrap();
     /// assert!((image.coordinates()[2].abs() - 1.0).abs() < 1e-14);
     /// ```
@@ -59,7 +59,7 @@ impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
     /// ```
     #[must_use]
     pub fn exp(self) -> Option<Similarity<S>> {
-        let versor = PointPair::from(self).exp()?;
+        let versor = Bivector::from(self).exp()?;
         // Products of the blades of this type have no part with eo and without ei.
         Some(Similarity::new_unchecked(
             versor.scalar(),
@@ -79,8 +79,8 @@ impl<S: Real<Mask = bool>> SimilarityGenerator<S> {
 }
 
 /// The bivector `B q` for a 4-vector q that commutes with B.
-pub(super) fn times<S: Ring>(bivector: PointPair<S>, fourvector: Sphere<S>) -> PointPair<S> {
-    (bivector | fourvector).extract_point_pair()
+pub(super) fn times<S: Ring>(bivector: Bivector<S>, fourvector: Quadvector<S>) -> Bivector<S> {
+    bivector | fourvector
 }
 
 /// `cosh √z` and `sinh √z / √z` of `z = scalar + q` for a q of the given square, each as its scalar
@@ -123,7 +123,7 @@ fn cosh_and_sinh_ratio_of<S: Real<Mask = bool>>(scalar: S, square: S) -> [[S; 2]
     ]
 }
 
-fn assemble<S: Ring>(scalar: S, b: PointPair<S>, q: Sphere<S>) -> EvenVersor<S> {
+fn assemble<S: Ring>(scalar: S, b: Bivector<S>, q: Quadvector<S>) -> EvenVersor<S> {
     EvenVersor::new_unchecked(
         scalar, b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi, q.e123o,
         q.e123i, q.e12oi, q.e13oi, q.e23oi,

@@ -12,7 +12,7 @@
 use super::conformal_exponential::{coefficients, is_finite, times};
 use super::number_pair::{arsinh_ratio, arsinh_ratio_factors, nested_series};
 use crate::cga3::{
-    Circle, Even, EvenVersor, PointPair, RoundVector, Similarity, SimilarityGenerator, Sphere,
+    Bivector, Even, EvenVersor, Quadvector, RoundVector, Similarity, SimilarityGenerator,
 };
 use crate::scalar::Real;
 
@@ -40,12 +40,12 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// assert!((again.e12oi() - versor.e12oi()).abs() < 1e-14);
     /// ```
     #[must_use]
-    pub fn log(self) -> PointPair<S> {
+    pub fn log(self) -> Bivector<S> {
         let (zero, one) = (S::zero(), S::one());
         let (scalar, sine, rest) = parts(self);
         if !is_finite(self.into()) {
             let nan = S::from_f64(f64::NAN);
-            return PointPair::new(nan, nan, nan, nan, nan, nan, nan, nan, nan, nan);
+            return Bivector::new(nan, nan, nan, nan, nan, nan, nan, nan, nan, nan);
         }
         let pi = S::from_f64(core::f64::consts::PI);
         let still = Even {
@@ -53,9 +53,9 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             ..self.into()
         };
         if scalar.less_than(zero) && is_rounding(still, one) {
-            return PointPair {
+            return Bivector {
                 e12: pi,
-                ..PointPair::default()
+                ..Bivector::default()
             };
         }
         let (square, square_error) = fourvector_square(rest);
@@ -132,17 +132,17 @@ impl<S: Real<Mask = bool>> Similarity<S> {
 }
 
 /// The scalar, the bivector and the 4-vector.
-pub(super) fn parts<S: Real>(v: EvenVersor<S>) -> (S, PointPair<S>, Sphere<S>) {
+pub(super) fn parts<S: Real>(v: EvenVersor<S>) -> (S, Bivector<S>, Quadvector<S>) {
     let even = Even::from(v);
     (
         even.scalar,
-        even.extract_point_pair(),
-        even.extract_sphere(),
+        even.extract_bivector(),
+        even.extract_quadvector(),
     )
 }
 
 /// The square of a bivector's scalar part, and the sum of the sizes of its terms.
-fn bivector_square<S: Real>(b: PointPair<S>) -> (S, S) {
+fn bivector_square<S: Real>(b: Bivector<S>) -> (S, S) {
     let turns = b.e12 * b.e12 + b.e13 * b.e13 + b.e23 * b.e23;
     let growth = b.eoi * b.eoi;
     let mixed = [b.e1o * b.e1i, b.e2o * b.e2i, b.e3o * b.e3i];
@@ -151,7 +151,7 @@ fn bivector_square<S: Real>(b: PointPair<S>) -> (S, S) {
 }
 
 /// The square of a 4-vector, and the sum of the sizes of its terms.
-fn fourvector_square<S: Real>(q: Sphere<S>) -> (S, S) {
+fn fourvector_square<S: Real>(q: Quadvector<S>) -> (S, S) {
     let mixed = (q.e123o * q.e123i).abs();
     let flat = q.e12oi * q.e12oi + q.e13oi * q.e13oi + q.e23oi * q.e23oi;
     (q.scalar_product(q), flat + mixed + mixed)
@@ -162,7 +162,7 @@ fn fourvector_square<S: Real>(q: Sphere<S>) -> (S, S) {
 /// product of the two squares is minus the square of the 4-vector.
 fn sine_squares<S: Real<Mask = bool>>(
     scalar: S,
-    sine: PointPair<S>,
+    sine: Bivector<S>,
     [square, square_error]: [S; 2],
     size: S,
 ) -> (S, S) {
@@ -198,13 +198,13 @@ fn is_negligible<S: Real<Mask = bool>>(square: S, terms: S) -> bool {
 /// 4-vector and of the largest coefficient.
 fn isoclinic<S: Real<Mask = bool>>(
     scalar: S,
-    sine: PointPair<S>,
-    rest: Sphere<S>,
+    sine: Bivector<S>,
+    rest: Quadvector<S>,
     [size, whole]: [S; 2],
-) -> PointPair<S> {
+) -> Bivector<S> {
     let (zero, half) = (S::zero(), S::from_ratio(1, 2));
     let turned = times(sine, rest) * size.recip();
-    let mut log = PointPair::default();
+    let mut log = Bivector::default();
     for sign in [S::one(), -S::one()] {
         let part = (sine + turned * sign) * half;
         let cosine = scalar + sign * size;
@@ -225,9 +225,9 @@ fn isoclinic<S: Real<Mask = bool>>(
 }
 
 /// `A (1 ± J)/2` for a unit bivector A that commutes with J: the part of e12 that commutes.
-fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Sphere<S>, size: S, sign: S) -> PointPair<S> {
+fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Quadvector<S>, size: S, sign: S) -> Bivector<S> {
     let unit = rest * size.recip();
-    let axis = RoundVector::from(unit.dual());
+    let axis = unit.dual();
     let square = axis.scalar_product(axis);
     let [e1, e2] = [[1, 0], [0, 1]].map(|[x, y]| {
         let vector = RoundVector::new(
@@ -246,13 +246,13 @@ fn half_of_whole_turn<S: Real<Mask = bool>>(rest: Sphere<S>, size: S, sign: S) -
 
 /// A unit 2-blade of a rotation that commutes with a 2-blade that is not of a rotation; e12 for
 /// zero.
-fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
+fn whole_turn<S: Real<Mask = bool>>(generator: Bivector<S>) -> Bivector<S> {
     let (zero, one) = (S::zero(), S::one());
-    let mut best = PointPair {
+    let mut best = Bivector {
         e12: one,
-        ..PointPair::default()
+        ..Bivector::default()
     };
-    let across = Circle::from(generator.dual());
+    let across = generator.dual();
     let mut quality = zero;
     for place in [2, 1, 0, 3, 4] {
         let [x, y, z, o, i] = [0, 1, 2, 3, 4].map(|k| if k == place { one } else { zero });
@@ -269,7 +269,7 @@ fn whole_turn<S: Real<Mask = bool>>(generator: PointPair<S>) -> PointPair<S> {
 
 /// The unit 2-blade of a rotation that is nearest to a bivector: the outer product of two vectors
 /// of its plane, since the bivector may be a blade up to rounding only, and a full turn needs one.
-fn unit_plane<S: Real<Mask = bool>>(bivector: PointPair<S>) -> PointPair<S> {
+fn unit_plane<S: Real<Mask = bool>>(bivector: Bivector<S>) -> Bivector<S> {
     let (zero, one) = (S::zero(), S::one());
     let (mut first, mut quality) = (RoundVector::default(), zero);
     for place in 0..5 {

@@ -1,7 +1,7 @@
 //! Conformal versors as products of a similarity and what is not one.
 
 use crate::Element;
-use crate::cga3::{DualSphere, Even, EvenVersor, OddVersor, RoundVector, Similarity, Transversor};
+use crate::cga3::{Even, EvenVersor, OddVersor, RoundVector, Similarity, Transversor};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
@@ -63,7 +63,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// assert!((similarity.factor() - 4.0_f64 / 6.0).abs() < 1e-15);
     /// ```
     #[must_use]
-    pub fn similarity_and_inversion(self) -> Option<(Similarity<S>, DualSphere<S>)> {
+    pub fn similarity_and_inversion(self) -> Option<(Similarity<S>, RoundVector<S>)> {
         let pole = self.reverse().transform(infinity());
         let across = Vector::new(
             Vector::new(pole.e1, pole.e2, pole.e3).length(),
@@ -79,9 +79,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
             let axis = axis.unwrap_or(Vector::new(S::one(), S::zero(), S::zero()));
             RoundVector::new(axis[0], axis[1], axis[2], S::zero(), S::zero())
         };
-        let sphere = DualSphere::from(vector);
-        let similarity = self * OddVersor::inversion(sphere)?;
-        Some((similarity_part(similarity)?, sphere))
+        let similarity = self * OddVersor::from_vector(vector)?;
+        Some((similarity_part(similarity)?, vector))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Spheres, circles and point pairs in dual form.
 
-use super::round::real_radius;
+use super::round;
 use crate::cga3::{DualCircle, DualPointPair, DualSphere, Point, RoundVector};
 use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::{Field, Real};
@@ -32,56 +32,42 @@ impl<S: Field> DualSphere<S> {
     #[inline]
     #[must_use]
     pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
-        let mut sphere = Self::from(centre);
-        sphere.ei -= radius_squared * S::from_ratio(1, 2);
-        sphere
+        Self {
+            weight: S::one(),
+            centre,
+            radius_squared,
+        }
     }
 
-    /// The centre; `None` for a dual plane, whose weight eo is zero, or beyond the range of the
-    /// scalar.
+    /// The centre; `None` for a sphere of weight zero, and where a number is not finite.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        RoundVector::from(self).centre()
+        self.is_round().then_some(self.centre)
     }
 
     /// The squared radius, `σ²/(ei·σ)²`: zero for a point, negative for an imaginary sphere; `None`
-    /// for a dual plane, or beyond the range of the scalar.
+    /// where there is no [centre](Self::centre).
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        let (_, [a, b]) = self.parts()?;
-        is_number(a - b).then_some(a - b)
+        self.is_round().then_some(self.radius_squared)
     }
 
-    /// The centre c, and c² and `c² − r²`.
-    #[inline]
-    pub(super) fn parts(self) -> Option<(Vector<S>, [S; 2])> {
-        if !self.eo.is_invertible() {
-            return None;
-        }
-        let inverse = self.eo.recip();
-        let centre = Vector::new(self.e1, self.e2, self.e3) * inverse;
-        let twice = self.ei + self.ei;
-        let last = twice * inverse;
-        // A sum is a number only if each of its terms is.
-        if is_number(centre.e1 + centre.e2 + centre.e3 + last) {
-            return Some((centre, [centre.length_squared(), last]));
-        }
-        let [x, y, z, last] = divided([self.e1, self.e2, self.e3], twice, self.eo)?;
-        let centre = Vector::new(x, y, z);
-        Some((centre, [centre.length_squared(), last]))
+    /// Whether the sphere has a weight, and all numbers are finite.
+    #[inline(always)]
+    fn is_round(self) -> bool {
+        let [x, y, z] = self.centre.coordinates();
+        self.weight.is_invertible() && are_numbers([x, y, z, self.weight, self.radius_squared])
     }
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// The radius; `None` for a dual plane and for an imaginary sphere. A square that is zero up to
-    /// rounding gives zero; see [`Sphere::radius`](crate::cga3::Sphere::radius).
+    /// The radius; `None` where there is no [centre](Self::centre), and for an imaginary sphere.
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        let (_, squares) = self.parts()?;
-        real_radius(squares)
+        round::radius(self.radius_squared()?)
     }
 }
 
@@ -112,11 +98,14 @@ impl<S: Field> RoundVector<S> {
         Some(Point::new(x, y, z))
     }
 
-    /// The squared radius of a dual sphere; see [`DualSphere::radius_squared`].
+    /// The squared radius of a dual sphere, `c² − 2 ei/eo` with the centre c, as accurate as that
+    /// difference is; `None` where there is no [centre](Self::centre). A [`DualSphere`] keeps it.
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        DualSphere::from(self).radius_squared()
+        let [x, y, z, last] = divided([self.e1, self.e2, self.e3], self.ei + self.ei, self.eo)?;
+        let squared = Vector::new(x, y, z).length_squared() - last;
+        (self.eo.is_invertible() && is_number(squared)).then_some(squared)
     }
 }
 
@@ -142,7 +131,7 @@ impl<S: Real<Mask = bool>> DualCircle<S> {
         self.undual().radius_squared()
     }
 
-    /// The radius; `None` for a dual line and for an imaginary circle.
+    /// The radius; `None` for an imaginary circle.
     #[must_use]
     pub fn radius(self) -> Option<S> {
         self.undual().radius()

@@ -38,7 +38,7 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         }
         let sum = sum / largest;
         let norm = sum * sum.reverse();
-        let (scalar, rest) = (norm.scalar, norm.extract_sphere());
+        let (scalar, rest) = (norm.scalar, norm.extract_quadvector());
         let square = rest.scalar_product(rest);
         let root_squared = scalar * scalar - square;
         let root = root_squared.max(S::zero()).sqrt();

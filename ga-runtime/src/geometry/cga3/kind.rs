@@ -1,11 +1,11 @@
 //! The kind of a blade, found at run time.
 
-use super::round::RoundBivector;
 use crate::Element;
 use crate::cga3::{
-    Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line, MotorGenerator,
-    Plane, PointPair, Sphere,
+    Bivector, Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
+    MotorGenerator, Plane, Point, PointPair, Quadvector, RoundVector, Sphere, Trivector,
 };
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -24,9 +24,9 @@ use crate::vga3::Vector;
 /// - A round is treated as flat where its centre is at a distance of 1/τ or more, and a flat is
 ///   treated as free where it is at such a distance. A round about the origin with a radius of
 ///   √(2/τ) or more cannot be distinguished from infinity and is free too.
-/// - A squared radius is treated as zero where it is at most τ times the numbers whose difference
-///   it is, `|r²| ≤ τ (c² + |c² − r²|)` for a circle or sphere: a blade does not determine it more
-///   accurately.
+/// - A squared radius is treated as zero where `|r²| ≤ τ (c² + |c² − r²|)`, c being the centre. The
+///   coefficients of a general blade determine it no more accurately than to τ = ε; the types of
+///   rounds store it, so that a tolerance of zero asks for its sign.
 /// - A sum is not a blade where its outer product with itself exceeds τ times the product of its
 ///   coefficients.
 ///
@@ -40,10 +40,10 @@ use crate::vga3::Vector;
 /// let wall = |x: f64| Plane::from_point_normal(Point::new(x, 0.0, 0.0), [1.0, 0.0, 0.0]);
 /// let kinds = [1.0, 2.0, 3.0].map(|x| (sphere & wall(x)).kind(1e-12));
 /// assert_eq!(kinds, [Kind::Real, Kind::Tangent, Kind::Imaginary]);
-/// // Three points on a line do not make a circle.
+/// // Three points on a line do not make a circle: it has no weight.
 /// let on_a_line = [0.0, 1.0, 5.0].map(|x| Point::new(x, 2.0, 2.0));
 /// let [p, q, r] = on_a_line;
-/// assert_eq!((p ^ q ^ r).kind(1e-12), Kind::Flat);
+/// assert_eq!((p ^ q ^ r).kind(1e-12), Kind::Zero);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -58,7 +58,7 @@ pub enum Kind {
     Flat,
     /// A direction, a free bivector or, for a sphere, the point at infinity.
     Free,
-    /// All coefficients are zero.
+    /// All coefficients are zero, or the weight of a type that has no flats.
     Zero,
     /// Not a geometric object: a sum that is not an outer product of vectors, or an element with a
     /// coefficient that is not finite.
@@ -74,28 +74,60 @@ impl Kind {
     }
 }
 
-macro_rules! kinds {
-    ($($Type:ident: $what:literal, $sign:expr, $bivector:expr;)*) => {$(
+macro_rules! of_parameters {
+    ($($Type:ident: $what:literal, $weight:expr;)*) => {$(
         impl<S: Real<Mask = bool>> $Type<S> {
             #[doc = concat!("The kind, up to a [tolerance](Kind#tolerance), of the ", $what, ".")]
+            ///
+            /// It is decided by the squared radius that the type stores.
             #[must_use]
             pub fn kind(self, tolerance: S) -> Kind {
-                of_bivector($bivector(self), $sign, tolerance)
+                let weight: [S; 3] = $weight(self);
+                of_round(weight, self.centre, self.radius_squared, tolerance)
             }
         }
     )*};
 }
 
-// The sign of 2β − c² for a real round, and the form in which 2β − c² is read.
-kinds! {
-    PointPair: "pair", 1, DualCircle::from;
-    DualPointPair: "pair", 1, |pair: Self| DualCircle::from(pair.undual());
-    Circle: "circle", -1, |circle: Self| circle.dual();
-    DualCircle: "circle", -1, core::convert::identity;
+of_parameters! {
+    PointPair: "pair", |pair: Self| pair.direction.vector();
+    DualPointPair: "pair", |pair: Self| pair.direction.vector();
+    Circle: "circle", |circle: Self| circle.normal.vector();
+    DualCircle: "circle", |circle: Self| circle.normal.vector();
+    Sphere: "sphere", |sphere: Self| [sphere.weight, S::zero(), S::zero()];
+    DualSphere: "sphere", |sphere: Self| [sphere.weight, S::zero(), S::zero()];
 }
 
-impl<S: Real<Mask = bool>> DualSphere<S> {
-    /// The kind of the sphere, up to a [tolerance](Kind#tolerance).
+impl<S: Real<Mask = bool>> Bivector<S> {
+    /// The kind, up to a [tolerance](Kind#tolerance), of what the coefficients are: a point pair or
+    /// a flat point.
+    #[must_use]
+    pub fn kind(self, tolerance: S) -> Kind {
+        of_bivector(self, 1, tolerance)
+    }
+}
+
+impl<S: Real<Mask = bool>> Trivector<S> {
+    /// The kind, up to a [tolerance](Kind#tolerance), of what the coefficients are: a circle or a
+    /// line.
+    #[must_use]
+    pub fn kind(self, tolerance: S) -> Kind {
+        of_bivector(self.dual(), -1, tolerance)
+    }
+}
+
+impl<S: Real<Mask = bool>> Quadvector<S> {
+    /// The kind, up to a [tolerance](Kind#tolerance), of what the coefficients are: a sphere or a
+    /// plane.
+    #[must_use]
+    pub fn kind(self, tolerance: S) -> Kind {
+        self.dual().kind(tolerance)
+    }
+}
+
+impl<S: Real<Mask = bool>> RoundVector<S> {
+    /// The kind, up to a [tolerance](Kind#tolerance), of the dual sphere or dual plane that the
+    /// coefficients are: a point is a sphere of radius zero.
     #[must_use]
     pub fn kind(self, tolerance: S) -> Kind {
         let Some(sphere) = scaled_to_one(self) else {
@@ -130,15 +162,49 @@ macro_rules! kinds_through {
 }
 
 kinds_through! {
-    Sphere: "sphere", |sphere: Self| sphere.dual();
-    Plane: "plane: flat, or free where it is infinity itself", Sphere::from;
-    DualPlane: "plane: flat, or free where it is infinity itself", DualSphere::from;
-    Line: "line: flat, or free where its direction vanishes", Circle::from;
-    MotorGenerator: "dual line: flat, or free where it is the generator of a translation", DualCircle::from;
-    FlatPoint: "flat point: flat, or free where its weight vanishes", PointPair::from;
+    Plane: "plane: flat, or free where it is infinity itself", Quadvector::from;
+    DualPlane: "plane: flat, or free where it is infinity itself", RoundVector::from;
+    Line: "line: flat, or free where its direction vanishes", Trivector::from;
+    MotorGenerator: "dual line: flat, or free where it is the generator of a translation", Bivector::from;
+    FlatPoint: "flat point: flat, or free where its weight vanishes", Bivector::from;
 }
 
-fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, tolerance: S) -> Kind {
+/// The kind of a round by its parameters, the weight given by its components.
+fn of_round<S: Real<Mask = bool>>(
+    weight: [S; 3],
+    centre: Point<S>,
+    radius_squared: S,
+    tolerance: S,
+) -> Kind {
+    let centre_squared = Vector::from(centre).length_squared();
+    let is_weighted = !weight.iter().all(|x| *x == S::zero());
+    if !are_numbers(weight) || !is_number(centre_squared) || !is_number(radius_squared) {
+        Kind::NotABlade
+    } else if !is_weighted {
+        Kind::Zero
+    } else {
+        by_square(
+            radius_squared,
+            centre_squared + (centre_squared - radius_squared).abs(),
+            tolerance,
+        )
+    }
+}
+
+/// The kind of a round by its squared radius, which is compared with a size.
+fn by_square<S: Real<Mask = bool>>(squared: S, size: S, tolerance: S) -> Kind {
+    if !squared.is_finite() {
+        Kind::NotABlade
+    } else if is_at_most(squared, tolerance * size) {
+        Kind::Tangent
+    } else if squared.less_than(S::zero()) {
+        Kind::Imaginary
+    } else {
+        Kind::Real
+    }
+}
+
+fn of_bivector<S: Real<Mask = bool>>(bivector: Bivector<S>, sign: i64, tolerance: S) -> Kind {
     let Some(b) = scaled_to_one(bivector) else {
         return without_size(bivector);
     };
@@ -165,10 +231,17 @@ fn of_bivector<S: Real<Mask = bool>>(bivector: DualCircle<S>, sign: i64, toleran
         Shape::Flat => return Kind::Flat,
         Shape::Round => {}
     }
-    match RoundBivector::of(b).map(RoundBivector::squares) {
-        None => Kind::NotABlade,
-        Some([a, b]) if sign < 0 => of_difference(b, a, tolerance),
-        Some([a, b]) => of_difference(a, b, tolerance),
+    let direction = Vector::new(-b.e1o, -b.e2o, -b.e3o);
+    let moment = Vector::new(b.e23, -b.e13, b.e12);
+    let square = direction.length_squared();
+    let centre = (direction * b.eoi + direction.cross(moment)).divided(square);
+    let last = direction.dot(Vector::new(b.e1i, b.e2i, b.e3i));
+    let twice = (b.eoi * b.eoi - last) / square;
+    let (twice, centre) = (twice + twice, centre.length_squared());
+    if sign < 0 {
+        of_difference(centre, twice, tolerance)
+    } else {
+        of_difference(twice, centre, tolerance)
     }
 }
 
@@ -198,16 +271,7 @@ fn largest<S: Real<Mask = bool>>([x, y, z]: [S; 3]) -> S {
 
 /// The kind of a round with r² = a − b.
 fn of_difference<S: Real<Mask = bool>>(a: S, b: S, tolerance: S) -> Kind {
-    let squared = a - b;
-    if !squared.is_finite() {
-        Kind::NotABlade
-    } else if is_at_most(squared, tolerance * (a.abs() + b.abs())) {
-        Kind::Tangent
-    } else if squared.less_than(S::zero()) {
-        Kind::Imaginary
-    } else {
-        Kind::Real
-    }
+    by_square(a - b, a.abs() + b.abs(), tolerance)
 }
 
 fn is_at_most<S: Real<Mask = bool>>(x: S, bound: S) -> bool {

@@ -1,6 +1,5 @@
 //! Lines.
 
-use super::round::quotient_of_roots;
 use crate::cga3::{Direction, Line, Point};
 use crate::geometry::number::{are_numbers, is_moderate, is_regular};
 use crate::scalar::{Real, Ring};
@@ -219,4 +218,11 @@ fn distance_of_any<S: Real<Mask = bool>>(
     let foot = Vector::from(foot_of_any(direction, moment, point)?);
     let distance = foot.distance(point.into());
     distance.is_finite().then_some(distance)
+}
+
+/// `√a/√b`, for numbers whose quotient is too large or too small.
+#[cold]
+#[inline(never)]
+fn quotient_of_roots<S: Real>(a: S, b: S) -> S {
+    a.sqrt() / b.sqrt()
 }

@@ -25,12 +25,11 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// ```
     #[must_use]
     pub fn reflection(plane: DualPlane<S>) -> Option<Self> {
-        Self::of_vector(plane.into())
+        Self::from_vector(plane.into())
     }
 
-    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. A sphere of weight zero
-    /// is a plane, and the inversion is a reflection. `None` where the sphere is imaginary or a
-    /// point, or not finite.
+    /// The inversion in a real sphere: x goes to `c + r² (x − c)/|x − c|²`. `None` where the sphere
+    /// is imaginary or a point, or not finite, or its weight is zero.
     ///
     /// The inversion in an imaginary sphere, which is the inversion in the real sphere and then the
     /// reflection in its centre, preserves handedness; it is the [`EvenVersor`] `σ I⁻¹/|σ|`.
@@ -45,11 +44,21 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// ```
     #[must_use]
     pub fn inversion(sphere: DualSphere<S>) -> Option<Self> {
-        Self::of_vector(sphere.into())
+        Self::from_vector(sphere.into())
     }
 
-    /// The versor of a vector with a positive square, normalised.
-    fn of_vector(vector: RoundVector<S>) -> Option<Self> {
+    /// The versor of a vector with a positive square, normalised: the inversion in the sphere or the
+    /// reflection in the plane whose dual it is. `None` where the square is not positive, or a
+    /// coefficient is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{DualPlane, OddVersor, RoundVector};
+    /// let mirror = DualPlane::new(0.0, 0.0, 2.0, 2.0);
+    /// let versor = OddVersor::from_vector(RoundVector::from(mirror));
+    /// assert_eq!(versor, OddVersor::reflection(mirror));
+    /// ```
+    #[must_use]
+    pub fn from_vector(vector: RoundVector<S>) -> Option<Self> {
         let coefficients = [vector.e1, vector.e2, vector.e3, vector.eo, vector.ei];
         let largest = coefficients
             .into_iter()

@@ -1,9 +1,9 @@
 //! Point pairs.
 
-use super::round::{self, RoundBivector, real_radius, real_square};
-use crate::cga3::{Direction, DualCircle, Infinity, Line, Point, PointPair, Sphere};
-use crate::geometry::number::{are_numbers, is_moderate};
-use crate::scalar::{Field, Real, Ring};
+use super::round;
+use crate::cga3::{Direction, Infinity, Line, Point, PointPair, Sphere};
+use crate::geometry::number::are_numbers;
+use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
 impl<S: Field> PointPair<S> {
@@ -35,7 +35,15 @@ impl<S: Field> PointPair<S> {
     #[inline]
     #[must_use]
     pub fn attitude(self) -> Direction<S> {
-        self.carrier().attitude()
+        self.direction
+    }
+
+    /// `P²`: for `p∧q` it is `(p·q)²`, a quarter of the fourth power of the distance. It is positive
+    /// for a real pair, zero for a tangent and negative for an imaginary pair.
+    #[inline]
+    #[must_use]
+    pub fn square(self) -> S {
+        self.scalar_product(self)
     }
 }
 
@@ -72,12 +80,12 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// The same with an axis of length 1.
     #[inline]
     pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
-        let infinite = (centre.length_squared() + radius_squared) * S::from_ratio(1, 2);
-        let bivector = round::bivector(centre, axis, infinite);
-        // No coefficient is larger than the sum of 1, c² and |r²|.
-        let is_finite = is_moderate(centre.length_squared() + radius_squared.abs())
-            || round::is_finite(bivector);
-        is_finite.then(|| Self::from(bivector))
+        let (centre, direction) = (Point::from(centre), Direction::from_vector(axis.into()));
+        round::is_finite(centre, direction, radius_squared).then_some(Self {
+            centre,
+            direction,
+            radius_squared,
+        })
     }
 
     /// The tangent element at a point p in a direction: the limit of two points that approach each
@@ -99,21 +107,19 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     }
 
     /// The direction from the first point to the second, with length 1; `None` for a pair of weight
-    /// zero, such as a flat point.
+    /// zero.
     #[inline]
     #[must_use]
     pub fn unit_direction(self) -> Option<[S; 3]> {
-        Vector::from(self.carrier().direction())
-            .normalized()
-            .map(Vector::coordinates)
+        round::unit_axis(self.direction.vector()).map(Vector::coordinates)
     }
 
-    /// The midpoint of the two points; `None` for a pair of weight zero, or beyond the range of the
-    /// scalar.
+    /// The midpoint of the two points; `None` for a pair of weight zero, and where a number is not
+    /// finite.
     #[inline(always)]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
-        Some(self.parts()?.centre())
+        self.is_round().then_some(self.centre)
     }
 
     /// The square of half the distance between the points, `P²/(ei⌋P)²`: zero for a tangent,
@@ -121,15 +127,15 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     #[inline(always)]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
-        self.parts()?.signed_square()
+        self.is_round().then_some(self.radius_squared)
     }
 
     /// Half the distance between the points; `None` for an imaginary pair and for one of weight
-    /// zero. Zero where the square is zero up to rounding, as for [`endpoints`](Self::endpoints).
+    /// zero.
     #[inline(always)]
     #[must_use]
     pub fn radius(self) -> Option<S> {
-        real_radius(self.parts()?.squares())
+        round::radius(self.radius_squared()?)
     }
 
     /// The two points, in the order of `p∧q`: `k p∧q` gives `[p, q]` for a positive factor k and
@@ -149,24 +155,22 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// assert_eq!(ends, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point::from));
     /// ```
     ///
-    /// The coefficients of the pair determine the squared radius r² only up to the rounding of the
-    /// squared distance c² of the centre from the origin, so for points that almost coincide only
-    /// half of the digits of their distance are known. Where `|r²| ≤ 32 ε (2c² + r²)` both points
-    /// are the centre. A pair that is the result of a product may be less accurate, depending on
-    /// the size of the operands: [`Kind`](crate::geometry::Kind) recognises a tangent with a
+    /// The squared radius decides which it is, however small: near a tangent the rounding of what
+    /// it was computed from may. [`Kind`](crate::geometry::Kind) recognises a tangent with a
     /// tolerance of your choice, and [`meet`](crate::geometry::relation::meet) by distances in
     /// space.
     #[inline(always)]
     #[must_use]
     pub fn endpoints(self) -> Option<[Point<S>; 2]> {
-        let round = self.parts()?;
-        let squares @ [twice, centre_squared] = round.squares();
-        let reach = round.reach(real_square(squares)?);
-        let (first, second) = (round.centre - reach, round.centre + reach);
-        let is_finite = is_moderate(twice.abs() + centre_squared)
-            || are_numbers([
-                first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
-            ]);
+        if self.radius_squared.less_than(S::zero()) {
+            return None;
+        }
+        let reach = round::of_length(self.direction, self.radius_squared)?;
+        let centre = Vector::from(self.centre);
+        let (first, second) = (centre - reach, centre + reach);
+        let is_finite = are_numbers([
+            first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
+        ]);
         is_finite.then(|| [Point::from(first), Point::from(second)])
     }
 
@@ -176,26 +180,21 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     #[inline]
     #[must_use]
     pub fn container(self) -> Option<Sphere<S>> {
-        let round = self.parts()?;
+        let centre = self.centre()?;
         Some(Sphere::from_centre_radius_squared(
-            round.centre(),
-            round.signed_square()?,
+            centre,
+            self.radius_squared,
         ))
     }
 
+    /// Whether the pair has a weight, and all numbers are finite.
     #[inline(always)]
-    fn parts(self) -> Option<RoundBivector<S>> {
-        RoundBivector::of(DualCircle::from(self))
-    }
-}
-
-impl<S: Ring> PointPair<S> {
-    /// `P²`, a scalar for every pair that is a blade: for `p∧q` it is `(p·q)²`, a quarter of the
-    /// fourth power of the distance. It is positive for a real pair, zero for a tangent and
-    /// negative for an imaginary pair.
-    #[inline]
-    #[must_use]
-    pub fn square(self) -> S {
-        self.scalar_product(self)
+    fn is_round(self) -> bool {
+        let Self {
+            centre,
+            direction,
+            radius_squared,
+        } = self;
+        !round::is_zero(direction) && round::is_finite(centre, direction, radius_squared)
     }
 }

@@ -136,7 +136,7 @@ impl<S: Real<Mask = bool>> Isometry<S> for Versor<S> {
         } else {
             left - right
         };
-        components((between * even.reverse()).extract_sphere().dual().into())
+        components((between * even.reverse()).extract_quadvector().dual())
     }
 
     /// The product `n V`.

@@ -3,9 +3,17 @@
 use crate::cga3::{DualSphere, Point, Sphere};
 use crate::scalar::{Field, Real};
 
+crate::ga! {
+    crate::cga3;
+
+    fn through(p: Point, q: Point, r: Point, s: Point) -> Sphere { p ^ q ^ r ^ s }
+}
+
 impl<S: Field> Sphere<S> {
-    /// The sphere through four points, `p∧q∧r∧s`; a plane where they are coplanar, zero where they
-    /// are on one circle or line.
+    /// The sphere through four points, `p∧q∧r∧s`. Its weight is zero where they are coplanar, so
+    /// that it has no [centre](Self::centre); [`Plane::through`] joins three of them.
+    ///
+    /// [`Plane::through`]: crate::cga3::Plane::through
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Sphere};
@@ -18,7 +26,7 @@ impl<S: Field> Sphere<S> {
     #[inline]
     #[must_use]
     pub fn through(p: Point<S>, q: Point<S>, r: Point<S>, s: Point<S>) -> Self {
-        p ^ q ^ r ^ s
+        through(p, q, r, s)
     }
 
     /// The sphere with a given centre and radius.
@@ -36,14 +44,15 @@ impl<S: Field> Sphere<S> {
         DualSphere::from_centre_radius_squared(centre, radius_squared).undual()
     }
 
-    /// The centre; `None` for a plane.
+    /// The centre; `None` for a sphere of weight zero, and where a number is not finite.
     #[inline]
     #[must_use]
     pub fn centre(self) -> Option<Point<S>> {
         self.dual().centre()
     }
 
-    /// The squared radius, negative for an imaginary sphere; `None` for a plane.
+    /// The squared radius, negative for an imaginary sphere; `None` where there is no
+    /// [centre](Self::centre).
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {
@@ -52,9 +61,7 @@ impl<S: Field> Sphere<S> {
 }
 
 impl<S: Real<Mask = bool>> Sphere<S> {
-    /// The radius; `None` for a plane and for an imaginary sphere. The coefficients of the sphere
-    /// determine r² only up to the rounding of the squared distance of the centre from the origin:
-    /// where `|r²| ≤ 32 ε (2c² + r²)` the radius is zero.
+    /// The radius; `None` where there is no [centre](Self::centre), and for an imaginary sphere.
     #[inline]
     #[must_use]
     pub fn radius(self) -> Option<S> {

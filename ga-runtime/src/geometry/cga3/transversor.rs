@@ -1,7 +1,7 @@
 //! Transversors.
 
 use super::even_versor::image_point;
-use crate::cga3::{Point, PointPair, Transversor};
+use crate::cga3::{Bivector, Point, Transversor};
 use crate::scalar::{Field, Real, Ring};
 
 impl<S: Field> Transversor<S> {
@@ -37,13 +37,13 @@ impl<S: Ring> Transversor<S> {
     /// The generator `−k eo`, whose exponential this is.
     #[inline]
     #[must_use]
-    pub fn log(self) -> PointPair<S> {
+    pub fn log(self) -> Bivector<S> {
         let [e1o, e2o, e3o] = [self.e1o(), self.e2o(), self.e3o()];
-        PointPair {
+        Bivector {
             e1o,
             e2o,
             e3o,
-            ..PointPair::default()
+            ..Bivector::default()
         }
     }
 }

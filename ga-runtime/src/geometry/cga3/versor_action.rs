@@ -1,13 +1,13 @@
 //! General versors acting on vectors, point pairs, circles and spheres, in direct and dual form.
 //!
-//! The image of a flat element may be round. So convert it by `From` to the round type that
-//! contains it first: a line to a [`Circle`], a plane to a [`Sphere`], a flat point to a
-//! [`PointPair`].
+//! The image of a round may be flat, and that of a flat round. So it is of the type that holds
+//! both: a [`RoundVector`], [`Bivector`], [`Trivector`] or [`Quadvector`]. Convert a flat to that
+//! type by `From` first, and the image of a round back by `TryFrom`.
 
 use super::odd_versor::even_part;
 use crate::cga3::{
-    Circle, DualCircle, DualPlane, DualPointPair, DualSphere, Even, EvenVersor, OddVersor, Point,
-    PointPair, RoundVector, Sphere, Transversor,
+    Bivector, Circle, DualCircle, DualPlane, DualPointPair, DualSphere, Even, EvenVersor,
+    OddVersor, Point, PointPair, Quadvector, RoundVector, Sphere, Transversor, Trivector,
 };
 use crate::products::Sandwich;
 use crate::scalar::{Field, Ring};
@@ -79,19 +79,22 @@ macro_rules! acts_on {
 
 acts_on! {
     EvenVersor OddVersor;
-    RoundVector -> RoundVector, |v, x| v.dual_image(x.undual().into()).extract_sphere().dual().into();
+    RoundVector -> RoundVector, |v, x| v.dual_image(x.undual().into()).extract_quadvector().dual();
     Point -> RoundVector, |v, x| Sandwich::sandwich(v, RoundVector::from(x));
-    DualPlane -> DualSphere, |v, x| Sandwich::sandwich(v, RoundVector::from(x)).into();
+    DualPlane -> RoundVector, |v, x| Sandwich::sandwich(v, RoundVector::from(x));
 }
 
 acts_on! {
     EvenVersor OddVersor Transversor;
-    DualSphere -> DualSphere, |v, x| Sandwich::sandwich(v, RoundVector::from(x)).into();
-    PointPair -> PointPair, |v, x| v.even_image(x.into()).extract_point_pair();
-    DualCircle -> DualCircle, |v, x| Sandwich::sandwich(v, PointPair::from(x)).into();
-    Circle -> Circle, |v, x| DualCircle::from(v.dual_image(x.dual().into()).extract_point_pair()).undual();
-    DualPointPair -> DualPointPair, |v, x| Sandwich::sandwich(v, Circle::from(x)).into();
-    Sphere -> Sphere, |v, x| v.even_image(x.into()).extract_sphere();
+    DualSphere -> RoundVector, |v, x| Sandwich::sandwich(v, RoundVector::from(x));
+    Bivector -> Bivector, |v, x| v.even_image(x.into()).extract_bivector();
+    PointPair -> Bivector, |v, x| Sandwich::sandwich(v, Bivector::from(x));
+    DualCircle -> Bivector, |v, x| Sandwich::sandwich(v, Bivector::from(x));
+    Trivector -> Trivector, |v, x| v.dual_image(x.dual().into()).extract_bivector().undual();
+    Circle -> Trivector, |v, x| Sandwich::sandwich(v, Trivector::from(x));
+    DualPointPair -> Trivector, |v, x| Sandwich::sandwich(v, Trivector::from(x));
+    Quadvector -> Quadvector, |v, x| v.even_image(x.into()).extract_quadvector();
+    Sphere -> Quadvector, |v, x| Sandwich::sandwich(v, Quadvector::from(x));
 }
 
 macro_rules! methods {
@@ -99,9 +102,9 @@ macro_rules! methods {
         impl<S: Field> $Versor<S> {
             #[doc = concat!("Moves another element by this versor, `x ↦ ", $formula, "`.")]
             ///
-            /// The image of a point is a vector with a weight, that of a dual plane a dual sphere.
-            /// Convert other flats first: a line to a circle, a plane to a sphere, a flat point to
-            /// a point pair.
+            /// The image of a point is a vector with a weight, that of a round of the type that
+            /// holds flats too. Convert a flat to that type first: a line to a trivector, a plane
+            /// to a quadvector, a flat point to a bivector.
             #[inline]
             #[must_use]
             pub fn sandwich<B>(self, other: B) -> <Self as Sandwich<B>>::Output

@@ -160,9 +160,7 @@ macro_rules! __serialize {
             fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
                 deserializer: D,
             ) -> ::core::result::Result<Self, D::Error> {
-                use $crate::__private::serde::de::{
-                    DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor,
-                };
+                use $crate::__private::serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
                 const LABELS: &[&::core::primitive::str; [$($label),*].len()] = &[$($label),*];
                 struct Parameters_<S_>(::core::marker::PhantomData<S_>);
                 impl<'de, S> Visitor<'de> for Parameters_<S>

@@ -1,7 +1,7 @@
 //! Strategies for the objects and motions of [`cga3`](crate::cga3), special positions included.
 //!
-//! [`member`](super::member) draws coefficients: right for algebraic identities, but a random
-//! `Circle` of ten coefficients is not a circle. The strategies here draw geometric objects, and
+//! [`member`](super::member) draws numbers: right for algebraic identities, but a random
+//! `Trivector` of ten coefficients is not a circle. The strategies here draw geometric objects, and
 //! include the special cases that break geometric code: coinciding points, half turns, angles near
 //! zero, parallel lines, tangent spheres. About half of the cases are ordinary, so that a test of a
 //! few hundred cases includes every special one. The page of each strategy lists them.

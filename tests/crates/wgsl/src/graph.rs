@@ -16,6 +16,7 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
             Node::Input(number) => inputs[*number],
             Node::Sum(terms) => terms.iter().map(of).sum(),
             Node::Product(a, b) => known[a.index()] * known[b.index()],
+            Node::Quotient(_, b) if is_guarded(arena.node(*b)) && known[b.index()] == 0.0 => 0.0,
             Node::Quotient(a, b) => known[a.index()] / known[b.index()],
             Node::Function(function, arguments) => {
                 let arguments: Vec<f64> = arguments.iter().map(of).collect();
@@ -48,7 +49,13 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
                     Function::HyperbolicCosine => x.cosh(),
                     Function::HyperbolicTangent => x.tanh(),
                     Function::Hypotenuse => x.hypot(arguments[1]),
-                    Function::Reciprocal => x.recip_or_zero(),
+                    Function::Reciprocal => {
+                        if x == 0.0 {
+                            0.0
+                        } else {
+                            x.recip()
+                        }
+                    }
                     Function::Divisor => x,
                 }
             }
@@ -59,4 +66,9 @@ pub fn evaluate(function: &CompiledFunction, inputs: &[f64]) -> Vec<f64> {
     outputs
         .map(|output| known[output.node.index()] * output.factor.to_f64())
         .collect()
+}
+
+/// Whether quotients by a node are 0 where it is.
+fn is_guarded(divisor: &Node) -> bool {
+    matches!(divisor, Node::Function(Function::Divisor, _))
 }

@@ -2,13 +2,13 @@
 
 use alloc::vec::Vec;
 
-use crate::geometry::cga3::matrix::{Matrix, solve_tridiagonal, transposed};
 use super::span::{Span, spans};
 use super::spline::{SplineError, bend, value, zero};
 use super::spline_end::SplineEnd;
 use crate::cga3::{Motor, MotorGenerator};
 use crate::geometry::RotationPath;
 use crate::geometry::cga3::logarithm::{generator, parts};
+use crate::geometry::cga3::matrix::{Matrix, solve_tridiagonal, transposed};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 

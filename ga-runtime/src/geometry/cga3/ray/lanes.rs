@@ -2,7 +2,6 @@
 
 use super::Ray;
 use crate::cga3::{Plane, Sphere};
-use crate::geometry::cga3::round::rounding;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -34,17 +33,15 @@ impl<S: Real> Ray<S> {
     #[inline]
     #[must_use]
     pub fn sphere_distances(self, sphere: Sphere<S>) -> (S::Mask, [S; 2]) {
-        let dual = sphere.dual();
         let zero = S::zero();
-        let centre = Vector::new(dual.e1, dual.e2, dual.e3).divided(dual.eo);
-        let squares = [centre.dot(centre), (dual.ei + dual.ei) / dual.eo];
-        let radius_squared = squares[0] - squares[1];
+        let radius_squared = sphere.radius_squared;
         let direction = Vector::from(self.direction);
-        let to_centre = centre - Vector::from(self.origin);
+        let to_centre = Vector::from(sphere.centre) - Vector::from(self.origin);
         let middle = to_centre.dot(direction);
         let off = to_centre.across(direction);
         let half_squared = radius_squared - off.dot(off);
-        let is_real = rounding(squares).less_than(radius_squared) & !half_squared.less_than(zero);
+        let is_round = zero.less_than(radius_squared) & !sphere.weight.equals(zero);
+        let is_real = is_round & !half_squared.less_than(zero);
         let half = S::select(is_real, half_squared, zero).sqrt();
         let is_hit = is_real & (middle * middle).is_finite() & half.is_finite();
         let end = |distance| S::select(is_hit, distance, zero);

@@ -35,10 +35,9 @@
 //!
 //! Positions are first subtracted from the origin of the ray, so that hits near it are accurate
 //! far from the origin of the coordinates, and the squared radius is compared with the squared
-//! distance of the line from the centre, which loses little for small spheres far away. A blade
-//! determines its squared radius only up to some ε times the squared distance of the centre from
-//! the origin of coordinates: a sphere with centre c and `r² ≤ 32 ε (c² + |c² − r²|)` counts as one
-//! of radius zero. [`Figure`](super::relation::Figure) holds the radius itself.
+//! distance of the line from the centre, which loses little for small spheres far away. A sphere
+//! and a circle store their squared radius, so that it is as accurate far from the origin of the
+//! coordinates as near it.
 //!
 //! # Many rays
 //!

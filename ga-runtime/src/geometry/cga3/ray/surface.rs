@@ -45,10 +45,6 @@ impl<S, T: Surface<S> + ?Sized> Surface<S> for &T {
 impl<S: Real<Mask = bool>> Surface<S> for DualSphere<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        if self.eo == S::zero() {
-            let normal = Vector::new(self.e1, self.e2, self.e3);
-            return Ahead::of_plane(ray, normal, self.ei)?.hit(ray, normal);
-        }
         sphere_crossing(ray, *self)?.first(ray)
     }
 }
@@ -78,14 +74,14 @@ impl<S: Real<Mask = bool>> Surface<S> for Plane<S> {
 impl<S: Real<Mask = bool>> Surface<S> for DualCircle<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        disc_hit(ray, *self, &self.undual())
+        disc_hit(ray, self.undual())
     }
 }
 
 impl<S: Real<Mask = bool>> Surface<S> for Circle<S> {
     #[inline]
     fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        disc_hit(ray, self.dual(), self)
+        disc_hit(ray, *self)
     }
 }
 
@@ -103,7 +99,7 @@ impl<S: Real<Mask = bool>> Surface<S> for Figure<S> {
                 normal,
                 radius,
             } => {
-                let ahead = Ahead::of_plane(ray, normal, normal.dot(centre))?;
+                let ahead = Ahead::through(ray, normal, centre)?;
                 ahead.within(ray, centre, radius * radius)?.hit(ray, normal)
             }
             Self::Sphere { centre, radius } => sphere_of(ray, centre, radius * radius)?.first(ray),
@@ -123,8 +119,20 @@ impl<S: Real<Mask = bool>> Ahead<S> {
     /// Of the plane of the points x with `n·x = d`, for a normal of any length.
     #[inline]
     pub(super) fn of_plane(ray: Ray<S>, normal: Vector<S>, distance: S) -> Option<Self> {
+        Self::at(ray, normal, distance - normal.dot(ray.origin.into()))
+    }
+
+    /// Of the plane through a point, for a normal of any length.
+    #[inline]
+    pub(super) fn through(ray: Ray<S>, normal: Vector<S>, point: Vector<S>) -> Option<Self> {
+        Self::at(ray, normal, normal.dot(point - Vector::from(ray.origin)))
+    }
+
+    /// Of the plane at a height above the origin of the ray, times the length of the normal.
+    #[inline]
+    fn at(ray: Ray<S>, normal: Vector<S>, height: S) -> Option<Self> {
         let slope = normal.dot(ray.direction.into());
-        let distance = (distance - normal.dot(ray.origin.into())) / slope;
+        let distance = height / slope;
         // False for a parallel plane, where the quotient is infinite with either sign, or NaN.
         let is_ahead = S::zero().less_than(distance) && (distance * distance).is_finite();
         is_ahead.then_some(Self { distance, slope })

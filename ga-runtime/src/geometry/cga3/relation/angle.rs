@@ -367,11 +367,9 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
     found.is_finite().then_some(found)
 }
 
-/// The length that, times ε, bounds the rounding of a radius and a centre: a blade stores the
-/// square of the radius together with the square of the centre's distance from the origin.
+/// The length that, times ε, bounds the rounding of a radius and a centre.
 pub(super) fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
-    let distance = centre.length();
-    radius + distance + distance * (distance / radius)
+    radius + centre.length()
 }
 
 /// Half the length of the chord of a sphere at a height from its centre; `None` where the height is

@@ -59,8 +59,8 @@
 use super::least::{circle_to_circle, line_to_circle};
 use super::{Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{
-    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
-    MotorGenerator, Plane, Point, PointPair, Sphere,
+    Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
+    Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -92,7 +92,7 @@ macro_rules! distances {
 }
 
 distances! {
-    Point FlatPoint PointPair Line Plane Circle Sphere
+    Point FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
     DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
 }
 

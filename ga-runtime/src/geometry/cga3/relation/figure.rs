@@ -5,11 +5,12 @@ use super::incidence::is_on;
 use super::projection::{nearest, radius_towards};
 use super::tolerance::within;
 use super::{Tolerance, parallel};
+use crate::Element;
 use crate::cga3::{
-    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
-    MotorGenerator, Plane, Point, PointPair, Sphere,
+    Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
+    Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
-use crate::geometry::cga3::round::real_radius;
+use crate::geometry::cga3::round::radius;
 use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -210,10 +211,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for FlatPoint<S> {
 
 impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
     fn figure(self) -> Option<Figure<S>> {
-        if [self.e1o, self.e2o, self.e3o] == [S::zero(); 3] {
-            // p∧ei, where p is finite.
-            return FlatPoint::new(self.e1i, self.e2i, self.e3i, self.eoi).figure();
-        }
         let [p, q] = self.endpoints()?.map(Vector::from);
         Some(if p == q {
             Figure::Point(p)
@@ -304,44 +301,22 @@ impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
 
 impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
     fn figure(self) -> Option<Figure<S>> {
-        if [self.e123, self.e12o, self.e13o, self.e23o] == [S::zero(); 4] {
-            let Self {
-                e12i,
-                e13i,
-                e23i,
-                e1oi,
-                e2oi,
-                e3oi,
-                ..
-            } = self;
-            return Line::new(e12i, e13i, e23i, e1oi, e2oi, e3oi).figure();
-        }
-        let round = self.parts()?;
-        let [a, b] = round.squares();
-        let (centre, normal, radius) = (round.centre, round.axis(), real_radius([b, a])?);
+        let (centre, normal, squared) = circle_parts(self)?;
         Some(Figure::Circle {
             centre,
             normal,
-            radius,
+            radius: radius(squared)?,
         })
     }
 }
 
 impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
     fn figure(self) -> Option<Figure<S>> {
-        if self.e123o == S::zero() {
-            let Self {
-                e123i,
-                e12oi,
-                e13oi,
-                e23oi,
-                ..
-            } = self;
-            return Plane::new(e123i, e12oi, e13oi, e23oi).figure();
-        }
-        let (centre, squares) = self.dual().parts()?;
-        let radius = real_radius(squares)?;
-        Some(Figure::Sphere { centre, radius })
+        let (centre, squared) = sphere_parts(self)?;
+        Some(Figure::Sphere {
+            centre,
+            radius: radius(squared)?,
+        })
     }
 
     #[inline]
@@ -351,23 +326,37 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
 
     #[inline]
     fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
-        if self.e123o == S::zero() {
-            return signed_distance(finite(point)?, self.figure()?);
-        }
-        let (centre, squares) = self.dual().parts()?;
-        let distance = centre.distance(point) - real_radius(squares)?;
+        let distance = Vector::from(self.centre()?).distance(point) - self.radius()?;
         is_number(distance).then_some(distance)
     }
 
     #[inline]
     fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
-        if self.e123o == S::zero() {
-            return nearest(point, self.figure()?).filter(|place| place.is_finite());
-        }
-        let (centre, squares) = self.dual().parts()?;
-        let place = radius_towards(centre, point - centre, real_radius(squares)?)?;
+        let centre = Vector::from(self.centre()?);
+        let place = radius_towards(centre, point - centre, self.radius()?)?;
         are_numbers(place.coordinates()).then_some(place)
     }
+}
+
+/// Sums of rounds and flats are what their coefficients say.
+macro_rules! of_a_sum {
+    ($($Sum:ident: $Round:ident or $Flat:ident without $($weight:ident)*;)*) => {$(
+        impl<S: Real<Mask = bool>> Primitive<S> for $Sum<S> {
+            fn figure(self) -> Option<Figure<S>> {
+                let read = |blade| self.coefficient(blade);
+                if [$(self.$weight),*].iter().all(|x| *x == S::zero()) {
+                    return $Flat::from_coefficients_unchecked(&mut { read }).figure();
+                }
+                $Round::from_coefficients_unchecked(&mut { read }).figure()
+            }
+        }
+    )*};
+}
+
+of_a_sum! {
+    Bivector: PointPair or FlatPoint without e1o e2o e3o;
+    Trivector: Circle or Line without e123 e12o e13o e23o;
+    Quadvector: Sphere or Plane without e123o;
 }
 
 macro_rules! by_the_direct_form {
@@ -408,28 +397,24 @@ by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCir
 pub(super) fn circle_parts<S: Real<Mask = bool>>(
     circle: Circle<S>,
 ) -> Option<(Vector<S>, Vector<S>, S)> {
-    let round = circle.parts()?;
-    let squared = -round.signed_square()?;
-    Some((round.centre, round.axis(), squared))
+    let (centre, normal) = (circle.centre()?, circle.unit_normal()?);
+    Some((centre.into(), normal.into(), circle.radius_squared))
 }
 
 /// Centre and squared radius, negative for an imaginary sphere.
 #[inline]
 pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
-    let (centre, [a, b]) = sphere.dual().parts()?;
-    is_number(a - b).then_some((centre, a - b))
+    Some((sphere.centre()?.into(), sphere.radius_squared))
 }
 
-/// The same by one division, where the centre and the radius are so far from both ends of the range
-/// of the scalar that sums and products of their squares are accurate. `None` elsewhere, and for an
-/// imaginary sphere.
+/// The same where the centre and the radius are so far from both ends of the range of the scalar
+/// that sums and products of their squares are accurate. `None` elsewhere, and for an imaginary
+/// sphere.
 #[inline(always)]
 pub(super) fn regular_sphere<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
-    let dual = sphere.dual();
-    let inverse = dual.eo.recip();
-    let centre = Vector::new(dual.e1, dual.e2, dual.e3) * inverse;
-    let square = centre.length_squared();
-    let squared = square - (dual.ei + dual.ei) * inverse;
-    let is_regular = S::from_f64(1e-24).less_than(squared) & is_moderate(square + squared);
+    let (centre, squared) = (Vector::from(sphere.centre), sphere.radius_squared);
+    let is_regular = S::from_f64(1e-24).less_than(squared)
+        & is_moderate(centre.length_squared() + squared)
+        & (sphere.weight != S::zero());
     is_regular.then_some((centre, squared))
 }

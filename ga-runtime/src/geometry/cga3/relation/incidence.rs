@@ -36,8 +36,8 @@ use super::distance::{distance, from_sphere};
 use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{
-    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
-    MotorGenerator, Plane, Point, PointPair, Sphere,
+    Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
+    Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -104,7 +104,7 @@ macro_rules! attitude {
 }
 
 incidence! {
-    Point FlatPoint PointPair Line Plane Circle Sphere
+    Point FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
     DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
 }
 attitude!(Line Plane Circle MotorGenerator DualPlane DualCircle);

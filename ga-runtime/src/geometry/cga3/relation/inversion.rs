@@ -45,7 +45,10 @@ use super::figure::sphere_parts;
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
 use crate::Element;
-use crate::cga3::{Circle, FlatPoint, Line, Plane, Point, PointPair, Sphere, Translator};
+use crate::cga3::{
+    Bivector, Circle, FlatPoint, Line, Plane, Point, PointPair, Quadvector, Sphere, Translator,
+    Trivector,
+};
 use crate::products::Sandwich;
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
@@ -78,7 +81,7 @@ impl<S: Real<Mask = bool>> Point<S> {
 }
 
 macro_rules! inversions {
-    ($($Element:ident: $Round:ident or $Flat:ident;)*) => {$(
+    ($($Element:ident: $Round:ident or $Flat:ident in $Sum:ident;)*) => {$(
         impl<S: Real<Mask = bool>> $Element<S> {
             /// The image under inversion in a sphere, `σ X̂ σ⁻¹` with the dual sphere σ; see
             /// [`inversion`](crate::geometry::relation::inversion). The image is flat where this
@@ -93,11 +96,15 @@ macro_rules! inversions {
             ) -> Option<RoundOrFlat<$Round<S>, $Flat<S>>> {
                 let (centre, radius) = mirror(sphere)?;
                 let away = distance(Figure::Point(centre), self.figure()?)?;
-                let image = inverted::<_, $Round<S>>(self, centre, radius)?;
+                let there = Translator::from_displacement(centre.into());
+                let moved = Sandwich::sandwich(there.reverse(), self);
+                let image: $Sum<S> = inverted(recast(moved), radius);
+                // A round is read about the centre of inversion, where it keeps its size.
                 Some(if within(away, tolerance.distance) {
-                    RoundOrFlat::Flat(recast(image))
+                    RoundOrFlat::Flat(finite(recast(Sandwich::sandwich(there, image)))?)
                 } else {
-                    RoundOrFlat::Round(image)
+                    let round: $Round<S> = recast(image);
+                    RoundOrFlat::Round(finite(Sandwich::sandwich(there, round))?)
                 })
             }
         }
@@ -105,12 +112,12 @@ macro_rules! inversions {
 }
 
 inversions! {
-    PointPair: PointPair or FlatPoint;
-    FlatPoint: PointPair or FlatPoint;
-    Circle: Circle or Line;
-    Line: Circle or Line;
-    Sphere: Sphere or Plane;
-    Plane: Sphere or Plane;
+    PointPair: PointPair or FlatPoint in Bivector;
+    FlatPoint: PointPair or FlatPoint in Bivector;
+    Circle: Circle or Line in Trivector;
+    Line: Circle or Line in Trivector;
+    Sphere: Sphere or Plane in Quadvector;
+    Plane: Sphere or Plane in Quadvector;
 }
 
 /// Centre and radius of the sphere of an inversion.
@@ -121,30 +128,23 @@ fn mirror<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
         .then(|| (centre, squared.sqrt()))
 }
 
-/// The image of an element, in the round type that can represent it. After translating the centre
-/// to the origin, the inversion exchanges eo and ei up to a factor, `eo → ½r² ei` and
-/// `ei → 2/r² eo`, and keeps e1, e2, e3.
-fn inverted<T, R>(element: T, centre: Vector<R::Scalar>, radius: R::Scalar) -> Option<R>
-where
-    T: Element<Scalar = R::Scalar>,
-    R: Element<Scalar: Real<Mask = bool>>,
-    Translator<R::Scalar>: Sandwich<R, Output = R>,
-{
+/// The image of a multivector by inversion in a sphere about the origin, which exchanges eo and ei
+/// and multiplies by ½r² or divides.
+fn inverted<T: Element<Scalar: Field>>(element: T, radius: T::Scalar) -> T {
     const ORIGIN: usize = 0b01000;
     const INFINITY: usize = 0b10000;
-    let there = Translator::from_displacement(centre.into());
-    let moved = there.reverse().sandwich(recast::<T, R>(element));
-    let half_square = radius * radius * R::Scalar::from_ratio(1, 2);
-    let exchanged =
-        R::from_coefficients_unchecked(&mut |blade| match blade & (ORIGIN | INFINITY) {
-            0 => moved.coefficient(blade),
-            ORIGIN => moved.coefficient(blade ^ ORIGIN ^ INFINITY) / half_square,
-            INFINITY => moved.coefficient(blade ^ ORIGIN ^ INFINITY) * half_square,
-            _ => -moved.coefficient(blade),
-        });
-    let image = there.sandwich(exchanged);
-    let is_finite = |&blade: &usize| image.coefficient(blade).is_finite();
-    R::BLADES.iter().all(is_finite).then_some(image)
+    let half_square = radius * radius * T::Scalar::from_ratio(1, 2);
+    T::from_coefficients_unchecked(&mut |blade| match blade & (ORIGIN | INFINITY) {
+        0 => element.coefficient(blade),
+        ORIGIN => element.coefficient(blade ^ ORIGIN ^ INFINITY) / half_square,
+        INFINITY => element.coefficient(blade ^ ORIGIN ^ INFINITY) * half_square,
+        _ => -element.coefficient(blade),
+    })
+}
+
+/// An element, if it is finite.
+fn finite<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T> {
+    element.is_finite().then_some(element)
 }
 
 /// The element in another type, with the coefficients that both types store.

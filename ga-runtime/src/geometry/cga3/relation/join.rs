@@ -56,8 +56,8 @@ use super::incidence::is_on;
 use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
 use crate::cga3::{
-    Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
-    MotorGenerator, Plane, Point, PointPair, Sphere,
+    Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
+    Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -96,7 +96,7 @@ macro_rules! joins {
 }
 
 joins! {
-    Point FlatPoint PointPair Line Plane Circle Sphere
+    Point FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
     DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
 }
 

@@ -26,11 +26,10 @@
 //!   touches a sphere or a circle at a point of it.
 //!
 //! Distances, angles and tests first convert each primitive to a Euclidean [`Figure`] and subtract
-//! positions before they square, so that points and flats stay accurate far from the origin. The
-//! radius of a round element is only as accurate as its blade: r² is known to within some ε times
-//! the centre's squared distance from the origin. Methods that decide between cases by a comparison
-//! take a [`Tolerance`]. A primitive that is not a figure, because its weight is zero, because it
-//! is imaginary or because it is not finite, gives `None`, and `false` in a test.
+//! positions before they square, so that they stay accurate far from the origin. Methods that
+//! decide between cases by a comparison take a [`Tolerance`]. A primitive that is not a figure,
+//! because its weight is zero, because it is imaginary or because it is not finite, gives `None`,
+//! and `false` in a test.
 
 pub mod angle;
 mod circle_angles;

@@ -7,10 +7,10 @@ mod blade_mark {
     ga! { ga_runtime::cga3;
         fn f(blade m: Motor) -> Motor { m }
         fn g(blade p: Point) -> Point { p }
-        fn inverted(blade c: Circle) -> Circle { inverse(c) }
-        fn h(c: Circle, p: PointPair, q: Point) -> Circle { inverted(c) + inverted(p ^ q) }
-        fn i(p: Point, q: Point, r: Point) -> Circle { inverted(p ^ q ^ r) }
-        fn j(c: Circle) -> Circle { inverse(c) }
+        fn inverted(blade c: Trivector) -> Trivector { inverse(c) }
+        fn h(c: Trivector, p: Bivector, q: Point) -> Trivector { inverted(c) + inverted(p ^ q) }
+        fn i(p: Point, q: Point, r: Point) -> Trivector { inverted(p ^ q ^ r) }
+        fn j(c: Trivector) -> Trivector { inverse(c) }
     }
 }
 
@@ -64,7 +64,7 @@ mod exp {
 
     ga! { ga_runtime::cga3;
         fn f(p: Point) -> Even { exp(p) }
-        fn g(b: PointPair) -> Even { exp(b) }
+        fn g(b: Bivector) -> Even { exp(b) }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Meets of spheres with lines, planes and each other.
 
 use super::{Meet, circle, finite_point, less_square, pair, radius};
-use crate::cga3::{Circle, DualPlane, DualSphere, Line, Plane, Point, PointPair, Sphere};
+use crate::cga3::{
+    Circle, Direction, DualPlane, DualSphere, Line, Plane, Point, PointPair, Sphere,
+};
 use crate::geometry::number::is_regular;
 use crate::geometry::relation::Tolerance;
 use crate::geometry::relation::figure::{regular_sphere, sphere_parts};
@@ -114,7 +116,7 @@ fn near_line_and_sphere<S: Real<Mask = bool>>(
     centre: [S; 3],
     squared: S,
     tolerance: Tolerance<S>,
-) -> Option<(Case, [S; 10])> {
+) -> Option<(Case, [S; 7])> {
     let centre = Vector::from(centre);
     let (start, direction) = Line::from_vectors(d.into(), m.into()).parts()?;
     let off = (centre - start).across(direction);
@@ -125,11 +127,13 @@ fn near_line_and_sphere<S: Real<Mask = bool>>(
         return tangent(foot, direction);
     }
     let half_squared = less_square(squared, distance);
-    let b = pair(foot, direction, half_squared)?;
-    let coefficients = [
-        b.e12, b.e13, b.e23, b.e1o, b.e2o, b.e3o, b.e1i, b.e2i, b.e3i, b.eoi,
-    ];
-    Some((Case::of(half_squared), coefficients))
+    let PointPair {
+        centre, direction, ..
+    } = pair(foot, direction, half_squared)?;
+    Some((
+        Case::of(half_squared),
+        numbers(centre, direction, half_squared),
+    ))
 }
 
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Plane<S> {
@@ -203,7 +207,7 @@ fn near_plane_and_sphere<S: Real<Mask = bool>>(
     (centre, squared): ([S; 3], S),
     tolerance: Tolerance<S>,
     sign: S,
-) -> Option<(Case, [S; 10])> {
+) -> Option<(Case, [S; 7])> {
     let plane = DualPlane::from_normal_distance(normal, number).undual();
     let (normal, distance) = plane.parts()?;
     let centre = Vector::from(centre);
@@ -215,8 +219,11 @@ fn near_plane_and_sphere<S: Real<Mask = bool>>(
         return tangent(foot, normal);
     }
     let circle_squared = less_square(squared, height.abs());
-    let circle = circle(foot, normal, circle_squared)?;
-    Some((Case::of(circle_squared), coefficients_of(circle)))
+    let Circle { centre, normal, .. } = circle(foot, normal, circle_squared)?;
+    Some((
+        Case::of(circle_squared),
+        numbers(centre, normal, circle_squared),
+    ))
 }
 
 /// The cases in which a sphere meets a line or a plane.
@@ -237,29 +244,27 @@ impl Case {
     }
 }
 
-// Outlined code returns the coefficients as an array, so that those of its callers stay in
-// registers.
+// Outlined code returns centre, direction and squared radius as an array, so that those of its
+// callers stay in registers.
 
-fn tangent<S: Real<Mask = bool>>(place: Vector<S>, way: Vector<S>) -> Option<(Case, [S; 10])> {
-    let [x, y, z] = finite_point(place)?.coordinates();
-    let (Vector { e1, e2, e3 }, zero) = (way, S::zero());
-    Some((Case::Tangent, [x, y, z, e1, e2, e3, zero, zero, zero, zero]))
+fn tangent<S: Real<Mask = bool>>(place: Vector<S>, way: Vector<S>) -> Option<(Case, [S; 7])> {
+    let way = Direction::from_vector(way.into());
+    Some((Case::Tangent, numbers(finite_point(place)?, way, S::zero())))
+}
+
+fn numbers<S: Real>(centre: Point<S>, direction: Direction<S>, squared: S) -> [S; 7] {
+    let ([x, y, z], [u, v, w]) = (centre.coordinates(), direction.vector());
+    [x, y, z, u, v, w, squared]
 }
 
 #[inline(always)]
-fn pair_of<S: Real>([a, b, c, d, e, f, g, h, i, j]: [S; 10]) -> PointPair<S> {
-    PointPair::new(a, b, c, d, e, f, g, h, i, j)
+fn pair_of<S: Real>([x, y, z, u, v, w, squared]: [S; 7]) -> PointPair<S> {
+    PointPair::new(Point::new(x, y, z), Direction::new(u, v, w), squared)
 }
 
 #[inline(always)]
-fn circle_of<S: Real>([a, b, c, d, e, f, g, h, i, j]: [S; 10]) -> Circle<S> {
-    Circle::new(a, b, c, d, e, f, g, h, i, j)
-}
-
-fn coefficients_of<S: Real>(c: Circle<S>) -> [S; 10] {
-    [
-        c.e123, c.e12o, c.e13o, c.e23o, c.e12i, c.e13i, c.e23i, c.e1oi, c.e2oi, c.e3oi,
-    ]
+fn circle_of<S: Real>([x, y, z, u, v, w, squared]: [S; 7]) -> Circle<S> {
+    Circle::new(Point::new(x, y, z), Direction::new(u, v, w), squared)
 }
 
 impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
