@@ -125,13 +125,14 @@
 ///
 /// `products` lists the products to emit: `geometric` (`*`), `wedge` (`^`), `left_contraction`
 /// (`|`), `vee` (`&`), `right_contraction`, `scalar_product`, `commutator`, `sandwich`, `dual`,
-/// `undual`. Braces list several types in one line. `blade` before a type says that the operand is an
-/// outer product of vectors, as in [`ga!`](crate::ga#operands-that-are-blades). The result is stated with `->`, where `Self` is
-/// the type of the last operand and `Scalar` a plain number, or left out where exactly one declared
-/// type without facts has just the blades of the result. That each result lies in its type is
-/// verified when the macro runs, by exact evaluation at random points. Where no result is stated,
-/// products that are always zero are left out: `wedge({Vector, Bivector}, {Vector, Bivector});`
-/// declares those that are not, and the compiler warns of a line of which nothing is left.
+/// `undual`. Braces list several types in one line. `blade` before a type says that the operand is
+/// an outer product of vectors, as in [`ga!`](crate::ga#operands-that-are-blades). The result is
+/// stated with `->`, where `Self` is the type of the last operand and `Scalar` a plain number, or
+/// left out where exactly one declared type without facts has just the blades of the result. That
+/// each result lies in its type is verified when the macro runs, by exact evaluation at random
+/// points. Where no result is stated, products that are always zero are left out:
+/// `wedge({Vector, Bivector}, {Vector, Bivector});` declares those that are not, and the compiler
+/// warns of a line of which nothing is left.
 ///
 /// Warnings come as the use of a deprecated constant `DECLARATION`, since macros have no warnings
 /// of their own; `#[allow(deprecated)]` on the module silences them.
@@ -247,7 +248,8 @@ macro_rules! algebra {
 /// | `<`, `<=`, `>`, `>=`, `==`, `!=` | conditions from two scalars |
 /// | `!c`, `c && d`, <code>c &#124;&#124; d</code> | conditions from conditions |
 /// | `2`, `0.5`, `pi`, `e12`, `Infinity` | exact numbers, π, basis blades, constant types |
-/// | `a.e12`, `s.centre`, `xs[0]`, `t.1` | a coefficient; a parameter; an element of an array or tuple |
+/// | `a.e12`, `s.centre` | a coefficient, a parameter |
+/// | `xs[0]`, `t.1` | an element of an array or a tuple |
 ///
 /// Each operation is a function and a method: `reverse(m)` is `m.reverse()`. Precedence is that of
 /// Rust, where `^ & |` bind looser than `+ - * /`; a mix of both without parentheses is an error

@@ -19,8 +19,8 @@ crate::algebra! {
     /// Conversions by `From` keep the coefficients of blades. An even versor M acts as
     /// `x' = M x ~M`, and in a product the right factor acts first.
     ///
-    /// Spheres, circles and point pairs are *rounds*. They are stored by their parameters, centre c,
-    /// weight or direction, and squared radius r², from which their coefficients follow. Sums of
+    /// Spheres, circles and point pairs are *rounds*. They are stored by their parameters, centre
+    /// c, weight or direction, and squared radius r², from which their coefficients follow. Sums of
     /// rounds are of the types of all blades of a grade, which hold flats too: [`RoundVector`],
     /// [`Bivector`], [`Trivector`], [`Quadvector`].
     ///
@@ -139,8 +139,8 @@ crate::algebra! {
         #[facts(null, weight(eo))]
         struct Point { e1, e2, e3, eo = 1, ei = (e1*e1 + e2*e2 + e3*e3)/2 }
 
-        /// Any vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point c,
-        /// a dual plane, and their sums.
+        /// Any vector of the algebra: a weighted point, a dual sphere `c − ½r² ei` about the point
+        /// c, a dual plane, and their sums.
         ///
         /// ```
         /// use ga_runtime::cga3::{Point, RoundVector};

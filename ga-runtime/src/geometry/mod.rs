@@ -63,7 +63,7 @@
 //! - `EvenVersor`: `V ~V = 1`; built by products, `From` of the others, `normalize`, `nearest_to`;
 //!   read by `reflections`, `similarity_and_transversor`; functions `log`, `powf`, `sqrt`,
 //!   `interpolate`.
-//! - `Bivector`: any element of grade 2; built by `EvenVersor::log`, `From` of the other generators;
+//! - `Bivector`: any element of grade 2; built by `EvenVersor::log`, `From` of other generators;
 //!   functions `exp`.
 //! - `OddVersor`: `V ~V = 1`; built by `reflection`, `inversion`, products, `normalize`,
 //!   `nearest_to`; read by `reflections`, `similarity_and_inversion`.
@@ -76,8 +76,8 @@
 //! what they hit first in [`ray`], 4×4 matrices in [`homogeneous`], and affine maps, which need not
 //! be conformal, in [`Affine`], with the motion and the similarity nearest to one. Matrices of maps
 //! of any other elements are in [`linear`](crate::linear). Means of many motions, curves through
-//! them and motions that fit points are in [`motion`], primitives that fit points in [`fit`]; chains
-//! of joints and their Jacobians in [`kinematics`].
+//! them and motions that fit points are in [`motion`], primitives that fit points in [`fit`];
+//! chains of joints and their Jacobians in [`kinematics`].
 //!
 //! [`vga3::Vector`](crate::vga3::Vector) is the vector of space, with its operators, lengths and
 //! angles. The other algebras have their geometry as inherent methods of their types too, behind

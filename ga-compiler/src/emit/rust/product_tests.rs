@@ -132,8 +132,8 @@ fn operator(operation: Operation) -> Option<TokenStream> {
     }
 }
 
-/// A test of random members of some types, or of blades among them, which are called `operand0` and so on, or `number` for
-/// further numbers beside them.
+/// A test of random members of some types, or of blades among them, which are called `operand0` and
+/// so on, or `number` for further numbers beside them.
 fn test(
     runtime: &TokenStream,
     path: &TokenStream,

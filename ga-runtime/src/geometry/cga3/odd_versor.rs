@@ -47,8 +47,8 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
         Self::from_vector(sphere.into())
     }
 
-    /// The versor of a vector with a positive square, normalised: the inversion in the sphere or the
-    /// reflection in the plane whose dual it is. `None` where the square is not positive, or a
+    /// The versor of a vector with a positive square, normalised: the inversion in the sphere or
+    /// the reflection in the plane whose dual it is. `None` where the square is not positive, or a
     /// coefficient is not finite.
     ///
     /// ```

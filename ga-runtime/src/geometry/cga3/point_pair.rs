@@ -38,8 +38,8 @@ impl<S: Field> PointPair<S> {
         self.direction
     }
 
-    /// `P²`: for `p∧q` it is `(p·q)²`, a quarter of the fourth power of the distance. It is positive
-    /// for a real pair, zero for a tangent and negative for an imaginary pair.
+    /// `P²`: for `p∧q` it is `(p·q)²`, a quarter of the fourth power of the distance. It is
+    /// positive for a real pair, zero for a tangent and negative for an imaginary pair.
     #[inline]
     #[must_use]
     pub fn square(self) -> S {
