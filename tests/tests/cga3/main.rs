@@ -2,6 +2,7 @@
 //! numbers of every size.
 
 mod axioms;
+mod far_rounds;
 mod geometry;
 mod homogeneous;
 mod kinematics;
