@@ -29,6 +29,17 @@ pub trait Mask:
     fn any(self) -> bool;
     /// Whether the mask is set in every lane.
     fn all(self) -> bool;
+    /// Whether the mask is set in a lane, counted from 0. A single outcome is that of each lane.
+    ///
+    /// # Panics
+    /// If there is no such lane.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::{Lanes, Mask, Real};
+    /// let mask = Lanes::from_array([1.0, 3.0]).less_than(Lanes::splat(2.0));
+    /// assert_eq!([mask.lane(0), mask.lane(1)], [true, false]);
+    /// ```
+    fn lane(self, lane: usize) -> bool;
 }
 
 impl Mask for bool {
@@ -42,6 +53,10 @@ impl Mask for bool {
     }
     #[inline(always)]
     fn all(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> bool {
         self
     }
 }
@@ -87,6 +102,10 @@ impl<const N: usize> Mask for LaneMask<N> {
     #[inline(always)]
     fn all(self) -> bool {
         self.0.iter().fold(true, |all, &lane| all & lane)
+    }
+    #[inline(always)]
+    fn lane(self, lane: usize) -> bool {
+        self.0[lane]
     }
 }
 

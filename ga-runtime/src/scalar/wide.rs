@@ -206,6 +206,10 @@ macro_rules! implement_mask {
             fn all(self) -> bool {
                 self.0.all()
             }
+            #[inline(always)]
+            fn lane(self, lane: usize) -> bool {
+                self.0.to_array()[lane].to_bits() != 0
+            }
         }
 
         impl BitAnd for WideMask<$type> {

@@ -155,6 +155,7 @@ proptest! {
         let (x, y) = (LaneMask::from_array(a), LaneMask::from_array(b));
         for k in 0..8 {
             prop_assert_eq!([(x & y)[k], (x | y)[k], (!x)[k]], [a[k] && b[k], a[k] || b[k], !a[k]]);
+            prop_assert_eq!([x.lane(k), a[k].lane(k)], [a[k]; 2]);
         }
         prop_assert_eq!([x.any(), x.all()], [a.contains(&true), !a.contains(&false)]);
     }

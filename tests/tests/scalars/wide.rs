@@ -120,6 +120,10 @@ where
     }
     let less: Vec<_> = (0..N).map(|k| a[k].less_than(b[k])).collect();
     let mask = x.less_than(y);
+    prop_assert_eq!(
+        (0..N).map(|k| mask.lane(k)).collect::<Vec<_>>(),
+        less.clone()
+    );
     prop_assert_eq!(mask.any(), less.contains(&true));
     prop_assert_eq!(mask.all(), !less.contains(&false));
     prop_assert_eq!((!mask).any(), less.contains(&false));

@@ -126,7 +126,7 @@ impl<S: Field> Point<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Point<S> {
+impl<S: Real> Point<S> {
     /// The distance between two points, `√(−2 P·Q)` (Cui, eq. 32, corrected). For other primitives:
     /// [`distance_to`](Self::distance_to).
     ///
@@ -135,6 +135,10 @@ impl<S: Real<Mask = bool>> Point<S> {
     /// let (p, q) = (Point::new(1.0_f64, 1.0, 0.0), Point::new(4.0, 5.0, 0.0));
     /// assert_eq!(p.distance(q), 5.0);
     /// assert_eq!((-2.0 * (p | q)).sqrt(), 5.0);
+    ///
+    /// use ga_runtime::scalar::Lanes;
+    /// let two = Point::new(Lanes::from_array([3.0, 0.0]), Lanes::splat(4.0), Lanes::splat(0.0));
+    /// assert_eq!(two.distance(Point::default()).to_array(), [5.0, 4.0]);
     /// ```
     #[inline]
     #[must_use]
