@@ -237,7 +237,7 @@ macro_rules! algebra {
 /// | `exp` | of scalars, and of bivectors B where B² is a scalar plus a null part |
 /// | `log` | of scalars, and of even unit versors that are such an `exp` |
 /// | `sqrt`, `abs`, `hypot(x, y)`, `ln`, `recip` | of scalars |
-/// | `recip_or_zero` | `1/x`, and 0 for x = 0 |
+/// | `recip_or_zero` | `1/x`, and 0 for x = 0; `x * recip_or_zero(x)` is taken for 1 |
 /// | `sin`, `cos`, `tan`, `asin`, `acos`, `atan2(y, x)` | of scalars, angles in radians |
 /// | `sinh`, `cosh`, `tanh` | of scalars |
 /// | `pow(x, 3)`, `pow(x, -2)`, `pow(x, 1/2)` | power with a number as exponent |

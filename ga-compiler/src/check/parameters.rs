@@ -23,7 +23,8 @@ pub(super) fn check(
         };
         let is_sound = std::mem::replace(&mut sound[index], false);
         let list = check_list(definition, sound, syntax, parameters, diagnostics);
-        let hull = hull(definition, kind, diagnostics);
+        let hull = hull(definition, kind, diagnostics)
+            .filter(|place| is_of_blades(syntax, *place, kind, diagnostics));
         let (Some(list), Some(hull), true) = (list, hull, is_sound) else {
             continue;
         };
@@ -139,6 +140,22 @@ fn check_type(
     Some(index)
 }
 
+/// Whether the hull of a type is declared by blades; reports it otherwise.
+fn is_of_blades(
+    syntax: &[TypeSyntax],
+    hull: usize,
+    kind: &TypeSyntax,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let is_of_blades = syntax[hull].parameters.is_none();
+    if !is_of_blades && let Some(hull) = &kind.hull {
+        let message = format!("the hull `{hull}` must be declared by blades, not by parameters");
+        diagnostics.error(hull.span(), message);
+    }
+    is_of_blades
+}
+
+/// The hull of a type by its name; reports where there is none.
 fn hull(
     definition: &Definition,
     kind: &TypeSyntax,

@@ -232,7 +232,7 @@ const ROUNDS: [(&str, &str, [usize; 4]); 13] = [
     (
         "p: Point, q: Point, r: Point, s: Point -> Sphere",
         "p ^ q ^ r ^ s",
-        [45, 34, 1, 0],
+        [43, 34, 1, 1],
     ),
     ("a: Sphere, b: Sphere -> Circle", "a & b", [15, 11, 1, 0]),
     ("a: Sphere, b: Plane -> Circle", "a & b", [13, 9, 1, 1]),

@@ -173,8 +173,9 @@ crate::algebra! {
             weight, centre: Point, radius_squared;
             self = weight * (centre - radius_squared / 2 * ei);
             weight = -(ei | self);
-            radius_squared = (self | self) / (weight * weight);
-            centre = self / weight + radius_squared / 2 * ei;
+            let unit = self / weight;
+            radius_squared = unit | unit;
+            centre = unit + radius_squared / 2 * ei;
         }
 
         /// The dual plane `n + d ei`: the points x with `n·x = d`, where n is the normal.
@@ -407,8 +408,9 @@ crate::algebra! {
             self = undual(weight * (centre - radius_squared / 2 * ei));
             let dual = dual(self);
             weight = -(ei | dual);
-            radius_squared = (dual | dual) / (weight * weight);
-            centre = dual / weight + radius_squared / 2 * ei;
+            let unit = dual / weight;
+            radius_squared = unit | unit;
+            centre = unit + radius_squared / 2 * ei;
         }
 
         /// A plane, `p∧q∧r∧ei` for three of its points.

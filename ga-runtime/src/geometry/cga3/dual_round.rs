@@ -99,7 +99,8 @@ impl<S: Field> RoundVector<S> {
     }
 
     /// The squared radius of a dual sphere, `c² − 2 ei/eo` with the centre c, as accurate as that
-    /// difference is; `None` where there is no [centre](Self::centre). A [`DualSphere`] keeps it.
+    /// difference is; `None` where there is no [centre](Self::centre), or where it is beyond the
+    /// range of the scalar. A [`DualSphere`] keeps it.
     #[inline]
     #[must_use]
     pub fn radius_squared(self) -> Option<S> {

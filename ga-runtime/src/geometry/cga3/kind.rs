@@ -5,7 +5,7 @@ use crate::cga3::{
     Bivector, Circle, DualCircle, DualPlane, DualPointPair, DualSphere, FlatPoint, Line,
     MotorGenerator, Plane, Point, PointPair, Quadvector, RoundVector, Sphere, Trivector,
 };
-use crate::geometry::number::{are_numbers, is_number};
+use crate::geometry::number::are_numbers;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -21,9 +21,10 @@ use crate::vga3::Vector;
 /// The tolerance τ is dimensionless; choose the unit of the coordinates so that the scene has a
 /// size of about 1.
 ///
-/// - A round is treated as flat where its centre is at a distance of 1/τ or more, and a flat is
-///   treated as free where it is at such a distance. A round about the origin with a radius of
-///   √(2/τ) or more cannot be distinguished from infinity and is free too.
+/// - A flat is treated as free where it is at a distance of 1/τ or more. Of the general types
+///   `RoundVector`, `Bivector`, `Trivector` and `Quadvector`, a round is treated as flat where its
+///   centre is at such a distance, and a round about the origin with a radius of √(2/τ) or more
+///   cannot be distinguished from infinity and is free too.
 /// - A squared radius is treated as zero where `|r²| ≤ τ (c² + |c² − r²|)`, c being the centre. The
 ///   coefficients of a general blade determine it no more accurately than to τ = ε; the types of
 ///   rounds store it, so that a tolerance of zero asks for its sign.
@@ -176,19 +177,20 @@ fn of_round<S: Real<Mask = bool>>(
     radius_squared: S,
     tolerance: S,
 ) -> Kind {
-    let centre_squared = Vector::from(centre).length_squared();
-    let is_weighted = !weight.iter().all(|x| *x == S::zero());
-    if !are_numbers(weight) || !is_number(centre_squared) || !is_number(radius_squared) {
-        Kind::NotABlade
-    } else if !is_weighted {
-        Kind::Zero
-    } else {
-        by_square(
-            radius_squared,
-            centre_squared + (centre_squared - radius_squared).abs(),
-            tolerance,
-        )
+    if weight == [S::zero(); 3] {
+        return Kind::Zero;
     }
+    if !are_numbers(weight) || !are_numbers(centre.coordinates()) {
+        return Kind::NotABlade;
+    }
+    // By halves, which do not overflow where the square of the centre does not.
+    let half = S::from_ratio(1, 2);
+    let (centre_squared, squared) = (
+        Vector::from(centre).length_squared() * half,
+        radius_squared * half,
+    );
+    let size = centre_squared + (centre_squared - squared).abs();
+    by_square(squared, size, tolerance)
 }
 
 /// The kind of a round by its squared radius, which is compared with a size.

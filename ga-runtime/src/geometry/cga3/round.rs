@@ -37,8 +37,9 @@ pub(super) fn of_length<S: Real<Mask = bool>>(
     length_squared: S,
 ) -> Option<Vector<S>> {
     let direction = Vector::from(direction.vector());
-    let factor = length_squared / direction.length_squared();
-    if is_regular(factor) && is_regular(length_squared) {
+    let square = direction.length_squared();
+    let factor = length_squared / square;
+    if is_regular(factor) && is_regular(square) {
         return Some(direction * factor.sqrt());
     }
     let unit = unit_axis_of_any(direction.coordinates())?;

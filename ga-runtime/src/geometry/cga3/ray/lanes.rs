@@ -40,7 +40,9 @@ impl<S: Real> Ray<S> {
         let middle = to_centre.dot(direction);
         let off = to_centre.across(direction);
         let half_squared = radius_squared - off.dot(off);
-        let is_round = zero.less_than(radius_squared) & !sphere.weight.equals(zero);
+        let is_round = zero.less_than(radius_squared)
+            & !sphere.weight.equals(zero)
+            & sphere.weight.is_finite();
         let is_real = is_round & !half_squared.less_than(zero);
         let half = S::select(is_real, half_squared, zero).sqrt();
         let is_hit = is_real & (middle * middle).is_finite() & half.is_finite();

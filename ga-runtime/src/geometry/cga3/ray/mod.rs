@@ -241,7 +241,7 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// front, then from the back. A distance that is not positive is not ahead of the origin: both
     /// are negative for a sphere behind it, and the first for a ray that begins inside. Both are
     /// equal for a line that only touches the sphere. `None` where the line misses it, and for a
-    /// sphere that is imaginary, of radius zero or flat.
+    /// sphere that is imaginary, of radius zero or of weight zero.
     ///
     /// The points are the ends of the pair `−(L ∨ S)`, with L the [line](Self::line) and S the
     /// sphere, in the order of [`PointPair::endpoints`](crate::cga3::PointPair::endpoints).

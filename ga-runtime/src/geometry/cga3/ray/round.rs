@@ -17,16 +17,14 @@ pub(super) struct Crossing<S> {
     to_centre: Vector<S>,
 }
 
-/// How a ray crosses a dual sphere; `None` for a miss, and for a sphere of weight zero.
+/// How a ray crosses a dual sphere; `None` for a miss, and for a sphere of weight zero or with a
+/// number that is not finite.
 #[inline]
 pub(super) fn sphere_crossing<S: Real<Mask = bool>>(
     ray: Ray<S>,
     sphere: DualSphere<S>,
 ) -> Option<Crossing<S>> {
-    if sphere.weight == S::zero() {
-        return None;
-    }
-    sphere_of(ray, sphere.centre.into(), sphere.radius_squared)
+    sphere_of(ray, sphere.centre()?.into(), sphere.radius_squared)
 }
 
 /// How a ray crosses the sphere with this centre and squared radius; `None` unless that is
@@ -95,7 +93,7 @@ impl<S: Real<Mask = bool>> Crossing<S> {
 #[inline]
 pub(super) fn disc_hit<S: Real<Mask = bool>>(ray: Ray<S>, disc: Circle<S>) -> Option<Hit<S>> {
     let (centre, normal) = (
-        Vector::from(disc.centre),
+        Vector::from(disc.centre()?),
         Vector::from(disc.normal.vector()),
     );
     let ahead = Ahead::through(ray, normal, centre)?;

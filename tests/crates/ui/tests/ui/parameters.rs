@@ -113,6 +113,8 @@ ga_runtime::algebra! {
         #[hull(Point)]
         struct Ball { centre: Point, squared_radius; self = centre - squared_radius/2 * ei; }
         struct Shell { centre: Point, squared_radius; self = centre - squared_radius/2 * ei; }
+        #[hull(Skin)]
+        struct Skin { centre: Point, squared_radius; self = centre - squared_radius/2 * ei; }
     }
 }
 
