@@ -86,7 +86,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     #[inline]
     pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
         let (centre, normal) = (Point::from(centre), Direction::from_vector(normal.into()));
-        round::is_finite(centre, normal, radius_squared).then_some(Self {
+        round::is_round(centre, normal, radius_squared).then_some(Self {
             centre,
             normal,
             radius_squared,
@@ -163,11 +163,6 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// Whether the circle has a weight, and all numbers are finite.
     #[inline(always)]
     fn is_round(self) -> bool {
-        let Self {
-            centre,
-            normal,
-            radius_squared,
-        } = self;
-        !round::is_zero(normal) && round::is_finite(centre, normal, radius_squared)
+        round::is_round(self.centre, self.normal, self.radius_squared)
     }
 }

@@ -81,7 +81,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     #[inline]
     pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
         let (centre, direction) = (Point::from(centre), Direction::from_vector(axis.into()));
-        round::is_finite(centre, direction, radius_squared).then_some(Self {
+        round::is_round(centre, direction, radius_squared).then_some(Self {
             centre,
             direction,
             radius_squared,
@@ -190,11 +190,6 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// Whether the pair has a weight, and all numbers are finite.
     #[inline(always)]
     fn is_round(self) -> bool {
-        let Self {
-            centre,
-            direction,
-            radius_squared,
-        } = self;
-        !round::is_zero(direction) && round::is_finite(centre, direction, radius_squared)
+        round::is_round(self.centre, self.direction, self.radius_squared)
     }
 }

@@ -5,22 +5,17 @@ use crate::geometry::number::{are_numbers, is_number, is_regular};
 use crate::scalar::{Real, Ring};
 use crate::vga3::Vector;
 
-/// Whether numbers of a round are finite.
+/// Whether a round has a weight, the length of its direction, and all numbers are finite.
 #[inline(always)]
-pub(super) fn is_finite<S: Ring>(
+pub(super) fn is_round<S: Ring>(
     centre: Point<S>,
     direction: Direction<S>,
     radius_squared: S,
 ) -> bool {
     let [x, y, z] = centre.coordinates();
-    let [u, v, w] = direction.vector();
-    are_numbers([x, y, z, u, v, w, radius_squared])
-}
-
-/// Whether a direction, the length of which is a weight, is zero.
-#[inline(always)]
-pub(super) fn is_zero<S: Ring>(direction: Direction<S>) -> bool {
-    direction.vector() == [S::zero(); 3]
+    let direction = direction.vector();
+    let [u, v, w] = direction;
+    direction != [S::zero(); 3] && are_numbers([x, y, z, u, v, w, radius_squared])
 }
 
 /// The radius; `None` where the square is negative or not a number.

@@ -47,7 +47,7 @@ pub(super) fn search<S: Real<Mask = bool>>(
         place = start;
         let middle = spans_between[longest].duration.mul_add(half, start);
         keys.insert(longest + 1, (middle, from.interpolate(to, half)));
-        // Fails where there is no number between the two times.
+        // An error where no number lies between the two times.
         match spans(&keys) {
             Ok(divided) => spans_between = divided,
             Err(_) => break,
