@@ -131,12 +131,9 @@ impl Parametrised {
                 options[place] = multiples(builder, &figures, &scales)?;
             }
         }
-        if let Step::Quotient(dividend, divisor) = *builder.program.step(value) {
-            let known = self.known(dividend, index);
-            let plain = match known {
-                Some(known) => known,
-                None => self.by_readings(builder, parameters, readings, dividend, index)?,
-            };
+        if let Step::Quotient(dividend, divisor) = *builder.program.step(value)
+            && let Some(plain) = self.found(builder, parameters, readings, dividend, index)?
+        {
             for (place, step) in plain.into_iter().enumerate() {
                 options[place].push(step);
                 options[place].push(builder.push(Step::Quotient(step, divisor))?);
