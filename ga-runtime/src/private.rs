@@ -12,7 +12,7 @@ pub use crate::__interoperate as interoperate;
 pub use crate::__surface as surface;
 pub use crate::element::{
     Relative, are_within, default_tolerance, divided_by_largest, grade, largest, one, parse,
-    scaled_norm, write,
+    scaled_norm, select, write,
 };
 #[cfg(feature = "serde-1")]
 pub use crate::interop::serde::coefficients;

@@ -39,7 +39,7 @@ macro_rules! __surface_entry {
             /// lane.
             #[inline]
             #[must_use]
-            pub fn is_finite(self) -> <S as $crate::scalar::Real>::Mask
+            pub fn is_finite(self) -> <S as $crate::scalar::Select>::Mask
             where
                 S: $crate::scalar::Real,
             {
@@ -59,6 +59,13 @@ macro_rules! __surface_entry {
                 S: $crate::scalar::Real<Mask = ::core::primitive::bool>,
             {
                 $crate::Element::try_from_element(element, tolerance)
+            }
+        }
+        impl<S: $crate::scalar::Real> $crate::scalar::Select for $name<S> {
+            type Mask = <S as $crate::scalar::Select>::Mask;
+            #[inline]
+            fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
+                $crate::__private::select(mask, if_true, if_false)
             }
         }
         impl<S: $crate::scalar::$bound + ::core::fmt::Display> ::core::fmt::Display for $name<S> {
@@ -152,65 +159,68 @@ macro_rules! __surface_entry {
     };
     // The element of norm 1, with the coefficients on which the norm depends.
     (normalized $name:ident [$($measured:ident)*] [$($field:ident)*]) => {
-        impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {
+        impl<S: $crate::scalar::Real> $name<S> {
             /// The multiple `x/√|n|` of this element with [`norm_squared`](Self::norm_squared) 1 or
             /// −1, the sign of `n = ⟨x ~x⟩₀`; `None` where n is zero, or a coefficient is not
             /// finite. Large and small elements lose nothing.
             #[inline]
             #[must_use]
-            pub fn normalized(self) -> ::core::option::Option<Self> {
+            pub fn normalized(self) -> $crate::scalar::Maybe<Self, S> {
                 let divided = |element: Self, divisor: S| Self {
                     $($field: element.$field / divisor),*
                 };
-                let (element, size) = $crate::__private::scaled_norm(
+                let scaled = $crate::__private::scaled_norm(
                     self, Self::norm_squared, [$(self.$measured),*], divided,
-                )?;
-                let unit = divided(element, $crate::scalar::Real::sqrt(size));
-                let is_finite = $($crate::scalar::Real::is_finite(unit.$field))&*;
-                is_finite.then_some(unit)
+                );
+                $crate::scalar::Optional::and_then(scaled, |(element, size)| {
+                    let unit = divided(element, $crate::scalar::Real::sqrt(size));
+                    let is_finite = $($crate::scalar::Real::is_finite(unit.$field))&*;
+                    $crate::scalar::Mask::when(is_finite, unit)
+                })
             }
         }
     };
     // The multiple of norm 1 of a type that is not stored as coefficients.
     (unit_multiple $name:ident) => {
-        impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {
+        impl<S: $crate::scalar::Real> $name<S> {
             /// The multiple `x/√|n|` of this element with [`norm_squared`](Self::norm_squared) 1 or
             /// −1, the sign of `n = ⟨x ~x⟩₀`; `None` where n is zero, or a coefficient is not
             /// finite. Large and small elements lose nothing.
             #[inline]
             #[must_use]
-            pub fn normalized(self) -> ::core::option::Option<Self> {
-                let size = $crate::__private::largest(self)?;
-                let element = self / size;
-                let size = $crate::scalar::Real::abs(element.norm_squared());
-                let unit = element / $crate::scalar::Real::sqrt(size);
-                ($crate::scalar::Real::less_than(S::zero(), size)
-                    && <Self as $crate::Element>::is_finite(unit))
-                .then_some(unit)
+            pub fn normalized(self) -> $crate::scalar::Maybe<Self, S> {
+                $crate::scalar::Optional::and_then($crate::__private::largest(self), |size| {
+                    let element = self / size;
+                    let size = $crate::scalar::Real::abs(element.norm_squared());
+                    let unit = element / $crate::scalar::Real::sqrt(size);
+                    let has_size = $crate::scalar::Real::less_than(S::zero(), size);
+                    let is_finite = <Self as $crate::Element>::is_finite(unit);
+                    $crate::scalar::Mask::when(has_size & is_finite, unit)
+                })
             }
         }
     };
     // A unit versor that rounding may have changed.
     (renormalized $name:ident) => {
-        impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {
+        impl<S: $crate::scalar::Real> $name<S> {
             /// The nearest unit versor, which removes the rounding errors of a long product; `None`
             /// where a coefficient is not finite.
             #[inline]
             #[must_use]
-            pub fn normalized(self) -> ::core::option::Option<Self> {
+            pub fn normalized(self) -> $crate::scalar::Maybe<Self, S> {
                 Self::normalize(::core::convert::From::from(self))
             }
         }
     };
     // A unit versor whatever its coefficients.
     (always_unit $name:ident) => {
-        impl<S: $crate::scalar::Real<Mask = ::core::primitive::bool>> $name<S> {
+        impl<S: $crate::scalar::Real> $name<S> {
             /// The same versor, which has norm 1 whatever its coefficients are; `None` where one of
             /// them is not finite.
             #[inline]
             #[must_use]
-            pub fn normalized(self) -> ::core::option::Option<Self> {
-                <Self as $crate::Element>::is_finite(self).then_some(self)
+            pub fn normalized(self) -> $crate::scalar::Maybe<Self, S> {
+                $crate::scalar::Mask::when(<Self as $crate::Element>::is_finite(self), self)
             }
         }
     };

@@ -20,7 +20,7 @@ pub use relative::Relative;
 #[doc(hidden)]
 pub use text::{parse, write};
 
-use crate::scalar::{Mask, Real, Ring};
+use crate::scalar::{Mask, Real, Ring, Select};
 
 /// A type that `algebra!` has declared, seen as coefficients by blade.
 ///
@@ -127,11 +127,11 @@ pub trait Element: Copy {
 
     /// Whether every coefficient is neither infinite nor NaN; for lanes, one mask entry per lane.
     #[inline]
-    fn is_finite(self) -> <Self::Scalar as Real>::Mask
+    fn is_finite(self) -> <Self::Scalar as Select>::Mask
     where
         Self::Scalar: Real,
     {
-        let everywhere = <Self::Scalar as Real>::Mask::splat(true);
+        let everywhere = <Self::Scalar as Select>::Mask::splat(true);
         Self::BLADES.iter().fold(everywhere, |finite, &blade| {
             finite & self.coefficient(blade).is_finite()
         })
@@ -180,6 +180,18 @@ pub trait Element: Copy {
 /// The tolerance of `TryFrom` and `FromStr`, relative to the largest coefficient.
 pub fn default_tolerance<S: Real>() -> S {
     S::epsilon() * S::from_integer(1024)
+}
+
+/// The element whose numbers are chosen by a mask.
+#[inline]
+pub fn select<T: Element<Scalar: Real>>(
+    mask: <T::Scalar as Select>::Mask,
+    if_true: T,
+    if_false: T,
+) -> T {
+    T::from_numbers(&mut |place| {
+        T::Scalar::select(mask, if_true.number(place), if_false.number(place))
+    })
 }
 
 /// The part of one grade, in a type with all blades of the element.

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::scalar::{Field, Real, Ring};
+use crate::scalar::{Field, Real, Ring, Single};
 
 /// A number with its size before cancellation: the sum of the absolute values of all products that
 /// were added to obtain it.
@@ -127,10 +127,10 @@ impl<S: Real<Mask = bool>> Field for Relative<S> {
     }
 }
 
+impl<S> Single for Relative<S> {}
+
 /// All operations except sums and products reset the size to that of the result.
 impl<S: Real<Mask = bool>> Real for Relative<S> {
-    type Mask = bool;
-
     #[inline]
     fn from_f64(value: f64) -> Self {
         Self::new(S::from_f64(value))
@@ -179,9 +179,5 @@ impl<S: Real<Mask = bool>> Real for Relative<S> {
     #[inline]
     fn is_zero(self) -> bool {
         self.value.is_zero()
-    }
-    #[inline]
-    fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
-        if mask { if_true } else { if_false }
     }
 }

@@ -1,24 +1,23 @@
 //! Tests of the range of numbers, and an accurate logarithm.
 
-use crate::scalar::{Real, Ring};
+use crate::scalar::Real;
 
-/// Whether a number is finite, in a ring that may have infinity and NaN: their difference from
-/// themselves is NaN, which is not equal to anything.
+/// Whether a number is finite: the difference of infinity and of NaN from themselves is NaN.
 #[expect(clippy::eq_op, reason = "NaN where the number is not finite")]
 #[inline]
-pub(crate) fn is_number<S: Ring>(x: S) -> bool {
-    x - x == S::zero()
+pub(crate) fn is_number<S: Real>(x: S) -> S::Mask {
+    (x - x).is_zero()
 }
 
 /// Whether all components are finite.
 #[expect(clippy::eq_op, reason = "NaN where a component is not finite")]
 #[inline]
-pub(crate) fn are_numbers<S: Ring, const N: usize>(components: [S; N]) -> bool {
+pub(crate) fn are_numbers<S: Real, const N: usize>(components: [S; N]) -> S::Mask {
     let mut sum = S::zero();
     for x in components {
         sum += x - x;
     }
-    sum == S::zero()
+    sum.is_zero()
 }
 
 /// Whether a squared length is so far from both ends of the range of every scalar that a sum of

@@ -31,7 +31,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits_02::{Float, NumCast, One, Zero};
 
-use crate::scalar::{Dual, Field, Lanes, Prime61, Real, Ring};
+use crate::scalar::{Dual, Field, Lanes, Prime61, Real, Ring, Single};
 
 /// Emits zero and one for a declared type.
 #[doc(hidden)]
@@ -187,9 +187,9 @@ impl<T: Float + core::fmt::Debug> Field for FromFloat<T> {
     }
 }
 
-impl<T: Float + core::fmt::Debug> Real for FromFloat<T> {
-    type Mask = bool;
+impl<T: Float> Single for FromFloat<T> {}
 
+impl<T: Float + core::fmt::Debug> Real for FromFloat<T> {
     #[inline]
     fn from_f64(value: f64) -> Self {
         nearest(value)
@@ -250,9 +250,5 @@ impl<T: Float + core::fmt::Debug> Real for FromFloat<T> {
     #[inline]
     fn is_zero(self) -> bool {
         self.0.is_zero()
-    }
-    #[inline]
-    fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
-        if mask { if_true } else { if_false }
     }
 }

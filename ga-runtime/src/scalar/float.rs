@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::{ArcFactors, ConstRing, Field, Lanes, Real, Ring, arc, half_angle};
+use super::{ArcFactors, ConstRing, Field, Lanes, Real, Ring, Single, arc, half_angle};
 use crate::cga3::Motor;
 use crate::geometry::composition::compose_single;
 
@@ -86,9 +86,9 @@ macro_rules! implement_real {
         $sqrt:ident, $fabs:ident, $sin:ident, $cos:ident, $atan2:ident, $exp:ident, $log:ident,
         $sinh:ident, $cosh:ident, $tanh:ident, $hypot:ident
     ) => {
-        impl Real for $type {
-            type Mask = bool;
+        impl Single for $type {}
 
+        impl Real for $type {
             #[inline]
             fn from_f64(value: f64) -> Self {
                 value as $type
@@ -190,10 +190,6 @@ macro_rules! implement_real {
             #[inline]
             fn is_zero(self) -> bool {
                 self == 0.0
-            }
-            #[inline]
-            fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
-                if mask { if_true } else { if_false }
             }
         }
     };

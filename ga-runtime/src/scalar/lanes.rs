@@ -5,7 +5,7 @@ use core::ops::{
     Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
 };
 
-use super::{ArcFactors, ConstRing, Field, LaneMask, Real, Ring};
+use super::{ArcFactors, ConstRing, Field, LaneMask, Real, Ring, Select};
 
 /// N numbers side by side; every operation is applied to each of them.
 ///
@@ -168,9 +168,19 @@ impl<T: Field, const N: usize> Field for Lanes<T, N> {
     }
 }
 
-impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
+impl<T: Select<Mask = bool> + Copy, const N: usize> Select for Lanes<T, N> {
     type Mask = LaneMask<N>;
 
+    #[inline(always)]
+    fn select(mask: LaneMask<N>, mut if_true: Self, if_false: Self) -> Self {
+        for ((lane, other), mask) in if_true.0.iter_mut().zip(&if_false.0).zip(mask.to_array()) {
+            *lane = T::select(mask, *lane, *other);
+        }
+        if_true
+    }
+}
+
+impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self::splat(T::from_f64(value))
@@ -291,13 +301,6 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
             *mask = lane.is_zero();
         }
         LaneMask::from_array(mask)
-    }
-    #[inline(always)]
-    fn select(mask: LaneMask<N>, mut if_true: Self, if_false: Self) -> Self {
-        for ((lane, other), mask) in if_true.0.iter_mut().zip(&if_false.0).zip(mask.to_array()) {
-            *lane = T::select(mask, *lane, *other);
-        }
-        if_true
     }
 }
 

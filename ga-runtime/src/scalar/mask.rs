@@ -3,10 +3,14 @@
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr, Index, Not};
 
+use super::{Masked, Optional};
+#[cfg(doc)]
+use super::{Maybe, Select};
+
 /// The outcome of a comparison: `bool` for a single number, one bit for each lane of several.
 ///
 /// Code on lanes cannot branch, since the lanes may differ. It computes both alternatives and
-/// chooses with [`Real::select`](super::Real::select); `any` and `all` allow it to skip work that
+/// chooses with [`Select::select`]; `any` and `all` allow it to skip work that
 /// no lane needs.
 ///
 /// ```
@@ -23,6 +27,10 @@ use core::ops::{BitAnd, BitOr, Index, Not};
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
+    /// What has a value where a mask is set: `Option` for one outcome, [`Masked`] for several. In
+    /// signatures it is written [`Maybe`].
+    type Maybe<T>: Optional<T, Mask = Self>;
+
     /// The same outcome in every lane.
     fn splat(value: bool) -> Self;
     /// Whether the mask is set in some lane.
@@ -40,9 +48,24 @@ pub trait Mask:
     /// assert_eq!([mask.lane(0), mask.lane(1)], [true, false]);
     /// ```
     fn lane(self, lane: usize) -> bool;
+    /// The value where the mask is set, and none elsewhere.
+    ///
+    /// ```
+    /// use ga_runtime::scalar::{Lanes, Mask, Maybe, Real};
+    /// /// The inverse of a number that is not zero.
+    /// fn inverse<S: Real>(x: S) -> Maybe<S, S> {
+    ///     (!x.is_zero()).when(x.recip())
+    /// }
+    /// assert_eq!([inverse(4.0), inverse(0.0)], [Some(0.25), None]);
+    /// let found = inverse(Lanes::from_array([4.0, 0.0]));
+    /// assert_eq!(found.is_some().to_array(), [true, false]);
+    /// ```
+    fn when<T>(self, value: T) -> Self::Maybe<T>;
 }
 
 impl Mask for bool {
+    type Maybe<T> = Option<T>;
+
     #[inline(always)]
     fn splat(value: bool) -> Self {
         value
@@ -58,6 +81,10 @@ impl Mask for bool {
     #[inline(always)]
     fn lane(self, _: usize) -> bool {
         self
+    }
+    #[inline(always)]
+    fn when<T>(self, value: T) -> Option<T> {
+        self.then_some(value)
     }
 }
 
@@ -90,6 +117,8 @@ impl<const N: usize> LaneMask<N> {
 }
 
 impl<const N: usize> Mask for LaneMask<N> {
+    type Maybe<T> = Masked<T, Self>;
+
     #[inline(always)]
     fn splat(value: bool) -> Self {
         Self([value; N])
@@ -106,6 +135,10 @@ impl<const N: usize> Mask for LaneMask<N> {
     #[inline(always)]
     fn lane(self, lane: usize) -> bool {
         self.0[lane]
+    }
+    #[inline(always)]
+    fn when<T>(self, value: T) -> Masked<T, Self> {
+        Masked::new(self, value)
     }
 }
 

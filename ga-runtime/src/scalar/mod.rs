@@ -30,7 +30,9 @@ mod hypotenuse;
 mod integer;
 mod lanes;
 mod mask;
+mod maybe;
 mod prime;
+mod select;
 mod step;
 mod versor;
 #[cfg(feature = "wide")]
@@ -47,7 +49,9 @@ pub use arc::ArcFactors;
 pub use dual::Dual;
 pub use lanes::Lanes;
 pub use mask::{LaneMask, Mask};
+pub use maybe::{Masked, Maybe, Optional};
 pub use prime::Prime61;
+pub use select::{Select, Single};
 pub use step::smooth_step;
 pub use versor::{versor_exponential, versor_logarithm};
 
@@ -191,8 +195,8 @@ pub trait Field: Ring + Div<Output = Self> {
 /// A field with roots, angles and an order: floating-point numbers, single, in lanes or with
 /// derivatives.
 ///
-/// Comparisons return a [`Real::Mask`], and [`Real::select`] chooses by it, so that the same code
-/// runs on one number and on lanes.
+/// Comparisons return a [`Mask`](Select::Mask), and [`select`](Select::select) chooses by it, so that
+/// the same code runs on one number and on lanes. A result that may not exist is a [`Maybe`].
 ///
 /// ```
 /// use ga_runtime::scalar::Real;
@@ -201,10 +205,7 @@ pub trait Field: Ring + Div<Output = Self> {
 /// }
 /// assert_eq!(clamp_below(-1.0, 0.0), 0.0);
 /// ```
-pub trait Real: Field {
-    /// The outcome of a comparison: `bool` for one number, one for each lane of several.
-    type Mask: Mask;
-
+pub trait Real: Field + Select {
     /// The constant as a scalar, rounded.
     fn from_f64(value: f64) -> Self;
     /// The distance from 1 to the next larger number.
@@ -227,8 +228,6 @@ pub trait Real: Field {
     fn is_finite(self) -> Self::Mask;
     /// Whether the number is zero, and all its derivatives if it has any.
     fn is_zero(self) -> Self::Mask;
-    /// `if_true` where the mask is set, else `if_false`.
-    fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 
     /// Whether `self ≤ other`; false where either is NaN.
     ///

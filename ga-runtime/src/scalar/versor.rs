@@ -113,11 +113,11 @@ pub fn versor_logarithm<S: Real>(c: S, q: S) -> (S, S) {
     (ratio, slope)
 }
 
-fn zero_less<S: Real>(x: S) -> <S as Real>::Mask {
+fn zero_less<S: Real>(x: S) -> S::Mask {
     S::zero().less_than(x)
 }
 
-fn is_tiny<S: Real>(x: S) -> <S as Real>::Mask {
+fn is_tiny<S: Real>(x: S) -> S::Mask {
     x.abs().less_than(S::from_ratio(1, 16))
 }
 

@@ -4,7 +4,7 @@ use core::ops::{BitAnd, BitOr, Not};
 
 use wide::{f32x4, f32x8, f64x2, f64x4};
 
-use super::{ConstRing, Field, Mask, Real, Ring};
+use super::{ConstRing, Field, Mask, Masked, Real, Ring, Select};
 
 /// The outcome of a comparison of vectors of the `wide` crate, with feature `wide`.
 ///
@@ -96,9 +96,16 @@ macro_rules! implement_field {
 
 macro_rules! implement_real {
     ($type:ident of $scalar:ident, largest angle $angle:literal) => {
-        impl Real for $type {
+        impl Select for $type {
             type Mask = WideMask<Self>;
 
+            #[inline(always)]
+            fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
+                mask.0.select(if_true, if_false)
+            }
+        }
+
+        impl Real for $type {
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 Self::splat(value as $scalar)
@@ -182,10 +189,6 @@ macro_rules! implement_real {
             fn is_zero(self) -> Self::Mask {
                 WideMask(self.simd_eq(Self::ZERO))
             }
-            #[inline(always)]
-            fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
-                mask.0.select(if_true, if_false)
-            }
         }
     };
 }
@@ -193,6 +196,8 @@ macro_rules! implement_real {
 macro_rules! implement_mask {
     ($type:ident of $scalar:ident) => {
         impl Mask for WideMask<$type> {
+            type Maybe<T> = Masked<T, Self>;
+
             #[inline(always)]
             fn splat(value: bool) -> Self {
                 let bits = if value { !0 } else { 0 };
@@ -209,6 +214,10 @@ macro_rules! implement_mask {
             #[inline(always)]
             fn lane(self, lane: usize) -> bool {
                 self.0.to_array()[lane].to_bits() != 0
+            }
+            #[inline(always)]
+            fn when<T>(self, value: T) -> Masked<T, Self> {
+                Masked::new(self, value)
             }
         }
 

@@ -191,7 +191,10 @@ fn normalize_body(
     // The norm of a candidate, since by the facts of the type it would be 1.
     let (norm, _) = context.compile(&operand, &norm(), None);
     let (path, whole, runtime) = (context.path(candidate), context.path(hull), context.runtime);
-    let real = quote! { #runtime::scalar::Real };
+    let (real, mask) = (
+        quote! { #runtime::scalar::Real },
+        quote! { #runtime::scalar::Mask },
+    );
     let (formula, factors) = normalizing_factors(context, &operand, square);
     let scalars = [format_ident!("whole"), format_ident!("part")];
     let scaled = |expression, number| {
@@ -213,31 +216,29 @@ fn normalize_body(
     );
     quote! {
         #runtime::__private::surface! { { renormalized #name } }
-        impl<S: #real<Mask = ::core::primitive::bool>> #path {
+        impl<S: #real> #path {
             #[doc = #text]
             #[inline]
             #[must_use]
-            pub fn normalize(value: #whole) -> ::core::option::Option<Self> {
+            pub fn normalize(value: #whole) -> #runtime::scalar::Maybe<Self, S> {
                 let mut value: Self = { #taken };
                 let mut norm = { #norm };
-                if !<S as #real>::less_than(#least, norm) || !<S as #real>::less_than(norm, #most) {
+                let is_regular = <S as #real>::less_than(#least, norm) & <S as #real>::less_than(norm, #most);
+                if !#mask::all(is_regular) {
                     // The squares may have left the range of S; those of coefficients up to one do
                     // not.
                     let [#(#fields),*] = #runtime::__private::divided_by_largest(
+                        is_regular,
                         [#(value.#fields),*],
                         [#(value.#measured),*],
-                    )?;
+                    );
                     value = Self { #(#fields),* };
                     norm = { #norm };
                 }
                 #factors
                 let versor: Self = { #nearest };
                 let is_finite = #(<S as #real>::is_finite(versor.#fields))&*;
-                if is_finite {
-                    ::core::option::Option::Some(versor)
-                } else {
-                    ::core::option::Option::None
-                }
+                #mask::when(exists & is_finite, versor)
             }
         }
     }
@@ -262,14 +263,12 @@ fn normalizing_factors(
             let square = { #square };
             let root = <S as #real>::sqrt(norm * norm - square);
             // norm + root, without cancellation for a negative norm.
-            let sum = if <S as #real>::less_than(norm, #zero) {
-                -square / (root - norm)
-            } else {
-                norm + root
-            };
-            if !<S as #real>::less_than(#zero, sum) {
-                return ::core::option::Option::None;
+            let mut sum = norm + root;
+            let is_negative = <S as #real>::less_than(norm, #zero);
+            if #runtime::scalar::Mask::any(is_negative) {
+                sum = #runtime::scalar::Select::select(is_negative, -square / (root - norm), sum);
             }
+            let exists = <S as #real>::less_than(#zero, sum);
             let part = <S as #field>::recip(root * <S as #real>::sqrt(sum + sum));
             let whole = sum * part;
         };
@@ -277,9 +276,7 @@ fn normalizing_factors(
         (formula, factors)
     } else {
         let factors = quote! {
-            if !<S as #real>::less_than(#zero, norm) {
-                return ::core::option::Option::None;
-            }
+            let exists = <S as #real>::less_than(#zero, norm);
             let whole = <S as #field>::recip(<S as #real>::sqrt(norm));
             let part = whole * <S as #field>::recip(norm + norm);
         };

@@ -3,7 +3,7 @@
 use crate::cga2::{Circle, Point, RoundVector};
 use crate::geometry::number::{are_numbers, is_number};
 use crate::geometry::vector2::dot;
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Mask, Maybe, Optional, Real};
 
 impl<S: Field> RoundVector<S> {
     /// The dual circle `c − ½r² ei` with centre c; imaginary where r² is negative, the point c
@@ -18,26 +18,27 @@ impl<S: Field> RoundVector<S> {
             centre.ei() - radius_squared * S::from_ratio(1, 2),
         )
     }
+}
 
+impl<S: Real> RoundVector<S> {
     /// The centre of a dual circle, or the position of a weighted point; `None` for a line, which
     /// has weight zero, or beyond the range of the scalar.
     #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
-        if !self.eo.is_invertible() {
-            return None;
-        }
+    pub fn centre(self) -> Maybe<Point<S>, S> {
         let place = [self.e1 / self.eo, self.e2 / self.eo];
-        are_numbers(place).then(|| Point::from(place))
+        (!self.eo.equals(S::zero()) & are_numbers(place)).when(Point::from(place))
     }
 
     /// The squared radius of a dual circle, `V²/(V·ei)²`; negative for an imaginary one. `None` as
     /// in [`centre`](Self::centre).
     #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
-        let centre = self.centre()?.coordinates();
-        let infinite = self.ei / self.eo;
-        let radius_squared = dot(centre, centre) - (infinite + infinite);
-        is_number(radius_squared).then_some(radius_squared)
+    pub fn radius_squared(self) -> Maybe<S, S> {
+        self.centre().and_then(|centre| {
+            let centre = centre.coordinates();
+            let infinite = self.ei / self.eo;
+            let radius_squared = dot(centre, centre) - (infinite + infinite);
+            is_number(radius_squared).when(radius_squared)
+        })
     }
 }
 
@@ -73,25 +74,25 @@ impl<S: Field> Circle<S> {
     pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
         RoundVector::dual_circle(centre, radius_squared).undual()
     }
+}
 
+impl<S: Real> Circle<S> {
     /// The centre; `None` for a line, which has weight zero, or beyond the range of the scalar.
     #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
+    pub fn centre(self) -> Maybe<Point<S>, S> {
         self.dual().centre()
     }
 
     /// The squared radius, negative for an imaginary circle; `None` as in [`centre`](Self::centre).
     #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
+    pub fn radius_squared(self) -> Maybe<S, S> {
         self.dual().radius_squared()
     }
-}
 
-impl<S: Real<Mask = bool>> Circle<S> {
     /// The radius; `None` for an imaginary circle, and as in [`centre`](Self::centre).
     #[must_use]
-    pub fn radius(self) -> Option<S> {
-        let radius_squared = self.radius_squared()?;
-        (!radius_squared.less_than(S::zero())).then(|| radius_squared.sqrt())
+    pub fn radius(self) -> Maybe<S, S> {
+        let real = self.radius_squared().filter(|r| !r.less_than(S::zero()));
+        real.map(S::sqrt)
     }
 }

@@ -5,7 +5,7 @@ use core::ops::{Add, AddAssign, Sub, SubAssign};
 use crate::cga2::{Direction, FlatPoint, Point};
 use crate::geometry::number::are_numbers;
 use crate::geometry::vector2::{area, difference, dot, length, normalized, scaled};
-use crate::scalar::{ConstRing, Field, Real, Ring};
+use crate::scalar::{ConstRing, Field, Mask, Maybe, Real, Ring};
 
 impl<S: ConstRing> Point<S> {
     /// The origin.
@@ -146,7 +146,7 @@ impl<S: Ring> SubAssign<Direction<S>> for Point<S> {
     }
 }
 
-impl<S: Field> FlatPoint<S> {
+impl<S: Real> FlatPoint<S> {
     /// The point p of `p∧ei`; `None` for a direction, which is the meet of parallel lines, or
     /// beyond the range of the scalar.
     ///
@@ -160,12 +160,9 @@ impl<S: Field> FlatPoint<S> {
     /// assert_eq!((a & a).to_point(), None);
     /// ```
     #[must_use]
-    pub fn to_point(self) -> Option<Point<S>> {
-        if !self.eoi.is_invertible() {
-            return None;
-        }
+    pub fn to_point(self) -> Maybe<Point<S>, S> {
         let place = [self.e1i / self.eoi, self.e2i / self.eoi];
-        are_numbers(place).then(|| Point::from(place))
+        (!self.eoi.equals(S::zero()) & are_numbers(place)).when(Point::from(place))
     }
 }
 

@@ -171,7 +171,9 @@ impl<S: Ring> Affine<S> {
             [zero, zero, zero, one],
         ]
     }
+}
 
+impl<S: Real<Mask = bool>> Affine<S> {
     /// The map of a 4×4 matrix by rows, `(x', 1) = M (x, 1)`.
     ///
     /// # Errors
@@ -188,9 +190,6 @@ impl<S: Ring> Affine<S> {
         let linear = [a, b, c].map(|[x, y, z, _]| [x, y, z]);
         Ok(Self::new(linear, [a[3], b[3], c[3]]))
     }
-}
-
-impl<S: Real<Mask = bool>> Affine<S> {
     /// The inverse map; `None` where L is singular, or the inverse is beyond the range of the
     /// scalar. It is computed from cofactors, with an error of about ε times the condition number
     /// of L.

@@ -2,7 +2,7 @@
 
 use super::round;
 use crate::cga3::{Circle, Direction, DualDirection, Infinity, Line, Plane, Point, Sphere};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 crate::ga! {
@@ -46,13 +46,17 @@ impl<S: Field> Circle<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Circle<S> {
+impl<S: Real> Circle<S> {
     /// The circle with a given centre in the plane perpendicular to a normal, which need not have
     /// length 1. `None` where the normal is zero or not finite, or a coefficient of the circle
     /// would not be finite.
     #[inline]
     #[must_use]
-    pub fn from_centre_normal_radius(centre: Point<S>, normal: [S; 3], radius: S) -> Option<Self> {
+    pub fn from_centre_normal_radius(
+        centre: Point<S>,
+        normal: [S; 3],
+        radius: S,
+    ) -> Maybe<Self, S> {
         Self::from_centre_normal_radius_squared(centre, normal, radius * radius)
     }
 
@@ -77,16 +81,19 @@ impl<S: Real<Mask = bool>> Circle<S> {
         centre: Point<S>,
         normal: [S; 3],
         radius_squared: S,
-    ) -> Option<Self> {
-        let axis = round::unit_axis(normal)?;
-        Self::around(centre.into(), axis, radius_squared)
+    ) -> Maybe<Self, S> {
+        round::unit_axis(normal).and_then(|axis| Self::around(centre.into(), axis, radius_squared))
     }
 
     /// The same with a normal of length 1.
     #[inline]
-    pub(super) fn around(centre: Vector<S>, normal: Vector<S>, radius_squared: S) -> Option<Self> {
+    pub(super) fn around(
+        centre: Vector<S>,
+        normal: Vector<S>,
+        radius_squared: S,
+    ) -> Maybe<Self, S> {
         let (centre, normal) = (Point::from(centre), Direction::from_vector(normal.into()));
-        round::is_round(centre, normal, radius_squared).then_some(Self {
+        round::is_round(centre, normal, radius_squared).when(Self {
             centre,
             normal,
             radius_squared,
@@ -98,14 +105,14 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// is not finite.
     #[inline]
     #[must_use]
-    pub fn tangent(point: Point<S>, normal: [S; 3]) -> Option<Self> {
+    pub fn tangent(point: Point<S>, normal: [S; 3]) -> Maybe<Self, S> {
         Self::from_centre_normal_radius_squared(point, normal, S::zero())
     }
 
     /// The normal of the circle's plane, of length 1; `None` for a circle of weight zero.
     #[inline]
     #[must_use]
-    pub fn unit_normal(self) -> Option<[S; 3]> {
+    pub fn unit_normal(self) -> Maybe<[S; 3], S> {
         round::unit_axis(self.normal.vector()).map(Vector::coordinates)
     }
 
@@ -113,23 +120,23 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// and where a number is not finite.
     #[inline(always)]
     #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
-        self.is_round().then_some(self.centre)
+    pub fn centre(self) -> Maybe<Point<S>, S> {
+        self.is_round().when(self.centre)
     }
 
     /// The squared radius, negative for an imaginary circle; `None` where there is no
     /// [centre](Self::centre).
     #[inline(always)]
     #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
-        self.is_round().then_some(self.radius_squared)
+    pub fn radius_squared(self) -> Maybe<S, S> {
+        self.is_round().when(self.radius_squared)
     }
 
     /// The radius; `None` where there is no [centre](Self::centre), and for an imaginary circle.
     #[inline(always)]
     #[must_use]
-    pub fn radius(self) -> Option<S> {
-        round::radius(self.radius_squared()?)
+    pub fn radius(self) -> Maybe<S, S> {
+        self.radius_squared().and_then(round::radius)
     }
 
     /// The line through the centre along the normal of the circle's plane; `None` where there is no
@@ -143,26 +150,25 @@ impl<S: Real<Mask = bool>> Circle<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn axis(self) -> Option<Line<S>> {
-        let normal = self.unit_normal()?;
-        Some(Line::from_point_direction(self.centre()?, normal))
+    pub fn axis(self) -> Maybe<Line<S>, S> {
+        let normal = self.unit_normal();
+        normal
+            .zip(self.centre())
+            .map(|(normal, centre)| Line::from_point_direction(centre, normal))
     }
 
     /// The smallest sphere that contains the circle, with the same centre and the same squared
     /// radius. `None` where there is no [centre](Self::centre).
     #[inline]
     #[must_use]
-    pub fn container(self) -> Option<Sphere<S>> {
-        let centre = self.centre()?;
-        Some(Sphere::from_centre_radius_squared(
-            centre,
-            self.radius_squared,
-        ))
+    pub fn container(self) -> Maybe<Sphere<S>, S> {
+        let centre = self.centre();
+        centre.map(|centre| Sphere::from_centre_radius_squared(centre, self.radius_squared))
     }
 
     /// Whether the circle has a weight, and all numbers are finite.
     #[inline(always)]
-    fn is_round(self) -> bool {
+    fn is_round(self) -> S::Mask {
         round::is_round(self.centre, self.normal, self.radius_squared)
     }
 }

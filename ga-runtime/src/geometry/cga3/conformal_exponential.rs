@@ -9,6 +9,7 @@
 //! is never positive: one of the two parts is always a rotation, which may be by zero.
 
 use super::number_pair::{cosh_and_sinh_ratio, cosh_factors, nested_series, sinh_ratio_factors};
+use crate::Element;
 use crate::cga3::{Bivector, Even, EvenVersor, Quadvector, Similarity, SimilarityGenerator};
 use crate::scalar::{Real, Ring};
 
@@ -130,8 +131,8 @@ fn assemble<S: Ring>(scalar: S, b: Bivector<S>, q: Quadvector<S>) -> EvenVersor<
     )
 }
 
-pub(super) fn is_finite<S: Real<Mask = bool>>(element: Even<S>) -> bool {
-    coefficients(element).into_iter().all(S::is_finite)
+pub(super) fn is_finite<S: Real>(element: Even<S>) -> S::Mask {
+    Element::is_finite(element)
 }
 
 pub(super) fn coefficients<S>(e: Even<S>) -> [S; 16] {

@@ -1,7 +1,7 @@
 //! Directions: free vectors and free bivectors.
 
 use crate::cga3::{Direction, DualDirection};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Maybe, Optional, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Direction<S> {
@@ -114,7 +114,7 @@ impl<S: Real> Direction<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Direction<S> {
+impl<S: Real> Direction<S> {
     /// The direction of length 1 that points the same way; `None` where it is zero or not finite.
     ///
     /// ```
@@ -125,14 +125,14 @@ impl<S: Real<Mask = bool>> Direction<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn normalized(self) -> Option<Self> {
+    pub fn normalized(self) -> Maybe<Self, S> {
         Vector::from(self).normalized().map(Self::from)
     }
 
     /// The angle to another direction in radians, in [0, π]; `None` where one is zero or not
     /// finite. It is computed from sine and cosine, so that small angles are accurate to rounding.
     #[must_use]
-    pub fn angle(self, other: Self) -> Option<S> {
+    pub fn angle(self, other: Self) -> Maybe<S, S> {
         Vector::from(self).angle(other.into())
     }
 }

@@ -5,11 +5,11 @@ use core::ops::Mul;
 use super::conformal_exponential::{coefficients, is_finite};
 use super::conformal_logarithm::parts;
 use crate::cga3::{Even, EvenVersor, Point, RoundVector};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Mask, Maybe, Real, Ring};
 
 crate::__private::surface! { { renormalized EvenVersor } }
 
-impl<S: Real<Mask = bool>> EvenVersor<S> {
+impl<S: Real> EvenVersor<S> {
     /// The versor `N^(−½) X` nearest to a sum of even versors, with `N = X ~X`, a scalar and a
     /// 4-vector (the polar decomposition of Dorst and Valkenburg, 2011). A positive multiple of a
     /// versor gives that versor.
@@ -29,13 +29,11 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// );
     /// ```
     #[must_use]
-    pub fn normalize(sum: Even<S>) -> Option<Self> {
+    pub fn normalize(sum: Even<S>) -> Maybe<Self, S> {
         let largest = coefficients(sum)
             .into_iter()
             .fold(S::zero(), |most, x| most.max(x.abs()));
-        if !is_finite(sum) || !S::zero().less_than(largest) {
-            return None;
-        }
+        let has_size = is_finite(sum) & S::zero().less_than(largest);
         let sum = sum / largest;
         let norm = sum * sum.reverse();
         let (scalar, rest) = (norm.scalar, norm.extract_quadvector());
@@ -43,18 +41,16 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         let root_squared = scalar * scalar - square;
         let root = root_squared.max(S::zero()).sqrt();
         // scalar + root, computed without cancellation for a negative scalar.
-        let divisor = if scalar.less_than(S::zero()) {
-            -square / (root - scalar)
-        } else {
-            scalar + root
-        };
+        let mut divisor = scalar + root;
+        let is_negative = scalar.less_than(S::zero());
+        if is_negative.any() {
+            divisor = S::select(is_negative, -square / (root - scalar), divisor);
+        }
         let size = coefficients(sum)
             .into_iter()
             .fold(S::zero(), |total, x| total + x * x);
         let least = S::epsilon() * size;
-        if !least.less_than(root) || !least.less_than(divisor) {
-            return None;
-        }
+        let is_invertible = least.less_than(root) & least.less_than(divisor);
         // N^(−½) = (scalar + root − rest)/(root √(2 (scalar + root)))
         let factor = (root * (divisor + divisor).sqrt()).recip();
         let inverse_root = Even {
@@ -62,9 +58,17 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
             ..Even::from(rest * -factor)
         };
         let versor = from_even(inverse_root * sum);
-        is_finite(versor.into()).then_some(versor)
+        (has_size & is_invertible & is_finite(versor.into())).when(versor)
     }
 
+    /// The image of a point; `None` where it is at infinity, or beyond the range of the scalar.
+    #[must_use]
+    pub fn transform_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
+        image_point(self.transform(point))
+    }
+}
+
+impl<S: Real<Mask = bool>> EvenVersor<S> {
     /// The versor R with `R R = V` and half the logarithm. It is `1 + V`, normalised, where that is
     /// well away from zero. `None` only where V is not finite, or so large that the root cannot be
     /// computed.
@@ -110,19 +114,13 @@ impl<S: Real<Mask = bool>> EvenVersor<S> {
         };
         Some(self * between.powf(t)?)
     }
-
-    /// The image of a point; `None` where it is at infinity, or beyond the range of the scalar.
-    #[must_use]
-    pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
-        image_point(self.transform(point))
-    }
 }
 
 /// The point that a null vector represents.
-pub(super) fn image_point<S: Real<Mask = bool>>(image: RoundVector<S>) -> Option<Point<S>> {
+pub(super) fn image_point<S: Real>(image: RoundVector<S>) -> Maybe<Point<S>, S> {
     let [x, y, z] = [image.e1, image.e2, image.e3].map(|x| x / image.eo);
-    let is_place = x.is_finite() && y.is_finite() && z.is_finite();
-    is_place.then(|| Point::new(x, y, z))
+    let is_place = x.is_finite() & y.is_finite() & z.is_finite();
+    is_place.when(Point::new(x, y, z))
 }
 
 pub(super) fn from_even<S: Ring>(e: Even<S>) -> EvenVersor<S> {

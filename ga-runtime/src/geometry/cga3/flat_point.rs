@@ -2,7 +2,7 @@
 
 use crate::cga3::{FlatPoint, Infinity, Point};
 use crate::geometry::number::are_numbers;
-use crate::scalar::{Field, Ring};
+use crate::scalar::{Mask, Maybe, Real, Ring};
 
 impl<S: Ring> From<Point<S>> for FlatPoint<S> {
     /// The flat point `p∧ei`.
@@ -12,7 +12,7 @@ impl<S: Ring> From<Point<S>> for FlatPoint<S> {
     }
 }
 
-impl<S: Field> FlatPoint<S> {
+impl<S: Real> FlatPoint<S> {
     /// The point of `p∧ei`; `None` for a direction, whose weight eoi is zero, or beyond the range
     /// of the scalar.
     ///
@@ -23,10 +23,8 @@ impl<S: Field> FlatPoint<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn to_point(self) -> Option<Point<S>> {
-        let is_finite = self.eoi.is_invertible();
-        let weight = if is_finite { self.eoi } else { S::one() };
-        let place = [self.e1i, self.e2i, self.e3i].map(|x| x / weight);
-        (is_finite & are_numbers(place)).then(|| Point::from(place))
+    pub fn to_point(self) -> Maybe<Point<S>, S> {
+        let place = [self.e1i, self.e2i, self.e3i].map(|x| x / self.eoi);
+        (!self.eoi.equals(S::zero()) & are_numbers(place)).when(Point::from(place))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::cga3::{Direction, Line, Point};
 use crate::geometry::number::{are_numbers, is_moderate, is_regular};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Mask, Maybe, Optional, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Line<S> {
@@ -56,7 +56,7 @@ impl<S: Ring> Line<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Line<S> {
+impl<S: Real> Line<S> {
     /// The line with a direction d and the moment `p × d` of its points p: its Plücker coordinates.
     /// A component of the moment along d, which is zero for every line, is removed. `None` where d
     /// is zero, or a number is not finite.
@@ -67,17 +67,18 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// assert_eq!(line, Line::from_point_direction(Point::new(1.0, 1.0, 0.0), [0.0, 0.0, 2.0]));
     /// ```
     #[must_use]
-    pub fn from_direction_moment(direction: [S; 3], moment: [S; 3]) -> Option<Self> {
-        let unit = Vector::from(direction).normalized()?;
-        let [m1, m2, m3] = Vector::from(moment).across(unit).coordinates();
-        let [d1, d2, d3] = direction;
-        are_numbers([m1, m2, m3]).then(|| Self::new(m3, -m2, m1, -d1, -d2, -d3))
+    pub fn from_direction_moment(direction: [S; 3], moment: [S; 3]) -> Maybe<Self, S> {
+        let direction = Vector::from(direction);
+        direction.normalized().and_then(|unit| {
+            let moment = Vector::from(moment).across(unit);
+            are_numbers(moment.into()).when(Self::from_vectors(direction, moment))
+        })
     }
 
     /// The direction with length 1; `None` for a line of weight zero.
     #[inline]
     #[must_use]
-    pub fn unit_direction(self) -> Option<[S; 3]> {
+    pub fn unit_direction(self) -> Maybe<[S; 3], S> {
         Vector::from(self.direction())
             .normalized()
             .map(Vector::coordinates)
@@ -86,17 +87,17 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// The point of the line nearest to the origin, `d × m / d²`; `None` for a line of weight zero.
     #[inline]
     #[must_use]
-    pub fn support(self) -> Option<Point<S>> {
+    pub fn support(self) -> Maybe<Point<S>, S> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
         let inverse = square.recip();
         let place = direction.cross(moment) * inverse;
         // The sum of the coordinates is a number only if each of them is.
-        if is_moderate(square + inverse + (place.e1 + place.e2 + place.e3).abs()) {
-            return Some(place.into());
-        }
-        let [place, _] = parts_of_any(direction.into(), moment.into())?;
-        Some(place.into())
+        let sum = place.e1 + place.e2 + place.e3;
+        is_moderate(square + inverse + sum.abs())
+            .when(place.into())
+            .or_else(|| parts_of_any(direction.into(), moment.into()).map(|[place, _]| place))
+            .map(Point::from)
     }
 
     /// The foot of the perpendicular from a point; `None` for a line of weight zero.
@@ -109,53 +110,50 @@ impl<S: Real<Mask = bool>> Line<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn foot(self, point: Point<S>) -> Option<Point<S>> {
+    pub fn foot(self, point: Point<S>) -> Maybe<Point<S>, S> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
         let inverse = square.recip();
         let along = direction * direction.dot(point.into());
         let place = (along + direction.cross(moment)) * inverse;
         // The sum of the coordinates is a number only if each of them is.
-        if is_moderate(square + inverse + (place.e1 + place.e2 + place.e3).abs()) {
-            return Some(place.into());
-        }
-        foot_of_any(direction.into(), moment.into(), point.coordinates()).map(Point::from)
+        let sum = place.e1 + place.e2 + place.e3;
+        is_moderate(square + inverse + sum.abs())
+            .when(place.into())
+            .or_else(|| foot_of_any(direction.into(), moment.into(), point.coordinates()))
+            .map(Point::from)
     }
 
     /// The distance to a point; `None` for a line of weight zero, or beyond the range of the
     /// scalar. For other primitives: [`distance_to`](Self::distance_to).
     #[inline]
     #[must_use]
-    pub fn distance(self, point: Point<S>) -> Option<S> {
+    pub fn distance(self, point: Point<S>) -> Maybe<S, S> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
         let arm = Vector::from(point).cross(direction) - moment;
         let reach = arm.length_squared();
-        if is_regular(square) && is_regular(reach) {
-            let quotient = reach / square;
-            return Some(if is_regular(quotient) {
-                quotient.sqrt()
-            } else {
-                quotient_of_roots(reach, square)
-            });
-        }
-        distance_of_any(direction.into(), moment.into(), point.coordinates())
+        let quotient = reach / square;
+        let are_regular = is_regular(square) & is_regular(reach);
+        (are_regular & is_regular(quotient))
+            .when(quotient.sqrt())
+            .or_else(|| are_regular.when(quotient_of_roots(reach, square)))
+            .or_else(|| distance_of_any(direction.into(), moment.into(), point.coordinates()))
     }
 
     /// The point nearest to the origin and the unit direction; `None` for a line of weight zero, or
     /// beyond the range of the scalar.
     #[inline]
-    pub(super) fn parts(self) -> Option<(Vector<S>, Vector<S>)> {
+    pub(super) fn parts(self) -> Maybe<(Vector<S>, Vector<S>), S> {
         let (direction, moment) = self.vectors();
         let square = direction.length_squared();
-        if is_regular(square) {
-            let place = direction.cross(moment).divided(square);
-            if are_numbers(place.coordinates()) {
-                return Some((place, direction.divided(square.sqrt())));
-            }
-        }
-        let [place, direction] = parts_of_any(direction.into(), moment.into())?;
-        Some((place.into(), direction.into()))
+        let place = direction.cross(moment).divided(square);
+        (is_regular(square) & are_numbers(place.coordinates()))
+            .when((place, direction.divided(square.sqrt())))
+            .or_else(|| {
+                let parts = parts_of_any(direction.into(), moment.into());
+                parts.map(|[place, direction]| (place.into(), direction.into()))
+            })
     }
 }
 
@@ -175,14 +173,15 @@ impl<S: Ring> Line<S> {
 }
 
 /// The point nearest to the origin and the unit direction of a line of any weight.
-fn unit_parts<S: Real<Mask = bool>>(
+fn unit_parts<S: Real>(
     direction: Vector<S>,
     moment: Vector<S>,
-) -> Option<(Vector<S>, Vector<S>)> {
+) -> Maybe<(Vector<S>, Vector<S>), S> {
     let weight = direction.length();
-    let unit = direction.normalized()?;
-    let place = unit.cross(moment.divided(weight));
-    (weight.is_finite() && place.is_finite()).then_some((place, unit))
+    direction.normalized().and_then(|unit| {
+        let place = unit.cross(moment.divided(weight));
+        (weight.is_finite() & place.is_finite()).when((place, unit))
+    })
 }
 
 // Outlined code takes and returns arrays made for it, so that the numbers of its callers stay in
@@ -190,34 +189,27 @@ fn unit_parts<S: Real<Mask = bool>>(
 
 #[cold]
 #[inline(never)]
-fn parts_of_any<S: Real<Mask = bool>>(direction: [S; 3], moment: [S; 3]) -> Option<[[S; 3]; 2]> {
-    let (place, direction) = unit_parts(direction.into(), moment.into())?;
-    Some([place.into(), direction.into()])
+fn parts_of_any<S: Real>(direction: [S; 3], moment: [S; 3]) -> Maybe<[[S; 3]; 2], S> {
+    let parts = unit_parts(direction.into(), moment.into());
+    parts.map(|(place, direction)| [place.into(), direction.into()])
 }
 
 #[cold]
 #[inline(never)]
-fn foot_of_any<S: Real<Mask = bool>>(
-    direction: [S; 3],
-    moment: [S; 3],
-    point: [S; 3],
-) -> Option<[S; 3]> {
-    let (support, direction) = unit_parts(direction.into(), moment.into())?;
-    let along = (Vector::from(point) - support).dot(direction);
-    let place = support + direction * along;
-    place.is_finite().then(|| place.into())
+fn foot_of_any<S: Real>(direction: [S; 3], moment: [S; 3], point: [S; 3]) -> Maybe<[S; 3], S> {
+    let place = unit_parts(direction.into(), moment.into()).map(|(support, direction)| {
+        let along = (Vector::from(point) - support).dot(direction);
+        support + direction * along
+    });
+    place.filter(|place| place.is_finite()).map(Vector::into)
 }
 
 #[cold]
 #[inline(never)]
-fn distance_of_any<S: Real<Mask = bool>>(
-    direction: [S; 3],
-    moment: [S; 3],
-    point: [S; 3],
-) -> Option<S> {
-    let foot = Vector::from(foot_of_any(direction, moment, point)?);
-    let distance = foot.distance(point.into());
-    distance.is_finite().then_some(distance)
+fn distance_of_any<S: Real>(direction: [S; 3], moment: [S; 3], point: [S; 3]) -> Maybe<S, S> {
+    foot_of_any(direction, moment, point)
+        .map(|foot| Vector::from(foot).distance(point.into()))
+        .filter(|distance| distance.is_finite())
 }
 
 /// `√a/√b`, for numbers whose quotient is too large or too small.

@@ -2,7 +2,7 @@
 
 use crate::cga3::{DualQuaternion, Motor, Point, Rotor, Translator};
 use crate::geometry::number::{are_numbers, is_moderate};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Mask, Maybe, Optional, Real};
 
 impl<S: Real<Mask = bool>> Motor<S> {
     /// The rotation by a rotor about a point instead of the origin, `T(p) R T(−p)`.
@@ -71,7 +71,7 @@ impl<S: Field> Motor<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> DualQuaternion<S> {
+impl<S: Real> DualQuaternion<S> {
     /// The motor nearest to a sum of motors; see [`Motor::normalize`].
     ///
     /// ```
@@ -85,17 +85,13 @@ impl<S: Real<Mask = bool>> DualQuaternion<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn normalize(self) -> Option<Motor<S>> {
+    pub fn normalize(self) -> Maybe<Motor<S>, S> {
         let (motor, size) = self.divided_by_norm();
-        if is_moderate(size) {
-            Some(motor)
-        } else {
-            Motor::normalize(self)
-        }
+        is_moderate(size)
+            .when(motor)
+            .or_else(|| Motor::normalize(self))
     }
-}
 
-impl<S: Real> DualQuaternion<S> {
     /// The motor nearest to a sum of motors, without a check, and a number that is moderate only
     /// where every intermediate result is in the range of the scalar.
     #[inline(always)]

@@ -9,11 +9,11 @@ use super::even_versor::{from_even, image_point};
 use crate::cga3::{
     DualPlane, DualSphere, Even, EvenVersor, Multivector, Odd, OddVersor, Point, RoundVector,
 };
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Mask, Maybe, Optional, Real, Ring};
 
 crate::__private::surface! { { renormalized OddVersor } }
 
-impl<S: Real<Mask = bool>> OddVersor<S> {
+impl<S: Real> OddVersor<S> {
     /// The reflection in a plane, `n + d ei` with a normal of length 1. `None` where the normal is
     /// zero or not finite, or the distance is not.
     ///
@@ -24,7 +24,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// assert_eq!(image, Point::new(5.0, 6.0, -5.0));
     /// ```
     #[must_use]
-    pub fn reflection(plane: DualPlane<S>) -> Option<Self> {
+    pub fn reflection(plane: DualPlane<S>) -> Maybe<Self, S> {
         Self::from_vector(plane.into())
     }
 
@@ -43,7 +43,7 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// assert_eq!(inversion.transform_point(Point::new(1.0, 0.0, 0.0)), None);
     /// ```
     #[must_use]
-    pub fn inversion(sphere: DualSphere<S>) -> Option<Self> {
+    pub fn inversion(sphere: DualSphere<S>) -> Maybe<Self, S> {
         Self::from_vector(sphere.into())
     }
 
@@ -58,42 +58,40 @@ impl<S: Real<Mask = bool>> OddVersor<S> {
     /// assert_eq!(versor, OddVersor::reflection(mirror));
     /// ```
     #[must_use]
-    pub fn from_vector(vector: RoundVector<S>) -> Option<Self> {
+    pub fn from_vector(vector: RoundVector<S>) -> Maybe<Self, S> {
         let coefficients = [vector.e1, vector.e2, vector.e3, vector.eo, vector.ei];
         let largest = coefficients
             .into_iter()
             .fold(S::zero(), |most, x| most.max(x.abs()));
-        if !S::zero().less_than(largest) || !coefficients.into_iter().all(S::is_finite) {
-            return None;
-        }
+        let has_size = S::zero().less_than(largest) & vector.is_finite();
         // Each coefficient is divided separately, since the reciprocal of the smallest numbers is
         // out of range.
         let [e1, e2, e3, eo, ei] = coefficients.map(|x| x / largest);
         let vector = RoundVector::new(e1, e2, e3, eo, ei);
         let square = vector.scalar_product(vector);
         let unit = vector * square.sqrt().recip();
-        let is_real = S::zero().less_than(square) && unit.ei.is_finite() && unit.eo.is_finite();
-        is_real.then(|| from_odd(unit.into()))
+        let is_real = S::zero().less_than(square) & unit.ei.is_finite() & unit.eo.is_finite();
+        (has_size & is_real).when(from_odd(unit.into()))
     }
 
     /// The versor nearest to a sum of odd versors; see [`EvenVersor::normalize`]. `None` where
     /// there is none.
     #[must_use]
-    pub fn normalize(sum: Odd<S>) -> Option<Self> {
+    pub fn normalize(sum: Odd<S>) -> Maybe<Self, S> {
         // V = E I has V ~V = −E ~E, so E is not a unit versor. The product with a reflection is
         // even.
         let mirror = Odd {
             e1: S::one(),
             ..Odd::default()
         };
-        let even = EvenVersor::normalize(even_part(sum) * even_part(mirror))?;
-        Some(even * from_odd(-mirror))
+        let even = EvenVersor::normalize(even_part(sum) * even_part(mirror));
+        even.map(|even| even * from_odd(-mirror))
     }
 
     /// The image of a point; `None` where it is at infinity, as that of the centre of an inversion,
     /// or beyond the range of the scalar.
     #[must_use]
-    pub fn transform_point(self, point: Point<S>) -> Option<Point<S>> {
+    pub fn transform_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         image_point(self.transform(point))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::cga3::{DualDirection, DualPlane, Plane, Point};
 use crate::geometry::number::{is_moderate, is_number, is_regular};
-use crate::scalar::{Field, Real, Ring};
+use crate::scalar::{Field, Mask, Maybe, Optional, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> DualPlane<S> {
@@ -66,11 +66,11 @@ impl<S: Field> Plane<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Plane<S> {
+impl<S: Real> Plane<S> {
     /// The normal with length 1; `None` for a plane of weight zero.
     #[inline]
     #[must_use]
-    pub fn unit_normal(self) -> Option<[S; 3]> {
+    pub fn unit_normal(self) -> Maybe<[S; 3], S> {
         Vector::from(self.normal())
             .normalized()
             .map(Vector::coordinates)
@@ -86,63 +86,60 @@ impl<S: Real<Mask = bool>> Plane<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn support(self) -> Option<Point<S>> {
+    pub fn support(self) -> Maybe<Point<S>, S> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
         let inverse = square.recip();
         let way = number * inverse;
-        if is_moderate(square + inverse + way.abs()) {
-            return Some((normal * way).into());
-        }
-        moved_of_any(normal.into(), number, [S::zero(); 3], S::one()).map(Point::from)
+        let is_accurate = is_moderate(square + inverse + way.abs());
+        let place = is_accurate.when((normal * way).into());
+        place
+            .or_else(|| moved_of_any(normal.into(), number, [S::zero(); 3], S::one()))
+            .map(Point::from)
     }
 
     /// The distance to a point, positive on the side of the normal; `None` for a plane of weight
     /// zero, or beyond the range of the scalar.
     #[inline]
     #[must_use]
-    pub fn signed_distance(self, point: Point<S>) -> Option<S> {
+    pub fn signed_distance(self, point: Point<S>) -> Maybe<S, S> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
-        if is_regular(square) {
-            let distance = (normal.dot(point.into()) - number) / square.sqrt();
-            if is_number(distance) {
-                return Some(distance);
-            }
-        }
-        signed_distance_of_any(normal.into(), number, point.coordinates())
+        let distance = (normal.dot(point.into()) - number) / square.sqrt();
+        (is_regular(square) & is_number(distance))
+            .when(distance)
+            .or_else(|| signed_distance_of_any(normal.into(), number, point.coordinates()))
     }
 
     /// The unit normal n and the distance d of the points x with `n·x = d`; `None` for a plane of
     /// weight zero, or beyond the range of the scalar.
     #[inline]
-    pub(super) fn parts(self) -> Option<(Vector<S>, S)> {
+    pub(super) fn parts(self) -> Maybe<(Vector<S>, S), S> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
-        if is_regular(square) {
-            let length = square.sqrt();
-            let distance = number / length;
-            if is_number(distance) {
-                return Some((normal.divided(length), distance));
-            }
-        }
-        let [x, y, z, distance] = parts_of_any(normal.into(), number)?;
-        Some((Vector::new(x, y, z), distance))
+        let length = square.sqrt();
+        let distance = number / length;
+        (is_regular(square) & is_number(distance))
+            .when((normal.divided(length), distance))
+            .or_else(|| {
+                let parts = parts_of_any(normal.into(), number);
+                parts.map(|[x, y, z, distance]| (Vector::new(x, y, z), distance))
+            })
     }
 
     /// A point moved along the normal by a factor times its height above the plane, towards the
     /// plane: the foot of the perpendicular for 1, the mirror image for 2.
     #[inline]
-    pub(super) fn moved_along_normal(self, point: Vector<S>, factor: S) -> Option<Vector<S>> {
+    pub(super) fn moved_along_normal(self, point: Vector<S>, factor: S) -> Maybe<Vector<S>, S> {
         let (normal, number) = self.vectors();
         let square = normal.length_squared();
         let inverse = square.recip();
         let way = (normal.dot(point) - number) * (factor * inverse);
         // A point without a number gives a way without one.
-        if is_moderate(square + inverse + way.abs()) {
-            return Some(point - normal * way);
-        }
-        moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from)
+        let is_accurate = is_moderate(square + inverse + way.abs());
+        is_accurate
+            .when(point - normal * way)
+            .or_else(|| moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from))
     }
 
     /// The normal n and the number d of the points x with `n·x = d`, both times the weight.
@@ -154,10 +151,10 @@ impl<S: Real<Mask = bool>> Plane<S> {
 }
 
 /// The unit normal and the distance of a plane of any weight.
-fn unit_parts<S: Real<Mask = bool>>(normal: Vector<S>, number: S) -> Option<(Vector<S>, S)> {
+fn unit_parts<S: Real>(normal: Vector<S>, number: S) -> Maybe<(Vector<S>, S), S> {
     let distance = number / normal.length();
-    let unit = normal.normalized()?;
-    distance.is_finite().then_some((unit, distance))
+    let unit = normal.normalized();
+    unit.zip(distance.is_finite().when(distance))
 }
 
 // Outlined code takes and returns arrays made for it, so that the numbers of its callers stay in
@@ -165,34 +162,26 @@ fn unit_parts<S: Real<Mask = bool>>(normal: Vector<S>, number: S) -> Option<(Vec
 
 #[cold]
 #[inline(never)]
-fn parts_of_any<S: Real<Mask = bool>>(normal: [S; 3], number: S) -> Option<[S; 4]> {
-    let (Vector { e1, e2, e3 }, distance) = unit_parts(normal.into(), number)?;
-    Some([e1, e2, e3, distance])
+fn parts_of_any<S: Real>(normal: [S; 3], number: S) -> Maybe<[S; 4], S> {
+    let parts = unit_parts(normal.into(), number);
+    parts.map(|(Vector { e1, e2, e3 }, distance)| [e1, e2, e3, distance])
 }
 
 #[cold]
 #[inline(never)]
-fn signed_distance_of_any<S: Real<Mask = bool>>(
-    normal: [S; 3],
-    number: S,
-    point: [S; 3],
-) -> Option<S> {
-    let (normal, distance) = unit_parts(normal.into(), number)?;
-    let distance = normal.dot(point.into()) - distance;
-    distance.is_finite().then_some(distance)
+fn signed_distance_of_any<S: Real>(normal: [S; 3], number: S, point: [S; 3]) -> Maybe<S, S> {
+    unit_parts(normal.into(), number)
+        .map(|(normal, distance)| normal.dot(point.into()) - distance)
+        .filter(|distance| distance.is_finite())
 }
 
 #[cold]
 #[inline(never)]
-fn moved_of_any<S: Real<Mask = bool>>(
-    normal: [S; 3],
-    number: S,
-    point: [S; 3],
-    factor: S,
-) -> Option<[S; 3]> {
-    let (normal, distance) = unit_parts(normal.into(), number)?;
+fn moved_of_any<S: Real>(normal: [S; 3], number: S, point: [S; 3], factor: S) -> Maybe<[S; 3], S> {
     let point = Vector::from(point);
-    let height = normal.dot(point) - distance;
-    let place = point - normal * (height * factor);
-    place.is_finite().then(|| place.into())
+    let place = unit_parts(normal.into(), number).map(|(normal, distance)| {
+        let height = normal.dot(point) - distance;
+        point - normal * (height * factor)
+    });
+    place.filter(|place| place.is_finite()).map(Vector::into)
 }

@@ -3,7 +3,7 @@
 use super::round;
 use crate::cga3::{Direction, Infinity, Line, Point, PointPair, Sphere};
 use crate::geometry::number::are_numbers;
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 impl<S: Field> PointPair<S> {
@@ -47,7 +47,7 @@ impl<S: Field> PointPair<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> PointPair<S> {
+impl<S: Real> PointPair<S> {
     /// The two points at a distance r from a centre, in the direction of an axis and opposite to
     /// it: `(c + eo + ½(c² + r²) ei) ∧ (d + (c·d) ei)` with the unit vector d. The argument is r²,
     /// which may be zero, for a [tangent](Self::tangent), or negative, for an imaginary pair. The
@@ -72,16 +72,15 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         centre: Point<S>,
         axis: [S; 3],
         radius_squared: S,
-    ) -> Option<Self> {
-        let axis = round::unit_axis(axis)?;
-        Self::around(centre.into(), axis, radius_squared)
+    ) -> Maybe<Self, S> {
+        round::unit_axis(axis).and_then(|axis| Self::around(centre.into(), axis, radius_squared))
     }
 
     /// The same with an axis of length 1.
     #[inline]
-    pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Option<Self> {
+    pub(super) fn around(centre: Vector<S>, axis: Vector<S>, radius_squared: S) -> Maybe<Self, S> {
         let (centre, direction) = (Point::from(centre), Direction::from_vector(axis.into()));
-        round::is_round(centre, direction, radius_squared).then_some(Self {
+        round::is_round(centre, direction, radius_squared).when(Self {
             centre,
             direction,
             radius_squared,
@@ -102,7 +101,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn tangent(point: Point<S>, direction: [S; 3]) -> Option<Self> {
+    pub fn tangent(point: Point<S>, direction: [S; 3]) -> Maybe<Self, S> {
         Self::from_centre_axis_radius_squared(point, direction, S::zero())
     }
 
@@ -110,7 +109,7 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// zero.
     #[inline]
     #[must_use]
-    pub fn unit_direction(self) -> Option<[S; 3]> {
+    pub fn unit_direction(self) -> Maybe<[S; 3], S> {
         round::unit_axis(self.direction.vector()).map(Vector::coordinates)
     }
 
@@ -118,24 +117,24 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// finite.
     #[inline(always)]
     #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
-        self.is_round().then_some(self.centre)
+    pub fn centre(self) -> Maybe<Point<S>, S> {
+        self.is_round().when(self.centre)
     }
 
     /// The square of half the distance between the points, `P²/(ei⌋P)²`: zero for a tangent,
     /// negative for an imaginary pair; `None` where there is no [centre](Self::centre).
     #[inline(always)]
     #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
-        self.is_round().then_some(self.radius_squared)
+    pub fn radius_squared(self) -> Maybe<S, S> {
+        self.is_round().when(self.radius_squared)
     }
 
     /// Half the distance between the points; `None` for an imaginary pair and for one of weight
     /// zero.
     #[inline(always)]
     #[must_use]
-    pub fn radius(self) -> Option<S> {
-        round::radius(self.radius_squared()?)
+    pub fn radius(self) -> Maybe<S, S> {
+        self.radius_squared().and_then(round::radius)
     }
 
     /// The two points, in the order of `p∧q`: `k p∧q` gives `[p, q]` for a positive factor k and
@@ -161,17 +160,16 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// space.
     #[inline(always)]
     #[must_use]
-    pub fn endpoints(self) -> Option<[Point<S>; 2]> {
-        if self.radius_squared.less_than(S::zero()) {
-            return None;
-        }
-        let reach = round::of_length(self.direction, self.radius_squared)?;
-        let centre = Vector::from(self.centre);
-        let (first, second) = (centre - reach, centre + reach);
-        let is_finite = are_numbers([
-            first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
-        ]);
-        is_finite.then(|| [Point::from(first), Point::from(second)])
+    pub fn endpoints(self) -> Maybe<[Point<S>; 2], S> {
+        round::of_length(self.direction, self.radius_squared).and_then(|reach| {
+            let centre = Vector::from(self.centre);
+            let (first, second) = (centre - reach, centre + reach);
+            let is_finite = are_numbers([
+                first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
+            ]);
+            let is_real = !self.radius_squared.less_than(S::zero());
+            (is_real & is_finite).when([Point::from(first), Point::from(second)])
+        })
     }
 
     /// The smallest sphere that contains the pair, with the same centre and the same squared
@@ -179,17 +177,14 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     /// [centre](Self::centre).
     #[inline]
     #[must_use]
-    pub fn container(self) -> Option<Sphere<S>> {
-        let centre = self.centre()?;
-        Some(Sphere::from_centre_radius_squared(
-            centre,
-            self.radius_squared,
-        ))
+    pub fn container(self) -> Maybe<Sphere<S>, S> {
+        let centre = self.centre();
+        centre.map(|centre| Sphere::from_centre_radius_squared(centre, self.radius_squared))
     }
 
     /// Whether the pair has a weight, and all numbers are finite.
     #[inline(always)]
-    fn is_round(self) -> bool {
+    fn is_round(self) -> S::Mask {
         round::is_round(self.centre, self.direction, self.radius_squared)
     }
 }

@@ -6,10 +6,32 @@ use super::affine::{self, Affine};
 use crate::Element;
 use crate::cga3::{Even, EvenVersor, Motor, Point, Quaternion, Rotor, Similarity, Translator};
 use crate::geometry::number::are_numbers;
-use crate::scalar::Real;
+use crate::scalar::{Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 crate::__private::surface! { { renormalized Similarity } }
+
+impl<S: Real> Similarity<S> {
+    /// The similarity nearest to a sum of similarities, or to a similarity whose norm has drifted
+    /// in a long chain of products: `V (V ~V)^(−½)`, as for [`EvenVersor::normalize`]. Coefficients
+    /// of blades that similarities do not have are dropped. `None` where there is no such
+    /// similarity, as for zero, or where a coefficient is not finite.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Even, Rotor, Similarity};
+    /// let similarity =
+    ///     Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 4.0_f64).unwrap();
+    /// let again = Similarity::normalize(Even::from(similarity) * 1.5).unwrap();
+    /// assert!((again.factor() - 4.0).abs() < 1e-14);
+    /// ```
+    #[must_use]
+    pub fn normalize(sum: Even<S>) -> Maybe<Self, S> {
+        let part = |element: Even<S>| -> Self {
+            Self::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
+        };
+        EvenVersor::normalize(Even::from(part(sum))).map(|unit| part(unit.into()))
+    }
+}
 
 impl<S: Real<Mask = bool>> Similarity<S> {
     /// `T R D`: scaling about the origin, then the rotation, then the translation, so that
@@ -45,27 +67,6 @@ impl<S: Real<Mask = bool>> Similarity<S> {
         let size = quaternion_length(turn);
         let square = size * size;
         if is_growth { square } else { square.recip() }
-    }
-
-    /// The similarity nearest to a sum of similarities, or to a similarity whose norm has drifted
-    /// in a long chain of products: `V (V ~V)^(−½)`, as for [`EvenVersor::normalize`]. Coefficients
-    /// of blades that similarities do not have are dropped. `None` where there is no such
-    /// similarity, as for zero, or where a coefficient is not finite.
-    ///
-    /// ```
-    /// use ga_runtime::cga3::{Even, Rotor, Similarity};
-    /// let similarity =
-    ///     Similarity::from_parts([1.0, 2.0, 3.0], Rotor::default(), 4.0_f64).unwrap();
-    /// let again = Similarity::normalize(Even::from(similarity) * 1.5).unwrap();
-    /// assert!((again.factor() - 4.0).abs() < 1e-14);
-    /// ```
-    #[must_use]
-    pub fn normalize(sum: Even<S>) -> Option<Self> {
-        let part = |element: Even<S>| -> Self {
-            Self::from_coefficients_unchecked(&mut |blade| element.coefficient(blade))
-        };
-        let unit = EvenVersor::normalize(Even::from(part(sum)))?;
-        Some(part(unit.into()))
     }
 
     /// The motion `T R` of `T R D`, which is applied after the scaling about the origin.

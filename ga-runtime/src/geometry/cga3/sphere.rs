@@ -1,7 +1,7 @@
 //! Spheres.
 
 use crate::cga3::{DualSphere, Point, Sphere};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Maybe, Real};
 
 crate::ga! {
     crate::cga3;
@@ -43,11 +43,13 @@ impl<S: Field> Sphere<S> {
     pub fn from_centre_radius_squared(centre: Point<S>, radius_squared: S) -> Self {
         DualSphere::from_centre_radius_squared(centre, radius_squared).undual()
     }
+}
 
+impl<S: Real> Sphere<S> {
     /// The centre; `None` for a sphere of weight zero, and where a number is not finite.
     #[inline]
     #[must_use]
-    pub fn centre(self) -> Option<Point<S>> {
+    pub fn centre(self) -> Maybe<Point<S>, S> {
         self.dual().centre()
     }
 
@@ -55,16 +57,14 @@ impl<S: Field> Sphere<S> {
     /// [centre](Self::centre).
     #[inline]
     #[must_use]
-    pub fn radius_squared(self) -> Option<S> {
+    pub fn radius_squared(self) -> Maybe<S, S> {
         self.dual().radius_squared()
     }
-}
 
-impl<S: Real<Mask = bool>> Sphere<S> {
     /// The radius; `None` where there is no [centre](Self::centre), and for an imaginary sphere.
     #[inline]
     #[must_use]
-    pub fn radius(self) -> Option<S> {
+    pub fn radius(self) -> Maybe<S, S> {
         self.dual().radius()
     }
 }

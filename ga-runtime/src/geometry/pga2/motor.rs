@@ -3,7 +3,7 @@
 use crate::geometry::number::are_numbers;
 use crate::geometry::vector2::{difference, dot, scaled};
 use crate::pga2::{Motor, MotorSum, Point, Rotor, Translator};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Maybe, Real};
 
 impl<S: Field> Translator<S> {
     /// The translation by t: `T = 1 + ½ t e0 = 1 + ½ (t2 e20 − t1 e01)`.
@@ -163,11 +163,11 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> MotorSum<S> {
+impl<S: Real> MotorSum<S> {
     /// The motor nearest to a sum of motors; see [`Motor::normalize`].
     #[inline]
     #[must_use]
-    pub fn normalize(self) -> Option<Motor<S>> {
+    pub fn normalize(self) -> Maybe<Motor<S>, S> {
         Motor::normalize(self)
     }
 }

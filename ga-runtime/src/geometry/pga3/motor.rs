@@ -3,7 +3,7 @@
 use crate::cga3;
 use crate::geometry::number::are_numbers;
 use crate::pga3::{Line, Motor, MotorSum, Point, Rotor, Translator};
-use crate::scalar::{Field, Real};
+use crate::scalar::{Field, Maybe, Real};
 use crate::vga3::Vector;
 
 impl<S: Real<Mask = bool>> Rotor<S> {
@@ -132,11 +132,11 @@ impl<S: Real<Mask = bool>> Motor<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> MotorSum<S> {
+impl<S: Real> MotorSum<S> {
     /// The motor nearest to a sum of motors; see [`Motor::normalize`].
     #[inline]
     #[must_use]
-    pub fn normalize(self) -> Option<Motor<S>> {
+    pub fn normalize(self) -> Maybe<Motor<S>, S> {
         Motor::normalize(self)
     }
 }

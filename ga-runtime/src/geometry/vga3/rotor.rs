@@ -1,7 +1,7 @@
 //! Rotors of vga3, which are those of cga3, and quaternions.
 
 use crate::cga3;
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Maybe, Real, Ring};
 use crate::vga3::{Bivector, Quaternion, Rotor, Vector};
 
 impl<S: Real<Mask = bool>> Rotor<S> {
@@ -105,11 +105,11 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Quaternion<S> {
+impl<S: Real> Quaternion<S> {
     /// The rotor nearest to a sum of rotors; see [`Rotor::normalize`].
     #[inline]
     #[must_use]
-    pub fn normalize(self) -> Option<Rotor<S>> {
+    pub fn normalize(self) -> Maybe<Rotor<S>, S> {
         Rotor::normalize(self)
     }
 }

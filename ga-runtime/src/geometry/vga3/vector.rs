@@ -2,7 +2,7 @@
 
 use crate::cga3;
 use crate::geometry::number::is_regular;
-use crate::scalar::{Mask, Real, Ring};
+use crate::scalar::{Mask, Maybe, Optional, Real, Ring};
 use crate::vga3::Vector;
 
 impl<S: Ring> Vector<S> {
@@ -102,14 +102,14 @@ impl<S: Real> Vector<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Vector<S> {
+impl<S: Real> Vector<S> {
     /// The angle to another vector, in [0, π]; `None` where one is zero or not finite.
     ///
     /// It is computed from sine and cosine, so that small angles are accurate to rounding.
     #[must_use]
-    pub fn angle(self, other: Self) -> Option<S> {
-        let (a, b) = (self.normalized()?, other.normalized()?);
-        Some(a.cross(b).length().atan2(a.dot(b)))
+    pub fn angle(self, other: Self) -> Maybe<S, S> {
+        let both = self.normalized().zip(other.normalized());
+        both.map(|(a, b)| a.cross(b).length().atan2(a.dot(b)))
     }
 
     /// The component along another vector, the projection `(a·b) b⁻¹`; `None` where b is zero or a
@@ -122,18 +122,17 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// assert_eq!(a.reject(b), Some(Vector::new(3.0, 0.0, 5.0)));
     /// ```
     #[must_use]
-    pub fn project(self, other: Self) -> Option<Self> {
-        let direction = other.normalized()?;
-        let part = direction * self.dot(direction);
-        part.is_finite().then_some(part)
+    pub fn project(self, other: Self) -> Maybe<Self, S> {
+        let part = other.normalized().map(|unit| unit * self.dot(unit));
+        part.filter(|part| part.is_finite())
     }
 
     /// The component perpendicular to another vector, the rejection `(a∧b) b⁻¹`; `None` where b is
     /// zero or a number is not finite.
     #[must_use]
-    pub fn reject(self, other: Self) -> Option<Self> {
-        let part = self - self.project(other)?;
-        part.is_finite().then_some(part)
+    pub fn reject(self, other: Self) -> Maybe<Self, S> {
+        let part = self.project(other).map(|along| self - along);
+        part.filter(|part| part.is_finite())
     }
 
     /// The mirror image in the plane perpendicular to a normal n, `−n a n⁻¹`; `None` where n is
@@ -145,10 +144,9 @@ impl<S: Real<Mask = bool>> Vector<S> {
     /// assert_eq!(image, Some(Vector::new(1.0, 2.0, -3.0)));
     /// ```
     #[must_use]
-    pub fn reflect(self, normal: Self) -> Option<Self> {
-        let along = self.project(normal)?;
-        let image = self - along - along;
-        image.is_finite().then_some(image)
+    pub fn reflect(self, normal: Self) -> Maybe<Self, S> {
+        let image = self.project(normal).map(|along| self - along - along);
+        image.filter(|image| image.is_finite())
     }
 }
 

@@ -1,11 +1,20 @@
 //! Elementary functions of dual numbers.
 
 use super::Dual;
-use crate::scalar::{Real, half_angle};
+use crate::scalar::{Real, Ring, Select, half_angle};
 
-impl<S: Real, const N: usize> Real for Dual<S, N> {
+impl<S: Select + Ring, const N: usize> Select for Dual<S, N> {
     type Mask = S::Mask;
 
+    #[inline(always)]
+    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+        Self::with(S::select(mask, if_true.value, if_false.value), |k| {
+            S::select(mask, if_true.derivatives[k], if_false.derivatives[k])
+        })
+    }
+}
+
+impl<S: Real, const N: usize> Real for Dual<S, N> {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self::constant(S::from_f64(value))
@@ -131,12 +140,6 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         self.derivatives
             .iter()
             .fold(self.value.is_zero(), |all, rate| all & rate.is_zero())
-    }
-    #[inline(always)]
-    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
-        Self::with(S::select(mask, if_true.value, if_false.value), |k| {
-            S::select(mask, if_true.derivatives[k], if_false.derivatives[k])
-        })
     }
 }
 
