@@ -2,7 +2,7 @@
 
 use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Point;
-use ga_runtime::scalar::Real;
+use ga_runtime::scalar::{Real, Select};
 use ga_runtime::vga3::Vector;
 
 use super::frame::Frame;
@@ -216,7 +216,7 @@ fn screened(point: Vector<f32>, a: Vector<f32>, b: Vector<f32>, c: Vector<f32>) 
     let height = ap.dot(normal);
     // The foot of the perpendicular lies inside where the least area is positive.
     let is_inside = 0.0 < Real::min(Real::min(v, w), whole - v - w);
-    let square = Real::select(is_inside, height * height / whole, to_edges);
+    let square = f32::select(is_inside, height * height / whole, to_edges);
     // The height has an error of 2⁻¹⁶ of the distance from the corner, as the normal has; twice as
     // much is allowed for.
     square - (ap.dot(ap) + ab_square + ac_square) * (1.0 / (1 << 14) as f32)

@@ -111,7 +111,7 @@ impl Limit {
     pub fn normals(&self, positions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, StencilLength> {
         let [first, second] = &self.tangents;
         let (first, second) = (first.applied(positions)?, second.applied(positions)?);
-        let normal = |(first, second)| {
+        let normal = |(first, second): ([f64; 3], [f64; 3])| {
             let normal = Vector::from(first).cross(Vector::from(second));
             normal.normalized().unwrap_or_default().coordinates()
         };
