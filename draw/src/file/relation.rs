@@ -57,7 +57,8 @@ fn curves_meet(a: Multivector<f64>, b: Multivector<f64>) -> Option<Option<Multiv
     let round =
         |c: Trivector<f64>| Circle::from_coefficients_unchecked(&mut |blade| c.coefficient(blade));
     let point = |p: Point<f64>| Some(Multivector::from(p));
-    let tangent = |p: Point<f64>, direction| PointPair::tangent(p, direction).map(Multivector::from);
+    let tangent =
+        |p: Point<f64>, direction| PointPair::tangent(p, direction).map(Multivector::from);
     Some(match (line(a), line(b)) {
         (Some(l), Some(m)) => match l.meet(m, tolerance)? {
             LineAndLine::Point(p) => Some(Multivector::from(p ^ Infinity)),

@@ -55,7 +55,7 @@ use crate::vga3::Vector;
 
 /// A primitive with extent, between which angles are defined: a line, a plane, a circle or a
 /// sphere.
-pub trait Extended<S>: Primitive<S> {
+pub trait Extended<S: Real>: Primitive<S> {
     /// The angle between the primitive and a circle: one number, or the [`CircleAngles`] of two
     /// circles.
     type ToCircle;

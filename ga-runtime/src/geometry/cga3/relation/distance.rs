@@ -57,12 +57,12 @@
 //! ```
 
 use super::least::{circle_to_circle, line_to_circle};
-use super::{Figure, Primitive, hypotenuse, parallel};
+use super::{Figure, FromPoint, Primitive, hypotenuse, parallel};
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
-use crate::scalar::Real;
+use crate::scalar::{Maybe, Real};
 use crate::vga3::Vector;
 
 macro_rules! distances {
@@ -92,8 +92,27 @@ macro_rules! distances {
 }
 
 distances! {
-    Point FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
+    FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
     DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
+}
+
+impl<S: Real> Point<S> {
+    /// The least distance to the other primitive, in the units of the coordinates, zero where they
+    /// meet; see [`distance`](crate::geometry::relation::distance) for all pairs. `None` where
+    /// either is not a figure or the distance is beyond the range of the scalar.
+    #[inline]
+    #[must_use]
+    pub fn distance_to<T: FromPoint<S>>(self, other: T) -> Maybe<S, S> {
+        other.distance_from_point(self.into())
+    }
+
+    /// The distance with a sign where the other has sides: positive on the side of a plane's
+    /// normal, negative inside a sphere. `None` as for [`distance_to`](Self::distance_to).
+    #[inline]
+    #[must_use]
+    pub fn signed_distance_to<T: FromPoint<S>>(self, other: T) -> Maybe<S, S> {
+        other.signed_distance_from_point(self.into())
+    }
 }
 
 pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
@@ -233,20 +252,23 @@ pub(super) fn from_sphere<S: Real<Mask = bool>>(
             centre: c,
             normal,
             radius,
-        } => {
-            let from = centre - c;
-            let (height, reach) = (from.dot(normal), from.across(normal).length());
-            [
-                hypotenuse(reach - radius, height),
-                hypotenuse(reach + radius, height),
-            ]
-        }
+        } => from_circle(centre - c, normal, radius),
         Figure::Sphere { centre: c, radius } => {
             let between = (centre - c).length();
             let least = (between - radius).max(radius - between);
             [least, between + radius]
         }
     })
+}
+
+/// The least and the greatest distance of the points of a circle from a place, which is given from
+/// the centre.
+pub(super) fn from_circle<S: Real>(place: Vector<S>, normal: Vector<S>, radius: S) -> [S; 2] {
+    let (height, reach) = (place.dot(normal), place.across(normal).length());
+    [
+        hypotenuse(reach - radius, height),
+        hypotenuse(reach + radius, height),
+    ]
 }
 
 /// The least and the greatest height of a figure's points above a plane.

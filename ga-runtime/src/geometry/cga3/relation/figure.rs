@@ -1,17 +1,16 @@
 //! Primitives as plain Euclidean figures.
 
 use super::distance::{distance, signed_distance};
+use super::from_point::circle_parts;
 use super::incidence::is_on;
-use super::projection::{nearest, radius_towards};
-use super::tolerance::within;
-use super::{Tolerance, parallel};
+use super::{FromPoint, Tolerance, parallel};
 use crate::Element;
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
 use crate::geometry::cga3::round::radius;
-use crate::geometry::number::{are_numbers, is_moderate, is_number, is_regular};
+use crate::geometry::number::{is_moderate, is_number, is_regular};
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -56,7 +55,7 @@ pub enum Figure<S> {
 }
 
 /// A primitive that can be converted to a [`Figure`].
-pub trait Primitive<S>: Copy {
+pub trait Primitive<S: Real>: FromPoint<S> {
     /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not
     /// finite.
     ///
@@ -73,16 +72,6 @@ pub trait Primitive<S>: Copy {
     /// assert_eq!(line.figure(), Some(figure));
     /// ```
     fn figure(self) -> Option<Figure<S>>;
-
-    /// The least distance to a point, for types that know a shorter way than by their figure.
-    #[doc(hidden)]
-    #[inline]
-    fn distance_from_point(self, point: Vector<S>) -> Option<S>
-    where
-        S: Real<Mask = bool>,
-    {
-        distance(finite(point)?, self.figure()?)
-    }
 
     /// The least distance to a line.
     #[doc(hidden)]
@@ -104,16 +93,6 @@ pub trait Primitive<S>: Copy {
         distance(self.figure()?, other.figure()?)
     }
 
-    /// The distance to a point, with a sign where this primitive has sides.
-    #[doc(hidden)]
-    #[inline]
-    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S>
-    where
-        S: Real<Mask = bool>,
-    {
-        signed_distance(finite(point)?, self.figure()?)
-    }
-
     /// The distance to another primitive, with a sign where one of them has sides.
     #[doc(hidden)]
     #[inline]
@@ -122,27 +101,6 @@ pub trait Primitive<S>: Copy {
         S: Real<Mask = bool>,
     {
         signed_distance(self.figure()?, other.figure()?)
-    }
-
-    /// The nearest place to a point, if it is finite.
-    #[doc(hidden)]
-    #[inline]
-    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>>
-    where
-        S: Real<Mask = bool>,
-    {
-        nearest(point, self.figure()?).filter(|place| place.is_finite())
-    }
-
-    /// Whether a point is at most as far away as the tolerance allows.
-    #[doc(hidden)]
-    #[inline]
-    fn is_near(self, point: Vector<S>, tolerance: Tolerance<S>) -> bool
-    where
-        S: Real<Mask = bool>,
-    {
-        let distance = self.distance_from_point(point);
-        distance.is_some_and(|distance| within(distance, tolerance.distance))
     }
 
     /// Whether all of this primitive is on the other.
@@ -171,12 +129,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
     }
 
     #[inline]
-    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
-        let distance = Vector::from(self).distance(point);
-        is_number(distance).then_some(distance)
-    }
-
-    #[inline]
     fn distance_from_line(self, line: Line<S>) -> Option<S> {
         line.distance_from_point(self.into())
     }
@@ -184,11 +136,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
     #[inline]
     fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
         other.distance_from_point(self.into())
-    }
-
-    #[inline]
-    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
-        self.distance_from_point(point)
     }
 
     #[inline]
@@ -228,11 +175,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
     }
 
     #[inline]
-    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
-        self.distance(point.into())
-    }
-
-    #[inline]
     fn distance_from_line(self, line: Self) -> Option<S> {
         let (d, m) = self.vectors();
         let (e, n) = line.vectors();
@@ -257,11 +199,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
     fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
         other.distance_from_line(self)
     }
-
-    #[inline]
-    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
-        Some(self.foot(point.into())?.into())
-    }
 }
 
 impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
@@ -269,33 +206,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
     fn figure(self) -> Option<Figure<S>> {
         let (normal, distance) = self.parts()?;
         Some(Figure::Plane { normal, distance })
-    }
-
-    #[inline]
-    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
-        Some(self.signed_distance(point.into())?.abs())
-    }
-
-    #[inline]
-    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
-        self.signed_distance(point.into())
-    }
-
-    #[inline]
-    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
-        self.moved_along_normal(point, S::one())
-    }
-
-    #[inline]
-    fn is_near(self, point: Vector<S>, tolerance: Tolerance<S>) -> bool {
-        let (normal, number) = self.vectors();
-        let square = normal.length_squared();
-        let height = (normal.dot(point) - number).abs();
-        if is_regular(square) & is_moderate(height) {
-            return height.less_or_equal(tolerance.distance * square.sqrt());
-        }
-        let distance = self.distance_from_point(point);
-        distance.is_some_and(|distance| within(distance, tolerance.distance))
     }
 }
 
@@ -318,24 +228,6 @@ impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
             radius: radius(squared)?,
         })
     }
-
-    #[inline]
-    fn distance_from_point(self, point: Vector<S>) -> Option<S> {
-        Some(self.signed_distance_from_point(point)?.abs())
-    }
-
-    #[inline]
-    fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
-        let distance = Vector::from(self.centre()?).distance(point) - self.radius()?;
-        is_number(distance).then_some(distance)
-    }
-
-    #[inline]
-    fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
-        let centre = Vector::from(self.centre()?);
-        let place = radius_towards(centre, point - centre, self.radius()?)?;
-        are_numbers(place.coordinates()).then_some(place)
-    }
 }
 
 /// Sums of rounds and flats are what their coefficients say.
@@ -344,7 +236,7 @@ macro_rules! of_a_sum {
         impl<S: Real<Mask = bool>> Primitive<S> for $Sum<S> {
             fn figure(self) -> Option<Figure<S>> {
                 let read = |blade| self.coefficient(blade);
-                if [$(self.$weight),*].iter().all(|x| *x == S::zero()) {
+                if $(self.$weight.is_zero())&&* {
                     return $Flat::from_coefficients_unchecked(&mut { read }).figure();
                 }
                 $Round::from_coefficients_unchecked(&mut { read }).figure()
@@ -368,38 +260,14 @@ macro_rules! by_the_direct_form {
             }
 
             #[inline]
-            fn distance_from_point(self, point: Vector<S>) -> Option<S> {
-                self.undual().distance_from_point(point)
-            }
-
-            #[inline]
             fn distance_from_line(self, line: Line<S>) -> Option<S> {
                 self.undual().distance_from_line(line)
-            }
-
-            #[inline]
-            fn signed_distance_from_point(self, point: Vector<S>) -> Option<S> {
-                self.undual().signed_distance_from_point(point)
-            }
-
-            #[inline]
-            fn nearest_place(self, point: Vector<S>) -> Option<Vector<S>> {
-                self.undual().nearest_place(point)
             }
         }
     )*};
 }
 
 by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
-
-/// Centre, unit normal and squared radius, negative for an imaginary circle.
-#[inline]
-pub(super) fn circle_parts<S: Real<Mask = bool>>(
-    circle: Circle<S>,
-) -> Option<(Vector<S>, Vector<S>, S)> {
-    let (centre, normal) = (circle.centre()?, circle.unit_normal()?);
-    Some((centre.into(), normal.into(), circle.radius_squared))
-}
 
 /// Centre and squared radius, negative for an imaginary sphere.
 #[inline]

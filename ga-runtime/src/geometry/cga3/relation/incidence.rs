@@ -34,7 +34,7 @@
 
 use super::distance::{distance, from_sphere};
 use super::tolerance::{angle_within, within};
-use super::{Figure, Primitive, Tolerance};
+use super::{Figure, FromPoint, Primitive, Tolerance};
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
@@ -44,7 +44,7 @@ use crate::vga3::Vector;
 
 /// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its
 /// plane.
-pub trait Directed<S>: Primitive<S> {}
+pub trait Directed<S: Real>: Primitive<S> {}
 
 impl<S: Real<Mask = bool>> Directed<S> for Line<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for Plane<S> {}
@@ -56,15 +56,6 @@ impl<S: Real<Mask = bool>> Directed<S> for DualCircle<S> {}
 macro_rules! incidence {
     ($($Primitive:ident)*) => {$(
         impl<S: Real<Mask = bool>> $Primitive<S> {
-            /// Whether every point of this primitive is a point of the other, within the tolerance;
-            /// see [`incidence`](crate::geometry::relation::incidence). False where either is no
-            /// figure.
-            #[inline]
-            #[must_use]
-            pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
-                Primitive::lies_on(self, other, tolerance)
-            }
-
             /// Whether this and the other primitive are the same set of points, each
             /// [on](Self::is_on) the other; orientation and weight are ignored. False where either
             /// is not a figure.
@@ -77,6 +68,31 @@ macro_rules! incidence {
             }
         }
     )*};
+}
+
+macro_rules! contained {
+    ($($Primitive:ident)*) => {$(
+        impl<S: Real<Mask = bool>> $Primitive<S> {
+            /// Whether every point of this primitive is a point of the other, within the tolerance;
+            /// see [`incidence`](crate::geometry::relation::incidence). False where either is no
+            /// figure.
+            #[inline]
+            #[must_use]
+            pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+                Primitive::lies_on(self, other, tolerance)
+            }
+        }
+    )*};
+}
+
+impl<S: Real> Point<S> {
+    /// Whether this point is a point of the other primitive, within the tolerance; see
+    /// [`incidence`](crate::geometry::relation::incidence). False where either is no figure.
+    #[inline]
+    #[must_use]
+    pub fn is_on<T: FromPoint<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask {
+        other.is_near(self.into(), tolerance)
+    }
 }
 
 macro_rules! attitude {
@@ -105,6 +121,10 @@ macro_rules! attitude {
 
 incidence! {
     Point FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
+    DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
+}
+contained! {
+    FlatPoint PointPair Line Plane Circle Sphere Bivector Trivector Quadvector
     DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere
 }
 attitude!(Line Plane Circle MotorGenerator DualPlane DualCircle);

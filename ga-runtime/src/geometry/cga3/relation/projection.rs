@@ -40,22 +40,21 @@
 //! ```
 
 use super::incidence::Directed;
-use super::{Figure, Primitive, parallel};
+use super::{Figure, FromPoint, Primitive, parallel};
 use crate::cga3::{
     Circle, Direction, DualCircle, DualPlane, FlatPoint, Line, Plane, Point, PointPair, Sphere,
 };
-use crate::geometry::cga3::round::unit_axis;
 use crate::geometry::number::are_numbers;
-use crate::scalar::Real;
+use crate::scalar::{Maybe, Optional, Real};
 use crate::vga3::Vector;
 
-impl<S: Real<Mask = bool>> Point<S> {
+impl<S: Real> Point<S> {
     /// The point of the other primitive that is nearest to this one; see
     /// [`projection`](crate::geometry::relation::projection). `None` where there are several such
     /// points, or where the other is not a figure.
     #[inline]
     #[must_use]
-    pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Self> {
+    pub fn project_onto<T: FromPoint<S>>(self, other: T) -> Maybe<Self, S> {
         other.nearest_place(self.into()).map(Point::from)
     }
 
@@ -64,23 +63,24 @@ impl<S: Real<Mask = bool>> Point<S> {
     /// unique or not defined.
     #[inline]
     #[must_use]
-    pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
-        let way = self.project_onto(other)?.vector_to(self);
-        are_numbers(way.coordinates()).then(|| Direction::from(way))
+    pub fn reject_from<T: FromPoint<S>>(self, other: T) -> Maybe<Direction<S>, S> {
+        let way = self.project_onto(other).map(|place| place.vector_to(self));
+        way.filter(|way| are_numbers(way.coordinates()))
+            .map(Direction::from)
     }
 }
 
-impl<S: Real<Mask = bool>> FlatPoint<S> {
+impl<S: Real> FlatPoint<S> {
     /// The projection of its [point](Self::to_point); see [`Point::project_onto`].
     #[must_use]
-    pub fn project_onto<T: Primitive<S>>(self, other: T) -> Option<Point<S>> {
-        self.to_point()?.project_onto(other)
+    pub fn project_onto<T: FromPoint<S>>(self, other: T) -> Maybe<Point<S>, S> {
+        self.to_point().and_then(|place| place.project_onto(other))
     }
 
     /// The rejection of its [point](Self::to_point); see [`Point::reject_from`].
     #[must_use]
-    pub fn reject_from<T: Primitive<S>>(self, other: T) -> Option<Direction<S>> {
-        self.to_point()?.reject_from(other)
+    pub fn reject_from<T: FromPoint<S>>(self, other: T) -> Maybe<Direction<S>, S> {
+        self.to_point().and_then(|place| place.reject_from(other))
     }
 }
 
@@ -405,57 +405,6 @@ impl<S: Real<Mask = bool>> ProjectLine<S> for DualCircle<S> {
     fn project_line(self, line: Line<S>) -> Option<LineOnCircle<S>> {
         self.undual().project_line(line)
     }
-}
-
-/// The nearest point of a figure.
-pub(super) fn nearest<S: Real<Mask = bool>>(p: Vector<S>, figure: Figure<S>) -> Option<Vector<S>> {
-    if !p.is_finite() {
-        return None;
-    }
-    match figure {
-        Figure::Point(q) => Some(q),
-        Figure::PointPair([a, b]) => {
-            let [to_a, to_b] = [a, b].map(|q| (p - q).length());
-            if to_a.less_than(to_b) {
-                Some(a)
-            } else {
-                to_b.less_than(to_a).then_some(b)
-            }
-        }
-        Figure::Line { point, direction } => Some(point + direction * (p - point).dot(direction)),
-        Figure::Plane { normal, distance } => Some(p - normal * (p.dot(normal) - distance)),
-        Figure::Sphere { centre, radius } => radius_towards(centre, p - centre, radius),
-        Figure::Circle {
-            centre,
-            normal,
-            radius,
-        } => {
-            let from = p - centre;
-            let flat = from.across(normal);
-            // A vector along the normal leaves only rounding error, which has no meaningful
-            // direction.
-            let noise = from.length() * parallel();
-            let flat = if noise.less_than(flat.length()) {
-                flat
-            } else {
-                Vector::default()
-            };
-            radius_towards(centre, flat, radius)
-        }
-    }
-}
-
-/// The end of a radius in a direction; the centre itself where the radius is zero.
-#[inline]
-pub(super) fn radius_towards<S: Real<Mask = bool>>(
-    centre: Vector<S>,
-    way: Vector<S>,
-    radius: S,
-) -> Option<Vector<S>> {
-    if radius == S::zero() {
-        return Some(centre);
-    }
-    Some(centre + unit_axis(way.into())? * radius)
 }
 
 /// A line and a plane as plain vectors.

@@ -31,7 +31,8 @@
 //! assert_eq!(ray.reflect_in(wall).unwrap().direction(), [-1.0, 0.0, 1.0]);
 //! ```
 
-use super::{Figure, Primitive};
+#[cfg(doc)]
+use super::Figure;
 use crate::Element;
 use crate::cga3::{
     Circle, Direction, DualCircle, DualDirection, DualFlatPoint, DualPlane, DualPointPair,
@@ -40,121 +41,119 @@ use crate::cga3::{
 };
 use crate::geometry::number::are_numbers;
 use crate::products::Sandwich;
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A mirror of a reflection: a plane, a line or a point.
-pub trait Mirror<S> {
+pub trait Mirror<S: Real> {
     /// The motor of the reflection, and whether all coordinates change sign before it; `None` where
     /// the mirror is not a figure.
-    fn reflection(self) -> Option<(Motor<S>, bool)>;
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S>;
 
     /// The image of a point, for mirrors that know a shorter way than by their motor.
     #[doc(hidden)]
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>>
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S>
     where
-        S: Real<Mask = bool>,
         Self: Sized,
     {
         image(point, self)
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
-        let Figure::Plane { normal, distance } = self.figure()? else {
-            return None;
-        };
-        let translation = translation(normal * (distance + distance))?;
-        Some((translation * half_turn(normal), true))
+impl<S: Real> Mirror<S> for Plane<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
+        self.parts().and_then(|(normal, distance)| {
+            let translation = translation(normal * (distance + distance));
+            translation.map(|translation| (translation * half_turn(normal), true))
+        })
     }
 
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
-        let place = self.moved_along_normal(point.into(), S::from_integer(2))?;
-        Some(place.into())
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
+        let place = self.moved_along_normal(point.into(), S::from_integer(2));
+        place.map(Point::from)
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for Line<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
-        let Figure::Line { point, direction } = self.figure()? else {
-            return None;
-        };
-        // The point nearest to the origin is perpendicular to the direction: a half turn about the
-        // axis through the origin maps it to its negative.
-        let translation = translation(point * S::from_integer(2))?;
-        Some((translation * half_turn(direction), false))
+impl<S: Real> Mirror<S> for Line<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
+        self.parts().and_then(|(point, direction)| {
+            // The point nearest to the origin is perpendicular to the direction: a half turn about
+            // the axis through the origin maps it to its negative.
+            let translation = translation(point * S::from_integer(2));
+            translation.map(|translation| (translation * half_turn(direction), false))
+        })
     }
 
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
-        twice_less(self.foot(point)?.into(), point.into())
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
+        self.foot(point)
+            .and_then(|foot| twice_less(foot.into(), point.into()))
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for Point<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
-        let translation = translation(Vector::from(self) * S::from_integer(2))?;
-        Some((translation.into(), true))
+impl<S: Real> Mirror<S> for Point<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
+        let translation = translation(Vector::from(self) * S::from_integer(2));
+        translation.map(|translation| (translation.into(), true))
     }
 
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         twice_less(self.into(), point.into())
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for FlatPoint<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
-        self.to_point()?.reflection()
+impl<S: Real> Mirror<S> for FlatPoint<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
+        self.to_point().and_then(Mirror::reflection)
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for DualPlane<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
+impl<S: Real> Mirror<S> for DualPlane<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
         self.undual().reflection()
     }
 
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         self.undual().image_of_point(point)
     }
 }
 
-impl<S: Real<Mask = bool>> Mirror<S> for MotorGenerator<S> {
-    fn reflection(self) -> Option<(Motor<S>, bool)> {
+impl<S: Real> Mirror<S> for MotorGenerator<S> {
+    fn reflection(self) -> Maybe<(Motor<S>, bool), S> {
         self.undual().reflection()
     }
 
     #[inline]
-    fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
+    fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         self.undual().image_of_point(point)
     }
 }
 
 macro_rules! reflections {
     ($($Element:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Element<S> {
+        impl<S: Real> $Element<S> {
             /// The image under reflection in a plane, a line or a point; see
             /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is
             /// not a figure, or the image is not finite.
             #[must_use]
-            pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
+            pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Maybe<Self, S> {
                 image(self, mirror)
             }
         }
     )*};
 }
 
-impl<S: Real<Mask = bool>> Point<S> {
+impl<S: Real> Point<S> {
     /// The image under reflection in a plane, a line or a point; see
     /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
     /// figure, or the image is not finite.
     #[inline]
     #[must_use]
-    pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
+    pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Maybe<Self, S> {
         mirror.image_of_point(self)
     }
 }
@@ -165,34 +164,29 @@ reflections! {
 }
 
 /// The image of an element by the motor of a mirror.
-fn image<S, T, M>(element: T, mirror: M) -> Option<T>
+fn image<S, T, M>(element: T, mirror: M) -> Maybe<T, S>
 where
-    S: Real<Mask = bool>,
+    S: Real,
     T: Element<Scalar = S>,
     M: Mirror<S>,
     Motor<S>: Sandwich<T, Output = T>,
 {
-    let (motor, is_odd) = mirror.reflection()?;
-    let element = if is_odd {
-        through_origin(element)
-    } else {
-        element
-    };
-    finite(motor.sandwich(element))
+    let image = mirror.reflection().map(|(motor, is_odd)| {
+        let element = if is_odd {
+            through_origin(element)
+        } else {
+            element
+        };
+        motor.sandwich(element)
+    });
+    image.filter(|image| image.is_finite())
 }
 
 /// The image of a point in another, `2 centre − point`.
 #[inline]
-fn twice_less<S: Real<Mask = bool>>(centre: Vector<S>, point: Vector<S>) -> Option<Point<S>> {
+fn twice_less<S: Real>(centre: Vector<S>, point: Vector<S>) -> Maybe<Point<S>, S> {
     let place = centre + centre - point;
-    are_numbers(place.coordinates()).then(|| Point::from(place))
-}
-
-/// The element if all its coefficients are finite.
-fn finite<T: Element<Scalar: Real<Mask = bool>>>(element: T) -> Option<T> {
-    let mut blades = T::BLADES.iter();
-    let is_finite = blades.all(|&blade| element.coefficient(blade).is_finite());
-    is_finite.then_some(element)
+    are_numbers(place.coordinates()).when(Point::from(place))
 }
 
 /// The half turn about a unit axis through the origin.
@@ -200,10 +194,10 @@ fn half_turn<S: Real>(Vector { e1, e2, e3 }: Vector<S>) -> Rotor<S> {
     Rotor::new_unchecked(S::zero(), -e3, e2, -e1)
 }
 
-fn translation<S: Real<Mask = bool>>(displacement: Vector<S>) -> Option<Translator<S>> {
+fn translation<S: Real>(displacement: Vector<S>) -> Maybe<Translator<S>, S> {
     displacement
         .is_finite()
-        .then(|| Translator::from_displacement(displacement.into()))
+        .when(Translator::from_displacement(displacement.into()))
 }
 
 /// The image under reflection in the origin, which changes the sign of e1, e2 and e3.

@@ -62,8 +62,8 @@ impl<S: Real> Default for Tolerance<S> {
 
 /// Whether a number is at most as large as a bound; false where either is NaN.
 #[inline]
-pub(super) fn within<S: Real<Mask = bool>>(x: S, bound: S) -> bool {
-    x.abs().less_than(bound) || x.abs() == bound
+pub(super) fn within<S: Real>(x: S, bound: S) -> S::Mask {
+    x.abs().less_or_equal(bound)
 }
 
 /// Whether the angle with a sine and a cosine, both not negative, is at most as large as a bound.
