@@ -1,6 +1,13 @@
 //! Tests of the range of numbers, and an accurate logarithm.
 
-use crate::scalar::Real;
+use crate::scalar::{Real, Ring};
+
+/// Whether a number is finite, in a ring that may have infinity and NaN; of lanes, whether all are.
+#[expect(clippy::eq_op, reason = "NaN where the number is not finite")]
+#[inline]
+pub(super) fn is_finite_number<S: Ring>(x: S) -> bool {
+    x - x == S::zero()
+}
 
 /// Whether a number is finite: the difference of infinity and of NaN from themselves is NaN.
 #[expect(clippy::eq_op, reason = "NaN where the number is not finite")]

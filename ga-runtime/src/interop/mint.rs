@@ -92,7 +92,7 @@ impl<S: Ring> From<Affine<S>> for RowMatrix4<S> {
 }
 
 /// The last row must be 0 0 0 1.
-impl<S: Real<Mask = bool>> TryFrom<RowMatrix4<S>> for Affine<S> {
+impl<S: Ring> TryFrom<RowMatrix4<S>> for Affine<S> {
     type Error = NotConformal;
 
     #[inline]
@@ -111,7 +111,7 @@ impl<S: Ring> From<Affine<S>> for ColumnMatrix4<S> {
 }
 
 /// The last row must be 0 0 0 1.
-impl<S: Real<Mask = bool>> TryFrom<ColumnMatrix4<S>> for Affine<S> {
+impl<S: Ring> TryFrom<ColumnMatrix4<S>> for Affine<S> {
     type Error = NotConformal;
 
     #[inline]

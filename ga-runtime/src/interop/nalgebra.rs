@@ -277,7 +277,7 @@ impl<S: Scalar + Ring> From<Affine<S>> for Matrix4<S> {
 }
 
 /// The last row must be 0 0 0 1.
-impl<S: Scalar + Real<Mask = bool>> TryFrom<Matrix4<S>> for Affine<S> {
+impl<S: Scalar + Ring> TryFrom<Matrix4<S>> for Affine<S> {
     type Error = NotConformal;
 
     #[inline]
@@ -295,7 +295,7 @@ impl<S: RealField + Ring> From<Affine<S>> for Affine3<S> {
 }
 
 /// The last row must be 0 0 0 1.
-impl<S: RealField + Real<Mask = bool>> TryFrom<Affine3<S>> for Affine<S> {
+impl<S: RealField + Ring> TryFrom<Affine3<S>> for Affine<S> {
     type Error = NotConformal;
 
     #[inline]

@@ -4,8 +4,8 @@
 use super::{Lanes, Real};
 use super::{Mask, Select};
 
-/// A value that exists for some inputs only, computed with the scalar S: an `Option<T>` for a single
-/// number, [`Masked`] for lanes.
+/// A value that exists for some inputs only, computed with the scalar S: an `Option<T>` for a
+/// single number, [`Masked`] for lanes.
 ///
 /// ```
 /// use ga_runtime::cga3::{Plane, Point};
@@ -29,8 +29,8 @@ use super::{Mask, Select};
 /// ```
 pub type Maybe<T, S> = <<S as Select>::Mask as Mask>::Maybe<T>;
 
-/// The methods that [`Maybe`] has whatever the scalar is. They are those of `Option`, which a single
-/// number has without this trait, with a mask in the place of a `bool`.
+/// The methods that [`Maybe`] has whatever the scalar is. They are those of `Option`, which a
+/// single number has without this trait, with a mask in the place of a `bool`.
 ///
 /// For lanes the functions are called always, also where no lane has a value: they must not panic.
 pub trait Optional<T>: Sized {
@@ -53,7 +53,8 @@ pub trait Optional<T>: Sized {
     #[must_use]
     fn filter(self, test: impl FnOnce(&T) -> Self::Mask) -> Self;
 
-    /// This value, and the other where there is none. The other is computed only where it is needed.
+    /// This value, and the other where there is none. The other is computed only where it is
+    /// needed.
     #[must_use]
     fn or_else(self, other: impl FnOnce() -> Self) -> Self
     where
@@ -71,6 +72,7 @@ pub trait Optional<T>: Sized {
     }
 
     /// Where there is a value and a test of it holds.
+    #[expect(clippy::wrong_self_convention, reason = "as of `Option`")]
     #[inline(always)]
     fn is_some_and(self, test: impl FnOnce(T) -> Self::Mask) -> Self::Mask {
         self.and_then(|value| test(value).when(())).is_some()

@@ -195,8 +195,8 @@ pub trait Field: Ring + Div<Output = Self> {
 /// A field with roots, angles and an order: floating-point numbers, single, in lanes or with
 /// derivatives.
 ///
-/// Comparisons return a [`Mask`](Select::Mask), and [`select`](Select::select) chooses by it, so that
-/// the same code runs on one number and on lanes. A result that may not exist is a [`Maybe`].
+/// Comparisons return a [`Mask`](Select::Mask), and [`select`](Select::select) chooses by it, so
+/// that the same code runs on one number and on lanes. A result that may not exist is a [`Maybe`].
 ///
 /// ```
 /// use ga_runtime::scalar::Real;

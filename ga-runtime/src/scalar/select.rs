@@ -23,11 +23,11 @@ pub trait Select: Sized {
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 }
 
-/// A scalar that is one number, not [`Lanes`] and not a [`Dual`] number: its mask is `bool`. All that
-/// a type of your own needs beside [`Real`].
+/// A scalar that is one number, not [`Lanes`] and not a [`Dual`] number: its mask is `bool`. All
+/// that a type of your own needs beside [`Real`].
 ///
-/// `f32` and `f64` are here by one impl of [`Select`], so that rustc knows the mask of a literal such
-/// as `1.0` before it knows which of the two the literal is.
+/// `f32` and `f64` are here by one impl of [`Select`], so that rustc knows the mask of a literal
+/// such as `1.0` before it knows which of the two the literal is.
 pub trait Single: Sized {}
 
 impl<T: Single> Select for T {

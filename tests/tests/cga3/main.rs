@@ -6,6 +6,7 @@ mod far_rounds;
 mod geometry;
 mod homogeneous;
 mod kinematics;
+mod lanes;
 mod nearest;
 mod oracle;
 mod points;

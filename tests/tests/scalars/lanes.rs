@@ -2,7 +2,7 @@
 
 use ga_runtime::Element;
 use ga_runtime::cga3::{Circle, Direction, Line, Motor, Plane, Point, Rotor, Sphere, Translator};
-use ga_runtime::scalar::{Field, LaneMask, Lanes, Mask, Prime61, Real, Ring};
+use ga_runtime::scalar::{Field, LaneMask, Lanes, Mask, Prime61, Real, Ring, Select};
 use ga_runtime::testing::exact_member;
 use ga_runtime::testing::strategy::{nonzero_prime, prime};
 use proptest::array::{uniform4, uniform8};
@@ -81,7 +81,7 @@ fn check<T: Real<Mask = bool> + Same, const N: usize>(
             ("min", x.min(y), p.min(q)),
             (
                 "select",
-                Lanes::select(mask, y, z),
+                Select::select(mask, y, z),
                 if mask[k] { q } else { r },
             ),
         ];

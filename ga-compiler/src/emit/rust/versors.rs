@@ -223,7 +223,8 @@ fn normalize_body(
             pub fn normalize(value: #whole) -> #runtime::scalar::Maybe<Self, S> {
                 let mut value: Self = { #taken };
                 let mut norm = { #norm };
-                let is_regular = <S as #real>::less_than(#least, norm) & <S as #real>::less_than(norm, #most);
+                let is_regular =
+                    <S as #real>::less_than(#least, norm) & <S as #real>::less_than(norm, #most);
                 if !#mask::all(is_regular) {
                     // The squares may have left the range of S; those of coefficients up to one do
                     // not.

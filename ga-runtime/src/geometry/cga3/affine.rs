@@ -6,7 +6,7 @@ use core::ops::Mul;
 use crate::cga3::{
     Dilator, Direction, DualPlane, Line, Motor, Plane, Point, Rotor, Similarity, Translator,
 };
-use crate::geometry::number::{are_numbers, is_number};
+use crate::geometry::number::{are_numbers, is_finite_number};
 use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
@@ -171,9 +171,7 @@ impl<S: Ring> Affine<S> {
             [zero, zero, zero, one],
         ]
     }
-}
 
-impl<S: Real<Mask = bool>> Affine<S> {
     /// The map of a 4×4 matrix by rows, `(x', 1) = M (x, 1)`.
     ///
     /// # Errors
@@ -181,7 +179,7 @@ impl<S: Real<Mask = bool>> Affine<S> {
     pub fn from_homogeneous(rows: [[S; 4]; 4]) -> Result<Self, NotConformal> {
         let [a, b, c, last] = rows;
         let (zero, one) = (S::zero(), S::one());
-        if !rows.into_iter().flatten().all(is_number) {
+        if !rows.into_iter().flatten().all(is_finite_number) {
             return Err(NotConformal::NotFinite);
         }
         if last != [zero, zero, zero, one] {
@@ -190,6 +188,9 @@ impl<S: Real<Mask = bool>> Affine<S> {
         let linear = [a, b, c].map(|[x, y, z, _]| [x, y, z]);
         Ok(Self::new(linear, [a[3], b[3], c[3]]))
     }
+}
+
+impl<S: Real<Mask = bool>> Affine<S> {
     /// The inverse map; `None` where L is singular, or the inverse is beyond the range of the
     /// scalar. It is computed from cofactors, with an error of about ε times the condition number
     /// of L.

@@ -45,8 +45,8 @@
 
 use super::affine::{Affine, NotConformal};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
-use crate::geometry::number::are_numbers;
-use crate::scalar::{Field, Mask, Maybe, Real, Ring};
+use crate::geometry::number::{are_numbers, is_finite_number};
+use crate::scalar::{Field, Real, Ring};
 use crate::vga3::Vector;
 
 /// A 4×4 matrix by rows.
@@ -177,11 +177,15 @@ pub fn product<S: Ring>(second: Matrix<S>, first: Matrix<S>) -> Matrix<S> {
 /// The image of a point: `M (x, 1)` divided by its last coordinate, which is 1 for all matrices
 /// here but may not be for others. `None` where that is zero or the image is not finite.
 #[must_use]
-pub fn transform<S: Real>(matrix: Matrix<S>, point: Point<S>) -> Maybe<Point<S>, S> {
+pub fn transform<S: Field>(matrix: Matrix<S>, point: Point<S>) -> Option<Point<S>> {
     let [x, y, z] = point.coordinates();
     let [a, b, c, weight] = matrix.map(|[a, b, c, d]| a * x + b * y + c * z + d);
+    if !weight.is_invertible() {
+        return None;
+    }
     let image = [a / weight, b / weight, c / weight];
-    (!weight.equals(S::zero()) & are_numbers(image)).when(Point::from(image))
+    let is_finite = image.into_iter().all(is_finite_number);
+    is_finite.then(|| Point::from(image))
 }
 
 impl<S: Real<Mask = bool>> Rotor<S> {

@@ -1,0 +1,271 @@
+//! Geometry in lanes against the same geometry of each lane alone, with the same bits, and no value
+//! where the single numbers have none.
+
+use ga_runtime::cga3::{
+    Circle, Direction, DualPlane, DualQuaternion, DualSphere, FlatPoint, Line, Motor, Plane, Point,
+    PointPair, Quadvector, Rotor, RoundVector, Sphere, Trivector,
+};
+use ga_runtime::geometry::relation::Tolerance;
+use ga_runtime::scalar::{Dual, Lanes, Mask, Maybe, Optional, Real};
+use ga_runtime::vga3::Vector;
+use nullcone_tests::random::SplitMix64;
+use wide::f64x4;
+
+/// The numbers of everything that is read: one list for each quantity.
+type Found<S> = Vec<Maybe<Vec<S>, S>>;
+
+/// Everything that has a value in lanes, of primitives that are made of some numbers.
+fn everything<S: Real>(x: [S; 11], tolerance: S) -> Found<S> {
+    let [a, b, c, d, e, f, g, h, k, l, m] = x;
+    let (point, axis) = (Point::new(a, b, c), [d, e, f]);
+    let centre = Point::new(g, h, k);
+    let tolerance = Tolerance::new(tolerance, tolerance);
+    let mut found = Vec::new();
+    macro_rules! push {
+        ($($value:expr => $numbers:expr;)*) => {$( found.push($value.map($numbers)); )*};
+    }
+    let number = |x: S| vec![x];
+    let place = |p: Point<S>| p.coordinates().to_vec();
+    let vector = |v: [S; 3]| v.to_vec();
+    let numbers = |p: Vector<S>| p.coordinates().to_vec();
+    macro_rules! from_point {
+        ($($primitive:expr;)*) => {$(
+            let other = $primitive;
+            push! {
+                point.distance_to(other) => number;
+                point.signed_distance_to(other) => number;
+                point.project_onto(other) => place;
+                point.reject_from(other) => |d: Direction<S>| d.vector().to_vec();
+            }
+            found.push(point.is_on(other, tolerance).when(Vec::new()));
+        )*};
+    }
+
+    let flat = FlatPoint::new(a, b, c, l);
+    let line = Line::from_point_direction(centre, axis);
+    let plane = Plane::from_point_normal(centre, axis);
+    let sphere: Sphere<S> = DualSphere {
+        weight: m,
+        ..DualSphere::from_centre_radius_squared(centre, l)
+    }
+    .undual();
+    let circle = Circle::new(centre, Direction::from(axis), l);
+    let pair = PointPair::new(centre, Direction::from(axis), l);
+    from_point! {
+        centre; flat; line; plane; sphere; circle; pair;
+        line.dual(); plane.dual(); sphere.dual(); circle.dual(); pair.dual(); flat.dual();
+        Trivector::from(circle); Trivector::from(line);
+        Quadvector::from(sphere); Quadvector::from(plane);
+    }
+    push! {
+        Vector::from(axis).normalized() => numbers;
+        Vector::new(a, b, c).project(axis.into()) => numbers;
+        Vector::new(a, b, c).reject(axis.into()) => numbers;
+        Vector::new(a, b, c).reflect(axis.into()) => numbers;
+        line.normalized() => |x: Line<S>| x.coefficients().map(|(_, x)| x).collect();
+        plane.normalized() => |x: Plane<S>| x.coefficients().map(|(_, x)| x).collect();
+        DualPlane::new(a, b, c, d).normalized() => |x: DualPlane<S>| vec![x.e1, x.e2, x.e3, x.ei];
+        DualQuaternion::new(a, b, c, d, e, f, g, h).normalize() =>
+            |x: Motor<S>| x.coefficients().map(|(_, x)| x).collect();
+        Motor::new_unchecked(a, b, c, d, e, f, g, h).normalized() =>
+            |x: Motor<S>| x.coefficients().map(|(_, x)| x).collect();
+        Rotor::new_unchecked(a, b, c, d).normalized() =>
+            |x: Rotor<S>| x.coefficients().map(|(_, x)| x).collect();
+        line.unit_direction() => vector;
+        line.support() => place;
+        line.foot(point) => place;
+        Line::from_direction_moment(axis, [a, b, c]) =>
+            |x: Line<S>| [x.direction(), x.moment()].concat();
+        plane.unit_normal() => vector;
+        plane.support() => place;
+        flat.to_point() => place;
+        sphere.centre() => place;
+        sphere.radius() => number;
+        sphere.radius_squared() => number;
+        circle.centre() => place;
+        circle.radius() => number;
+        circle.unit_normal() => vector;
+        circle.axis() => |x: Line<S>| [x.direction(), x.moment()].concat();
+        pair.centre() => place;
+        pair.radius() => number;
+        pair.unit_direction() => vector;
+        pair.endpoints() => |ends: [Point<S>; 2]| ends.map(Point::coordinates).concat();
+        RoundVector::new(a, b, c, l, d).centre() => place;
+        RoundVector::new(a, b, c, l, d).radius_squared() => number;
+        point.reflect_in(plane) => place;
+        point.reflect_in(line) => place;
+        point.reflect_in(centre) => place;
+        point.reflect_in(flat) => place;
+        line.reflect_in(plane) => |x: Line<S>| [x.direction(), x.moment()].concat();
+    }
+    found
+}
+
+/// Coordinates that are usual or not: degenerate, of extreme size, or no numbers.
+fn coordinate(random: &mut SplitMix64) -> f64 {
+    const ODD: [f64; 12] = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        1e-170,
+        1e170,
+        1e-13,
+        1e13,
+        1e-310,
+        f64::INFINITY,
+        f64::NAN,
+        2.0,
+    ];
+    if random.unit() < 0.85 {
+        random.within(4.0)
+    } else {
+        ODD[(random.unit() * ODD.len() as f64) as usize]
+    }
+}
+
+/// Rows of eleven numbers, whole parts of which may be zero or equal.
+fn rows(random: &mut SplitMix64) -> [[f64; 11]; 4] {
+    core::array::from_fn(|_| {
+        let mut row: [f64; 11] = core::array::from_fn(|_| coordinate(random));
+        match (random.unit() * 8.0) as u32 {
+            // No axis; the point at the centre; the point on the axis; a tangent.
+            0 => row[3..6].fill(0.0),
+            1 => row.copy_within(0..3, 6),
+            2 => (0..3).for_each(|i| row[i] = row[6 + i] + 2.0 * row[3 + i]),
+            3 => row[9] = 0.0,
+            4 => row[10] = 0.0,
+            _ => {}
+        }
+        row
+    })
+}
+
+/// Equal bits, and all NaNs equal.
+fn is_same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
+}
+
+/// Compares the lanes of what was found with what each row gives alone; counts the results that do
+/// not exist and those that do.
+fn compare<S: Real>(
+    found: Found<S>,
+    rows: [[f64; 11]; 4],
+    lane_of: impl Fn(S, usize) -> f64,
+) -> [usize; 2] {
+    let mut counts = [0, 0];
+    let alone = rows.map(|row| everything(row, 1e-9));
+    assert!(alone.iter().all(|alone| alone.len() == found.len()));
+    for (place, lanes) in found.into_iter().enumerate() {
+        let mask = lanes.is_some();
+        // For lanes the function is called always.
+        let mut numbers = Vec::new();
+        let _ = lanes.map(|found| numbers = found);
+        for (lane, row) in rows.iter().enumerate() {
+            let expected = &alone[lane][place];
+            assert_eq!(
+                mask.lane(lane),
+                expected.is_some(),
+                "quantity {place} of {row:?}"
+            );
+            counts[usize::from(mask.lane(lane))] += 1;
+            let Some(expected) = expected else { continue };
+            assert_eq!(numbers.len(), expected.len());
+            for (found, expected) in numbers.iter().zip(expected) {
+                let found = lane_of(*found, lane);
+                let is_same = is_same(found, *expected);
+                assert!(
+                    is_same,
+                    "quantity {place} of {row:?}: {found} for {expected}"
+                );
+            }
+        }
+    }
+    counts
+}
+
+#[test]
+fn lanes_are_single_numbers_side_by_side() {
+    let mut random = SplitMix64(27);
+    let mut counts = [0; 2];
+    for _ in 0..2000 {
+        let rows = rows(&mut random);
+        let columns: [_; 11] = core::array::from_fn(|k| rows.map(|row| row[k]));
+        let lanes = everything(columns.map(Lanes::from_array), Lanes::splat(1e-9));
+        let found = compare(lanes, rows, |x: Lanes<f64, 4>, lane| x[lane]);
+        let _ = compare(
+            everything(columns.map(f64x4::from), f64x4::splat(1e-9)),
+            rows,
+            |x: f64x4, lane| x.to_array()[lane],
+        );
+        counts = [counts[0] + found[0], counts[1] + found[1]];
+    }
+    let [none, some] = counts;
+    println!("{some} values and {none} without one");
+    assert!(some > 100_000 && none > 10_000);
+}
+
+/// The vectors of `wide` have an arctangent of their own, so that angles are compared for lanes
+/// only.
+#[test]
+fn angles_in_lanes_are_those_of_each_lane() {
+    let mut random = SplitMix64(8);
+    for _ in 0..500 {
+        let rows = rows(&mut random);
+        let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| Lanes::from_array(rows.map(|r| r[k])));
+        let found = Vector::new(a, b, c).angle(Vector::new(d, e, f));
+        for (lane, [a, b, c, d, e, f, ..]) in rows.into_iter().enumerate() {
+            let alone = Vector::new(a, b, c).angle(Vector::new(d, e, f));
+            assert_eq!(found.lane(lane).map(|angle| angle[lane]), alone);
+        }
+    }
+}
+
+/// A program that once did not compile: everything that a generic function does with motors is
+/// there for lanes.
+#[test]
+fn motors_in_lanes_are_normalised() {
+    let all = Lanes::<f32, 8>::splat;
+    let motor: Motor<Lanes<f32, 8>> = Motor::default();
+    let between = motor.log().exp().interpolate(motor, all(0.5));
+    assert_eq!(between.rotor().scalar(), all(1.0));
+    let normalized = between.sqrt().normalized();
+    assert!(normalized.is_some().all());
+    let same = normalized.unwrap_or(motor);
+    let point = Point::new(all(1.0), all(1.0), all(1.0));
+    assert_eq!(same.transform(point).distance(point), all(0.0));
+}
+
+/// Of dual numbers over lanes, the values are those of the lanes, and the derivatives those of a
+/// dual number alone.
+#[test]
+fn dual_numbers_over_lanes_have_the_derivatives_of_each_lane() {
+    fn foot<S: Real>(numbers: [S; 9]) -> Maybe<[S; 3], S> {
+        let [a, b, c, d, e, f, g, h, k] = numbers;
+        let plane = Plane::from_point_normal(Point::new(a, b, c), [d, e, f]);
+        let image = Point::new(g, h, k).reflect_in(plane);
+        image.map(Point::coordinates)
+    }
+
+    let mut random = SplitMix64(5);
+    for round in 0..500 {
+        let mut rows: [[f64; 9]; 4] =
+            core::array::from_fn(|_| core::array::from_fn(|_| random.within(4.0)));
+        rows[round % 4][3..6].fill(0.0);
+        let columns: [_; 9] = core::array::from_fn(|k| {
+            let column = Lanes::from_array(rows.map(|row| row[k]));
+            Dual::<_, 1>::new(column, [Lanes::splat(1.0 + k as f64)])
+        });
+        let found = foot(columns);
+        for (lane, row) in rows.into_iter().enumerate() {
+            let varied: [_; 9] =
+                core::array::from_fn(|k| Dual::<_, 1>::new(row[k], [1.0 + k as f64]));
+            let alone = foot(varied);
+            assert_eq!(alone.is_none(), lane == round % 4);
+            let lanes = found.lane(lane).map(|image| {
+                image.map(|x| Dual::<_, 1>::new(x.value[lane], [x.derivatives[0][lane]]))
+            });
+            assert_eq!(lanes, alone);
+        }
+    }
+}
