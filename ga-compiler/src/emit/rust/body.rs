@@ -235,13 +235,15 @@ impl Writer<'_> {
             Function::Less => quote! { less_than },
             Function::LessOrEqual => quote! { less_or_equal },
             Function::Equal => quote! { equals },
-            Function::Select => quote! { select },
             Function::HyperbolicSine => quote! { sinh },
             Function::HyperbolicCosine => quote! { cosh },
             Function::HyperbolicTangent => quote! { tanh },
             Function::Hypotenuse => quote! { hypot },
             Function::Reciprocal | Function::Divisor => {
                 return quote! { <S as #runtime::scalar::Field>::recip_or_zero };
+            }
+            Function::Select => {
+                return quote! { <S as #runtime::scalar::Select>::select };
             }
             // Operators of masks.
             Function::And => quote! { bitand },
