@@ -51,7 +51,7 @@ pub trait Mask:
     /// The value where the mask is set, and none elsewhere.
     ///
     /// ```
-    /// use ga_runtime::scalar::{Lanes, Mask, Maybe, Real};
+    /// use ga_runtime::scalar::{Lanes, Mask, Maybe, Optional, Real};
     /// /// The inverse of a number that is not zero.
     /// fn inverse<S: Real>(x: S) -> Maybe<S, S> {
     ///     (!x.is_zero()).when(x.recip())
