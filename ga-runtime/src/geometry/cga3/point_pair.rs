@@ -2,7 +2,7 @@
 
 use super::round;
 use crate::cga3::{Direction, Infinity, Line, Point, PointPair, Sphere};
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_number};
 use crate::scalar::{Field, Real};
 use crate::vga3::Vector;
 
@@ -168,9 +168,9 @@ impl<S: Real<Mask = bool>> PointPair<S> {
         let reach = round::of_length(self.direction, self.radius_squared)?;
         let centre = Vector::from(self.centre);
         let (first, second) = (centre - reach, centre + reach);
-        let is_finite = are_numbers([
-            first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
-        ]);
+        // The sum is a number only if each of them is; where they are large it may overflow.
+        let sum = (first.e1 + first.e2 + first.e3) + (second.e1 + second.e2 + second.e3);
+        let is_finite = is_number(sum) || are_finite(first.into(), second.into());
         is_finite.then(|| [Point::from(first), Point::from(second)])
     }
 
@@ -192,4 +192,10 @@ impl<S: Real<Mask = bool>> PointPair<S> {
     fn is_round(self) -> bool {
         round::is_round(self.centre, self.direction, self.radius_squared)
     }
+}
+
+#[cold]
+#[inline(never)]
+fn are_finite<S: Real>(first: [S; 3], second: [S; 3]) -> bool {
+    are_numbers(first) && are_numbers(second)
 }

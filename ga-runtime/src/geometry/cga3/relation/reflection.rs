@@ -38,7 +38,7 @@ use crate::cga3::{
     DualSphere, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair, Rotor,
     RoundVector, Sphere, Translator,
 };
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_moderate};
 use crate::products::Sandwich;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -59,6 +59,17 @@ pub trait Mirror<S> {
     {
         image(point, self)
     }
+
+    /// The image of a line, in the same way.
+    #[doc(hidden)]
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Option<Line<S>>
+    where
+        S: Real<Mask = bool>,
+        Self: Sized,
+    {
+        image(line, self)
+    }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
@@ -74,6 +85,25 @@ impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
     fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
         let place = self.moved_along_normal(point.into(), S::from_integer(2))?;
         Some(place.into())
+    }
+
+    /// The direction d and the moment m become `d − 2 (n·d) n` and `2 (n·m) n − m + 2 h n × d`, with
+    /// the unit normal n and the distance h of the plane from the origin.
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Option<Line<S>> {
+        let (normal, number) = self.vectors();
+        let (direction, moment) = line.vectors();
+        let square = normal.length_squared();
+        let inverse = square.recip();
+        let twice = normal * (inverse + inverse);
+        let image = direction - normal * twice.dot(direction);
+        let around = twice.cross(direction) * number - moment + normal * twice.dot(moment);
+        // A number that is not finite gives a sum that is not.
+        let sizes = image.length_squared() + around.length_squared();
+        if is_moderate(square + inverse + sizes) {
+            return Some(Line::from_vectors(image, around));
+        }
+        image_by_motor(line, self)
     }
 }
 
@@ -121,6 +151,11 @@ impl<S: Real<Mask = bool>> Mirror<S> for DualPlane<S> {
     fn image_of_point(self, point: Point<S>) -> Option<Point<S>> {
         self.undual().image_of_point(point)
     }
+
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Option<Line<S>> {
+        self.undual().image_of_line(line)
+    }
 }
 
 impl<S: Real<Mask = bool>> Mirror<S> for MotorGenerator<S> {
@@ -148,19 +183,28 @@ macro_rules! reflections {
     )*};
 }
 
-impl<S: Real<Mask = bool>> Point<S> {
-    /// The image under reflection in a plane, a line or a point; see
-    /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
-    /// figure, or the image is not finite.
-    #[inline]
-    #[must_use]
-    pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
-        mirror.image_of_point(self)
-    }
+macro_rules! reflections_by_mirrors {
+    ($($Element:ident: $image:ident;)*) => {$(
+        impl<S: Real<Mask = bool>> $Element<S> {
+            /// The image under reflection in a plane, a line or a point; see
+            /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is
+            /// not a figure, or the image is not finite.
+            #[inline]
+            #[must_use]
+            pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Option<Self> {
+                mirror.$image(self)
+            }
+        }
+    )*};
+}
+
+reflections_by_mirrors! {
+    Point: image_of_point;
+    Line: image_of_line;
 }
 
 reflections! {
-    RoundVector PointPair FlatPoint Direction Circle Line Sphere Plane
+    RoundVector PointPair FlatPoint Direction Circle Sphere Plane
     DualSphere DualPlane DualPointPair DualFlatPoint DualDirection DualCircle MotorGenerator
 }
 
@@ -179,6 +223,13 @@ where
         element
     };
     finite(motor.sandwich(element))
+}
+
+/// The image of a line in a plane whose numbers are too large or too small for the formula.
+#[cold]
+#[inline(never)]
+fn image_by_motor<S: Real<Mask = bool>>(line: Line<S>, plane: Plane<S>) -> Option<Line<S>> {
+    image(line, plane)
 }
 
 /// The image of a point in another, `2 centre − point`.
