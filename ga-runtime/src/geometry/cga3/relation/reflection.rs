@@ -87,8 +87,8 @@ impl<S: Real<Mask = bool>> Mirror<S> for Plane<S> {
         Some(place.into())
     }
 
-    /// The direction d and the moment m become `d − 2 (n·d) n` and `2 (n·m) n − m + 2 h n × d`, with
-    /// the unit normal n and the distance h of the plane from the origin.
+    /// The direction d and the moment m become `d − 2 (n·d) n` and `2 (n·m) n − m + 2 h n × d`,
+    /// with the unit normal n and the distance h of the plane from the origin.
     #[inline]
     fn image_of_line(self, line: Line<S>) -> Option<Line<S>> {
         let (normal, number) = self.vectors();
