@@ -1,10 +1,12 @@
 //! The scene of the example `ray_tracer`, traced by the methods of ga-runtime, by functions of
-//! `ga!` and by glam. All three do the same steps in the same order.
+//! `ga!` and by glam, which do the same steps in the same order, and as textbooks write it, by
+//! meets of lines, tangent planes and reflections.
 
 mod by_glam;
 mod by_kernels;
 #[path = "../../../ga-runtime/examples/ray_tracer/scene.rs"]
 mod by_methods;
+mod by_products;
 
 use ga_runtime::vga3::Vector;
 
@@ -25,6 +27,10 @@ pub fn contenders() -> Option<Vec<Contender>> {
     let (scene, camera) = (by_methods::example(), by_methods::example_camera()?);
     let glam_scene = by_glam::Scene::of(&scene)?;
     let glam_camera = by_glam::Camera::of(&camera);
+    let [products, functions] = [
+        textbook::<by_products::Methods>("methods, as a textbook", &scene)?,
+        textbook::<by_products::Kernels>("ga!, as a textbook", &scene)?,
+    ];
     let kernel_scene = by_kernels::Scene::of(&scene)?;
     let kernel_camera = by_methods::example_camera()?;
     let coordinates = |picture: Vec<Vector<f64>>| picture.into_iter().map(Into::into).collect();
@@ -39,6 +45,8 @@ pub fn contenders() -> Option<Vec<Contender>> {
                 coordinates(by_kernels::render(&kernel_scene, &kernel_camera, size))
             }),
         },
+        products,
+        functions,
         Contender {
             name: "glam DVec3",
             render: Box::new(move |size| {
@@ -47,6 +55,24 @@ pub fn contenders() -> Option<Vec<Contender>> {
             }),
         },
     ])
+}
+
+fn textbook<M: by_products::Style>(
+    name: &'static str,
+    scene: &by_methods::Scene,
+) -> Option<Contender> {
+    let (scene, camera) = (
+        by_products::Scene::of(scene)?,
+        by_methods::example_camera()?,
+    );
+    let render = move |size| {
+        let picture = by_products::render::<M>(&scene, &camera, size);
+        picture.into_iter().map(Into::into).collect()
+    };
+    Some(Contender {
+        name,
+        render: Box::new(render),
+    })
 }
 
 #[cfg(test)]

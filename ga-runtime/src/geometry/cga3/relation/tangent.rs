@@ -7,6 +7,7 @@
 use super::tolerance::within;
 use super::{Figure, Primitive, Tolerance};
 use crate::cga3::{Circle, DualPlane, DualSphere, Line, Plane, Point, Sphere};
+use crate::geometry::cga3::round::unit_axis;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -28,22 +29,32 @@ impl<S: Real<Mask = bool>> Sphere<S> {
     /// let nearest = above.project_onto(sphere).unwrap();
     /// assert_eq!(sphere.tangent_plane_at(nearest, Tolerance::default()), plane);
     /// ```
+    #[inline]
     #[must_use]
     pub fn tangent_plane_at(self, point: Point<S>, tolerance: Tolerance<S>) -> Option<Plane<S>> {
-        tangent_plane(self.figure()?, point, tolerance).map(DualPlane::undual)
+        let centre = Vector::from(self.centre()?);
+        let radius = self.radius()?;
+        let from = Vector::from(point) - centre;
+        let is_on =
+            S::zero().less_than(radius) && within(from.length() - radius, tolerance.distance);
+        let normal = unit_axis(from.into()).filter(|_| is_on)?;
+        let distance = normal.dot(centre) + radius;
+        Some(DualPlane::from_normal_distance(normal.into(), distance).undual())
     }
 }
 
 impl<S: Real<Mask = bool>> DualSphere<S> {
     /// The plane that touches the sphere at a point of it, with the outward normal of length 1; see
     /// [`Sphere::tangent_plane_at`].
+    #[inline]
     #[must_use]
     pub fn tangent_plane_at(
         self,
         point: Point<S>,
         tolerance: Tolerance<S>,
     ) -> Option<DualPlane<S>> {
-        tangent_plane(self.figure()?, point, tolerance)
+        let plane = self.undual().tangent_plane_at(point, tolerance)?;
+        Some(plane.dual())
     }
 }
 
@@ -79,19 +90,4 @@ impl<S: Real<Mask = bool>> Circle<S> {
             && within((Vector::from(point) - place).length(), tolerance.distance);
         is_on.then(|| Line::from_point_direction(place.into(), normal.cross(out).into()))
     }
-}
-
-fn tangent_plane<S: Real<Mask = bool>>(
-    sphere: Figure<S>,
-    point: Point<S>,
-    tolerance: Tolerance<S>,
-) -> Option<DualPlane<S>> {
-    let Figure::Sphere { centre, radius } = sphere else {
-        return None;
-    };
-    let from = Vector::from(point) - centre;
-    let is_on = S::zero().less_than(radius) && within(from.length() - radius, tolerance.distance);
-    let normal = from.normalized().filter(|_| is_on)?;
-    let distance = normal.dot(centre) + radius;
-    Some(DualPlane::from_normal_distance(normal.into(), distance))
 }
