@@ -39,7 +39,7 @@ use crate::cga3::{
     DualSphere, FlatPoint, Line, Motor, MotorGenerator, Plane, Point, PointPair, Rotor,
     RoundVector, Sphere, Translator,
 };
-use crate::geometry::number::are_numbers;
+use crate::geometry::number::{are_numbers, is_moderate};
 use crate::products::Sandwich;
 use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
@@ -59,6 +59,16 @@ pub trait Mirror<S: Real> {
     {
         image(point, self)
     }
+
+    /// The image of a line, as [`image_of_point`](Self::image_of_point).
+    #[doc(hidden)]
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Maybe<Line<S>, S>
+    where
+        Self: Sized,
+    {
+        image(line, self)
+    }
 }
 
 impl<S: Real> Mirror<S> for Plane<S> {
@@ -73,6 +83,25 @@ impl<S: Real> Mirror<S> for Plane<S> {
     fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         let place = self.moved_along_normal(point.into(), S::from_integer(2));
         place.map(Point::from)
+    }
+
+    /// A direction d and a moment m = p × d are mapped to those of the image of p: for `n·x = h`
+    /// with n² = 1 they are `d − 2 (n·d) n` and `2 (n·m) n − m + 2 h n × d`.
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Maybe<Line<S>, S> {
+        let (normal, number) = self.vectors();
+        let (direction, moment) = line.vectors();
+        let square = normal.length_squared();
+        let inverse = square.recip();
+        let twice = inverse + inverse;
+        let image = direction - normal * (normal.dot(direction) * twice);
+        let image_moment = normal * (normal.dot(moment) * twice) - moment
+            + normal.cross(direction) * (number * twice);
+        // The sum of the components is a number only if each of them is.
+        let Vector { e1, e2, e3 } = image + image_moment;
+        is_moderate(square + inverse + (e1 + e2 + e3).abs())
+            .when(Line::from_vectors(image, image_moment))
+            .or_else(|| image_by_motor(line, self))
     }
 }
 
@@ -120,6 +149,11 @@ impl<S: Real> Mirror<S> for DualPlane<S> {
     fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         self.undual().image_of_point(point)
     }
+
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Maybe<Line<S>, S> {
+        self.undual().image_of_line(line)
+    }
 }
 
 impl<S: Real> Mirror<S> for MotorGenerator<S> {
@@ -130,6 +164,11 @@ impl<S: Real> Mirror<S> for MotorGenerator<S> {
     #[inline]
     fn image_of_point(self, point: Point<S>) -> Maybe<Point<S>, S> {
         self.undual().image_of_point(point)
+    }
+
+    #[inline]
+    fn image_of_line(self, line: Line<S>) -> Maybe<Line<S>, S> {
+        self.undual().image_of_line(line)
     }
 }
 
@@ -158,8 +197,19 @@ impl<S: Real> Point<S> {
     }
 }
 
+impl<S: Real> Line<S> {
+    /// The image under reflection in a plane, a line or a point; see
+    /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
+    /// figure, or the image is not finite.
+    #[inline]
+    #[must_use]
+    pub fn reflect_in<M: Mirror<S>>(self, mirror: M) -> Maybe<Self, S> {
+        mirror.image_of_line(self)
+    }
+}
+
 reflections! {
-    RoundVector PointPair FlatPoint Direction Circle Line Sphere Plane
+    RoundVector PointPair FlatPoint Direction Circle Sphere Plane
     DualSphere DualPlane DualPointPair DualFlatPoint DualDirection DualCircle MotorGenerator
 }
 
@@ -180,6 +230,13 @@ where
         motor.sandwich(element)
     });
     image.filter(|image| image.is_finite())
+}
+
+/// The image of a line in a plane of any weight.
+#[cold]
+#[inline(never)]
+fn image_by_motor<S: Real>(line: Line<S>, plane: Plane<S>) -> Maybe<Line<S>, S> {
+    image(line, plane)
 }
 
 /// The image of a point in another, `2 centre − point`.
