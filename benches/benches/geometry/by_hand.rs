@@ -17,22 +17,20 @@ pub(crate) struct Line {
     pub(crate) moment: DVec3,
 }
 
-/// The points x with `weight x² − 2 middle · x + 2 constant = 0`.
+/// A sphere of a weight.
 #[derive(Clone, Copy)]
 pub(crate) struct Sphere {
     pub(crate) weight: f64,
-    pub(crate) middle: DVec3,
-    pub(crate) constant: f64,
+    pub(crate) centre: DVec3,
+    pub(crate) radius_squared: f64,
 }
 
-/// A circle or a pair of points by Plücker coordinates: with the axis n, the centre c and a number
-/// β, it is n, `c × n`, `c·n` and `(c·n) c − β n`, all of them times a weight.
+/// A circle with its normal, or a pair of points with its direction, whose length is the weight.
 #[derive(Clone, Copy)]
 pub(crate) struct Round {
-    pub(crate) axis: DVec3,
-    pub(crate) moment: DVec3,
-    pub(crate) along: f64,
-    pub(crate) last: DVec3,
+    pub(crate) centre: DVec3,
+    pub(crate) direction: DVec3,
+    pub(crate) radius_squared: f64,
 }
 
 /// A centre and a radius.
@@ -69,20 +67,26 @@ pub(crate) fn line(line: cga3::Line<f64>) -> Line {
 }
 
 pub(crate) fn sphere(sphere: cga3::Sphere<f64>) -> Sphere {
-    let dual = cga3::RoundVector::from(sphere.dual());
     Sphere {
-        weight: dual.eo,
-        middle: DVec3::new(dual.e1, dual.e2, dual.e3),
-        constant: dual.ei,
+        weight: sphere.weight,
+        centre: point(sphere.centre),
+        radius_squared: sphere.radius_squared,
     }
 }
 
-pub(crate) fn round(b: cga3::Bivector<f64>) -> Round {
+pub(crate) fn circle(circle: cga3::Circle<f64>) -> Round {
     Round {
-        axis: -DVec3::new(b.e1o, b.e2o, b.e3o),
-        moment: DVec3::new(b.e23, -b.e13, b.e12),
-        along: b.eoi,
-        last: DVec3::new(b.e1i, b.e2i, b.e3i),
+        centre: point(circle.centre),
+        direction: circle.normal.vector().into(),
+        radius_squared: circle.radius_squared,
+    }
+}
+
+pub(crate) fn pair(pair: cga3::PointPair<f64>) -> Round {
+    Round {
+        centre: point(pair.centre),
+        direction: pair.direction.vector().into(),
+        radius_squared: pair.radius_squared,
     }
 }
 
@@ -129,7 +133,7 @@ impl Line {
 
 impl Sphere {
     /// The sphere through four points. The sides from the first and halves of their squares give
-    /// the way to the centre times the determinant of the sides.
+    /// the way to the centre times the determinant of the sides, which is the weight.
     #[inline]
     pub(crate) fn through([p, q, r, s]: [DVec3; 4]) -> Self {
         let sides = [q - p, r - p, s - p];
@@ -139,35 +143,25 @@ impl Sphere {
         let way = halves[0] * across
             + halves[1] * sides[2].cross(sides[0])
             + halves[2] * sides[0].cross(sides[1]);
-        let middle = p * weight + way;
+        let way = way * weight.recip();
         Self {
             weight,
-            middle,
-            constant: middle.dot(p) - 0.5 * weight * p.length_squared(),
+            centre: p + way,
+            radius_squared: way.length_squared(),
         }
     }
 
     #[inline]
     pub(crate) fn centre(&self) -> Option<DVec3> {
-        let inverse = self.weight.recip();
-        inverse.is_finite().then(|| self.middle * inverse)
-    }
-
-    /// The centre and the squared radius.
-    #[inline]
-    pub(crate) fn parts(&self) -> Option<(DVec3, f64)> {
-        let inverse = self.weight.recip();
-        let centre = self.middle * inverse;
-        let squared = centre.length_squared() - 2.0 * self.constant * inverse;
-        inverse.is_finite().then_some((centre, squared))
+        (self.weight != 0.0 && self.centre.is_finite()).then_some(self.centre)
     }
 
     #[inline]
     pub(crate) fn ball(&self) -> Option<Ball> {
-        let (centre, squared) = self.parts()?;
-        (squared >= 0.0).then(|| Ball {
+        let centre = self.centre()?;
+        (self.radius_squared >= 0.0).then(|| Ball {
             centre,
-            radius: squared.sqrt(),
+            radius: self.radius_squared.sqrt(),
         })
     }
 }
@@ -176,68 +170,49 @@ impl Round {
     /// The pair of two points.
     #[inline]
     pub(crate) fn pair(p: DVec3, q: DVec3) -> Self {
-        let (p_half, q_half) = (0.5 * p.length_squared(), 0.5 * q.length_squared());
+        let direction = q - p;
         Self {
-            axis: q - p,
-            moment: p.cross(q),
-            along: q_half - p_half,
-            last: p * q_half - q * p_half,
+            centre: (p + q) * 0.5,
+            direction,
+            radius_squared: 0.25 * direction.length_squared(),
         }
     }
 
-    /// The circle through three points. Its centre c has `c · u = a` and `c · v = b` for the sides
-    /// u and v, so that `c × (u × v) = b u − a v`.
+    /// The circle through three points: with the sides u and v and the normal n = u × v, the way
+    /// from p to the centre is `(u² v × n + v² n × u)/(2 n²)`.
     #[inline]
     pub(crate) fn circle(p: DVec3, q: DVec3, r: DVec3) -> Self {
         let (u, v) = (q - p, r - p);
-        let [p_half, q_half, r_half] = [p, q, r].map(|x| 0.5 * x.length_squared());
-        let axis = u.cross(v);
-        let moment = u * (r_half - p_half) - v * (q_half - p_half);
+        let normal = u.cross(v);
+        let way = u.length_squared() * v.cross(normal) + v.length_squared() * normal.cross(u);
+        let way = way * (0.5 / normal.length_squared());
         Self {
-            axis,
-            moment,
-            along: axis.dot(p),
-            last: p.cross(moment) + axis * p_half,
+            centre: p + way,
+            direction: normal,
+            radius_squared: way.length_squared(),
         }
     }
 
-    /// The circle with a centre, a unit normal and a squared radius, or the pair with a centre, a
-    /// unit axis and minus a squared radius.
+    /// The centre of a round whose direction is not zero.
     #[inline]
-    pub(crate) fn around(centre: DVec3, axis: DVec3, squared: f64) -> Self {
-        let along = centre.dot(axis);
-        let infinite = 0.5 * (centre.length_squared() - squared);
-        Self {
-            axis,
-            moment: centre.cross(axis),
-            along,
-            last: centre * along - axis * infinite,
-        }
+    pub(crate) fn centre(&self) -> Option<DVec3> {
+        (self.direction != DVec3::ZERO && self.centre.is_finite()).then_some(self.centre)
     }
 
     /// The two points of a pair.
     #[inline]
     pub(crate) fn endpoints(&self) -> Option<[DVec3; 2]> {
-        let (centre, twice) = self.parts()?;
-        let squared = twice - centre.length_squared();
-        let reach = self.axis.normalize() * squared.sqrt();
-        (squared >= 0.0).then(|| [centre - reach, centre + reach])
+        let factor = self.radius_squared / self.direction.length_squared();
+        let reach = self.direction * factor.sqrt();
+        let ends = [self.centre - reach, self.centre + reach];
+        ends.iter().all(|end| end.is_finite()).then_some(ends)
     }
 
     /// Centre, normal and radius of a circle.
     #[inline]
     pub(crate) fn figure(&self) -> Option<(DVec3, DVec3, f64)> {
-        let (centre, twice) = self.parts()?;
-        let squared = centre.length_squared() - twice;
-        (squared >= 0.0).then(|| (centre, self.axis.normalize(), squared.sqrt()))
-    }
-
-    /// Centre and twice β.
-    #[inline]
-    pub(crate) fn parts(&self) -> Option<(DVec3, f64)> {
-        let inverse = self.axis.length_squared().recip();
-        let centre = (self.axis * self.along + self.axis.cross(self.moment)) * inverse;
-        let twice = 2.0 * (self.along * self.along - self.axis.dot(self.last)) * inverse;
-        inverse.is_finite().then_some((centre, twice))
+        let centre = self.centre()?;
+        let normal = self.direction.try_normalize()?;
+        (self.radius_squared >= 0.0).then(|| (centre, normal, self.radius_squared.sqrt()))
     }
 }

@@ -1,16 +1,12 @@
 //! Figures from points, centres, normals and radii.
-//!
-//! Where a figure is made and read at once, glam alone keeps to numbers that are not those of the
-//! figure: the half length of a pair, the sides of a triangle. Rows "with the same coefficients"
-//! compute those of the pair, the circle or the sphere and read the result from them, as ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Rotor, Sphere};
 use ga_runtime::vga3::Vector;
-use glam::{DMat3, DQuat};
+use glam::DQuat;
 use nullcone_benches::inputs;
 
-use super::by_hand::{self, Ball};
+use super::by_hand;
 use super::group;
 
 pub(crate) fn all(criterion: &mut Criterion) {
@@ -23,8 +19,8 @@ pub(crate) fn all(criterion: &mut Criterion) {
     });
     g.map("glam", &vectors, |[p, q, ..]| by_hand::Sphere {
         weight: 1.0,
-        middle: *p,
-        constant: 0.5 * (p.length_squared() - q.x * q.x),
+        centre: *p,
+        radius_squared: q.x * q.x,
     });
     drop(g);
 
@@ -58,23 +54,9 @@ pub(crate) fn all(criterion: &mut Criterion) {
     g.map("nullcone", &points, |[p, q, ..]| {
         PointPair::through(*p, *q).endpoints()
     });
-    g.map(
-        "glam, with centre and half length",
-        &vectors,
-        |[p, q, ..]| {
-            let (centre, half) = ((*p + *q) * 0.5, (*q - *p) * 0.5);
-            let length = half.length();
-            let axis = half / length;
-            let reach = axis * length;
-            let ends = [centre - reach, centre + reach];
-            ends.iter().all(|end| end.is_finite()).then_some(ends)
-        },
-    );
-    g.map(
-        "glam, with the same coefficients",
-        &vectors,
-        |[p, q, ..]| by_hand::Round::pair(*p, *q).endpoints(),
-    );
+    g.map("glam", &vectors, |[p, q, ..]| {
+        by_hand::Round::pair(*p, *q).endpoints()
+    });
     drop(g);
 
     let mut g = group(criterion, "circle from centre, normal and radius");
@@ -82,7 +64,11 @@ pub(crate) fn all(criterion: &mut Criterion) {
         Circle::from_centre_normal_radius(*p, n.coordinates(), r.e1())
     });
     g.map("glam", &vectors, |[p, n, r, _]| {
-        Some(by_hand::Round::around(*p, n.try_normalize()?, r.x * r.x))
+        n.try_normalize().map(|direction| by_hand::Round {
+            centre: *p,
+            direction,
+            radius_squared: r.x * r.x,
+        })
     });
     drop(g);
 
@@ -95,21 +81,8 @@ pub(crate) fn all(criterion: &mut Criterion) {
         Some((circle.centre()?, circle.unit_normal()?, circle.radius()?))
     });
     g.map("glam", &vectors, |[p, q, r, _]| {
-        let (u, v) = (*q - *p, *r - *p);
-        let normal = u.cross(v);
-        let inverse = normal.length_squared().recip();
-        let to_centre = (u.length_squared() * v.cross(normal)
-            + v.length_squared() * normal.cross(u))
-            * (0.5 * inverse);
-        inverse
-            .is_finite()
-            .then(|| (*p + to_centre, normal * inverse.sqrt(), to_centre.length()))
+        by_hand::Round::circle(*p, *q, *r).figure()
     });
-    g.map(
-        "glam, with the same coefficients",
-        &vectors,
-        |[p, q, r, _]| by_hand::Round::circle(*p, *q, *r).figure(),
-    );
     drop(g);
 
     let mut g = group(
@@ -120,21 +93,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let sphere = Sphere::through(*p, *q, *r, *s);
         Some((sphere.centre()?, sphere.radius()?))
     });
-    g.map("glam", &vectors, |[p, q, r, s]| {
-        let sides = [*q - *p, *r - *p, *s - *p];
-        let halves = sides.map(|side| 0.5 * side.length_squared());
-        let rows = DMat3::from_cols(sides[0], sides[1], sides[2]).transpose();
-        let inverse = rows.determinant().recip();
-        let to_centre = (halves[0] * sides[1].cross(sides[2])
-            + halves[1] * sides[2].cross(sides[0])
-            + halves[2] * sides[0].cross(sides[1]))
-            * inverse;
-        inverse.is_finite().then(|| Ball {
-            centre: *p + to_centre,
-            radius: to_centre.length(),
-        })
-    });
-    g.map("glam, with the same coefficients", &vectors, |points| {
+    g.map("glam", &vectors, |points| {
         by_hand::Sphere::through(*points).ball()
     });
     drop(g);

@@ -2,7 +2,7 @@
 //!
 //! The meets of spheres give a circle or a pair of points as an element, real or imaginary, by its
 //! centre, normal and squared radius. The rows of glam give centre, normal and radius of a real
-//! circle, or two points; the rows "to coefficients" compute the ten coefficients of the blade.
+//! circle, or two points; the rows "imaginary ones too" give what ours do.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Line, Plane, Sphere};
@@ -104,7 +104,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
     );
     g.zip("glam", &plain_lines, &plain_spheres, |[l, _], [s, _]| {
         let (place, direction) = l.parts()?;
-        let (centre, squared) = s.parts()?;
+        let (centre, squared) = (s.centre()?, s.radius_squared);
         let along = (centre - place).dot(direction);
         let foot = place + direction * along;
         let half = squared - foot.distance_squared(centre);
@@ -112,16 +112,20 @@ pub(crate) fn all(criterion: &mut Criterion) {
         (half >= 0.0).then(|| -> [DVec3; 2] { [foot - reach, foot + reach] })
     });
     g.zip(
-        "glam, to coefficients",
+        "glam, imaginary ones too",
         &plain_lines,
         &plain_spheres,
         |[l, _], [s, _]| {
             let (place, direction) = l.parts()?;
-            let (centre, squared) = s.parts()?;
+            let (centre, squared) = (s.centre()?, s.radius_squared);
             let along = (centre - place).dot(direction);
             let foot = place + direction * along;
             let half = squared - foot.distance_squared(centre);
-            let pair = by_hand::Round::around(foot, direction, -half);
+            let pair = by_hand::Round {
+                centre: foot,
+                direction,
+                radius_squared: half,
+            };
             (half.abs() > tolerance.distance).then_some((pair, half > 0.0))
         },
     );
@@ -139,22 +143,26 @@ pub(crate) fn all(criterion: &mut Criterion) {
     );
     g.zip("glam", &plain_planes, &plain_spheres, |[a, ..], [s, _]| {
         let a = a.normalized()?;
-        let (centre, squared) = s.parts()?;
+        let (centre, squared) = (s.centre()?, s.radius_squared);
         let height = centre.dot(a.normal) - a.distance;
         let left = squared - height * height;
         (left >= 0.0).then(|| (centre - a.normal * height, a.normal, left.sqrt()))
     });
     g.zip(
-        "glam, to coefficients",
+        "glam, imaginary ones too",
         &plain_planes,
         &plain_spheres,
         |[a, ..], [s, _]| {
             let a = a.normalized()?;
-            let (centre, squared) = s.parts()?;
+            let (centre, squared) = (s.centre()?, s.radius_squared);
             let height = centre.dot(a.normal) - a.distance;
             let left = squared - height * height;
             let foot = centre - a.normal * height;
-            let circle = by_hand::Round::around(foot, -a.normal, left);
+            let circle = by_hand::Round {
+                centre: foot,
+                direction: -a.normal,
+                radius_squared: left,
+            };
             // Which of the two cases it is, and none for a tangent.
             (left.abs() > tolerance.distance).then_some((circle, left > 0.0))
         },
@@ -165,7 +173,8 @@ pub(crate) fn all(criterion: &mut Criterion) {
     g.map("nullcone", &spheres, |[s, t]| s.meet(*t, tolerance));
     g.map("nullcone, as a product", &spheres, |[s, t]| *s & *t);
     g.map("glam", &plain_spheres, |[s, t]| {
-        let ((a, r), (b, s)) = (s.parts()?, t.parts()?);
+        let (a, b) = (s.centre()?, t.centre()?);
+        let (r, s) = (s.radius_squared, t.radius_squared);
         let way = b - a;
         let distance = way.length();
         let normal = way / distance;
@@ -173,14 +182,19 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let left = r - along * along;
         (left >= 0.0).then(|| (a + normal * along, normal, left.sqrt()))
     });
-    g.map("glam, to coefficients", &plain_spheres, |[s, t]| {
-        let ((a, r), (b, s)) = (s.parts()?, t.parts()?);
+    g.map("glam, imaginary ones too", &plain_spheres, |[s, t]| {
+        let (a, b) = (s.centre()?, t.centre()?);
+        let (r, s) = (s.radius_squared, t.radius_squared);
         let way = b - a;
         let distance = way.length();
         let normal = way / distance;
         let along = 0.5 * (distance + (r - s) / distance);
         let left = r - along * along;
-        let circle = by_hand::Round::around(a + normal * along, normal, left);
+        let circle = by_hand::Round {
+            centre: a + normal * along,
+            direction: normal,
+            radius_squared: left,
+        };
         (left.abs() > tolerance.distance).then_some((circle, left > 0.0))
     });
     drop(g);

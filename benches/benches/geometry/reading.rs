@@ -1,4 +1,4 @@
-//! Centres, radii, normals and directions, read from coefficients.
+//! Centres, radii, normals and directions, read from figures.
 
 use criterion::Criterion;
 use ga_runtime::cga3::{Circle, Line, Plane, PointPair, Sphere};
@@ -30,11 +30,8 @@ pub(crate) fn all(criterion: &mut Criterion) {
         .map(|[p, q, ..]| Line::through(*p, *q))
         .collect();
     let plain_spheres: Vec<_> = spheres.iter().map(|s| by_hand::sphere(*s)).collect();
-    let plain_circles: Vec<_> = circles
-        .iter()
-        .map(|c| by_hand::round(c.dual().into()))
-        .collect();
-    let plain_pairs: Vec<_> = pairs.iter().map(|p| by_hand::round((*p).into())).collect();
+    let plain_circles: Vec<_> = circles.iter().map(|c| by_hand::circle(*c)).collect();
+    let plain_pairs: Vec<_> = pairs.iter().map(|p| by_hand::pair(*p)).collect();
     let plain_planes: Vec<_> = planes.iter().map(|p| by_hand::plane(*p)).collect();
     let plain_lines: Vec<_> = lines.iter().map(|l| by_hand::line(*l)).collect();
 
@@ -50,7 +47,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
 
     let mut g = group(criterion, "centre of a circle");
     g.map("nullcone", &circles, |c| c.centre());
-    g.map("glam", &plain_circles, |c| Some(c.parts()?.0));
+    g.map("glam", &plain_circles, |c| c.centre());
     drop(g);
 
     let mut g = group(criterion, "centre, normal and radius of a circle");
