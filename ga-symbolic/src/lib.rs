@@ -36,6 +36,7 @@ pub mod limit;
 pub mod literals;
 pub mod lower;
 pub mod member;
+mod order;
 pub mod passes;
 pub mod program;
 pub mod search;

@@ -19,6 +19,7 @@ use crate::forms::{self, Form, FormRule};
 use crate::kernel::Kernel;
 use crate::limit::SearchLimit;
 use crate::lower::{Choice, Choices, InnerRule, JoinRule, MeetRule, ProjectionRule, SandwichRule};
+use crate::order::Order as _;
 use crate::program::{Program, Step, StepId};
 use crate::staging::{self, staged};
 use crate::stepwise::{Known, Types};
@@ -77,7 +78,7 @@ impl<'a> Task<'a> {
             true => depth.min(DEPTH - 1),
             false => depth,
         };
-        if depth == 0 {
+        if depth == 0 || self.is_one_operation {
             return found;
         }
         // Where the search was complete, operations are compiled one by one only if they are
@@ -227,7 +228,7 @@ fn cheapest<'a>(
         kernel = staged(task, kernel);
     }
     kernel.limits.extend(limits);
-    kernel.limits.sort_unstable();
+    kernel.limits.order();
     kernel.limits.dedup();
     kernel
 }
@@ -246,7 +247,7 @@ fn cheapest_forms(forms: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
             Some((rank, graph, form))
         })
         .collect();
-    lowered.sort_by_key(|(rank, ..)| *rank);
+    lowered.order_by_key(|(rank, ..)| *rank);
     let mut seen = FxHashSet::default();
     lowered.retain(|(_, graph, _)| seen.insert(graph.fingerprint()));
     // Of each frame the first besides, since terms may only cancel in the passes.
@@ -268,7 +269,7 @@ fn cheapest_forms(forms: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
             (kernel.rank(), form)
         });
     let mut finished: Vec<_> = finished.collect();
-    finished.sort_by_key(|(rank, _)| *rank);
+    finished.order_by_key(|(rank, _)| *rank);
     let mut finished = finished.into_iter();
     let Some((_, first)) = finished.next() else {
         return Vec::new();

@@ -3,6 +3,7 @@
 //! Collecting makes nearly the same graph of whatever the rules lowered, so that few rules need to
 //! be tried: those that were found without it, and the plain ones for actions of versors.
 
+use crate::order::Order as _;
 use rustc_hash::FxHashSet;
 
 use crate::kernel::Kernel;
@@ -37,7 +38,7 @@ pub(crate) fn staged(task: &Task<'_>, kernel: Kernel) -> Kernel {
 
 /// The kernel of the cheapest graph.
 pub(crate) fn cheapest(mut candidates: Vec<Staged>) -> Option<Kernel> {
-    candidates.sort_by_key(|staged| staged.price);
+    candidates.order_by_key(|staged| staged.price);
     // Equal prices are nearly always those of equal graphs.
     candidates.dedup_by_key(|staged| staged.price);
     let kernels = candidates.into_iter().take(MOST).map(Staged::kernel);

@@ -6,6 +6,7 @@
 //! other forms finds. Equal operations on equal types share a graph, and the time is linear in the
 //! length of the program.
 
+use crate::order::Order as _;
 use std::rc::Rc;
 
 use proc_macro2::{Ident, Span};
@@ -286,7 +287,7 @@ impl<'a> Types<'a> {
             inner.push(next);
             open.extend(whole.step(next).reads());
         }
-        inner.sort_unstable();
+        inner.order();
         for id in inner {
             let step = whole.step(id).mapped(|read| images[&read]);
             images.insert(id, program.push(step));

@@ -51,6 +51,8 @@ pub struct Task<'a> {
     pub(crate) witness: Option<&'a Witness>,
     /// The declared types, by which steps are compiled by themselves.
     pub(crate) types: &'a [TypeDefinition],
+    /// Whether it is one operation, of which no step is compiled by itself.
+    pub(crate) is_one_operation: bool,
 }
 
 impl<'a> Task<'a> {
@@ -89,6 +91,7 @@ impl<'a> Task<'a> {
             wanted,
             witness: None,
             types: &[],
+            is_one_operation: false,
         }
     }
 
@@ -103,6 +106,15 @@ impl<'a> Task<'a> {
     #[must_use]
     pub fn with_types(mut self, types: &'a [TypeDefinition]) -> Self {
         self.types = types;
+        self
+    }
+
+    /// The same, taken as one operation: the formulas of types by parameters are steps of its
+    /// program, of which none is compiled by itself. That would take half of the time of an
+    /// algebra's declaration, and makes none of cga3's products cheaper.
+    #[must_use]
+    pub fn as_one_operation(mut self) -> Self {
+        self.is_one_operation = true;
         self
     }
 

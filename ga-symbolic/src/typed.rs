@@ -79,7 +79,8 @@ pub fn compile(
     };
     let task = Task::of_program(algebra, &builder.program, outputs)
         .with_witness(&builder.witness)
-        .with_types(&definition.types);
+        .with_types(&definition.types)
+        .as_one_operation();
     Ok(task.compile())
 }
 

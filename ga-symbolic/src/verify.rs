@@ -13,6 +13,7 @@ use crate::algebra::{Algebra, Blade};
 use crate::define::TypeDefinition;
 use crate::expression::Expression;
 use crate::member;
+use crate::order::Order as _;
 use crate::program::{self, Program};
 
 /// Checks that the value of an expression is a member of a type, or a scalar, for all members of
@@ -61,7 +62,7 @@ pub fn result_blades(
             }
         }
     }
-    blades.sort();
+    blades.order();
     blades
 }
 

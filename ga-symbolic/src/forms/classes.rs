@@ -19,6 +19,7 @@
 //! values with the same limits share a class, and in the finished graph `y/x*x` may be y, since a
 //! common factor of a dividend and a divisor cancels there.
 
+use crate::order::Order as _;
 use std::cmp::Ordering;
 
 use rustc_hash::FxHashMap;
@@ -175,7 +176,7 @@ impl<'a> Classes<'a> {
     pub(super) fn blades(&self, id: ClassId) -> Vec<Blade> {
         let values = &self.class(id).values;
         let mut blades: Vec<Blade> = values.iter().flat_map(|v| v.keys().copied()).collect();
-        blades.sort_unstable();
+        blades.order();
         blades.dedup();
         blades
     }
@@ -329,7 +330,7 @@ impl<'a> Classes<'a> {
         if !is_constant || reads.is_empty() || !numbers.all(|x| x.real().is_known()) {
             limits.extend(self.own_limit(&operation));
         }
-        limits.sort();
+        limits.order();
         limits.dedup();
         if values.iter().all(Numbers::is_empty) {
             self.limits_of_zeros.extend(limits);
@@ -355,7 +356,7 @@ impl<'a> Classes<'a> {
                 if let Operation::Operand(number) = operation {
                     operands.push(number);
                 }
-                operands.sort_unstable();
+                operands.order();
                 operands.dedup();
                 self.classes.push(Class {
                     is_constant: !is_leaf && all(|class| class.is_constant),
@@ -421,7 +422,7 @@ impl<'a> Classes<'a> {
             .iter()
             .flat_map(|id| self.class(*id).limits.iter().cloned())
             .collect();
-        limits.sort();
+        limits.order();
         limits.dedup();
         limits
     }

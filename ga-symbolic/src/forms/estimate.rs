@@ -1,5 +1,6 @@
 //! What an operation costs, roughly: the operations of its graph before any pass.
 
+use crate::order::Order as _;
 use rustc_hash::FxHashMap;
 
 use super::classes::{ClassId, Classes, Operation};
@@ -88,7 +89,7 @@ impl Estimates {
             }
             operations += terms.values().map(|count| count - 1).sum::<usize>();
             left = terms.into_keys().map(|blade| (blade, None)).collect();
-            left.sort_unstable();
+            left.order();
         }
         operations
     }

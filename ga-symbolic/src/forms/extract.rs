@@ -7,6 +7,7 @@ use crate::algebra::{Blade, Product, Ratio};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Number};
 use crate::member::{membership, numbers};
+use crate::order::Order as _;
 use crate::program::{Parity, Program, Step, StepId};
 
 /// By how much a product of images that takes differences of them counts more.
@@ -220,7 +221,7 @@ impl Costs {
         }
         let least = best.cost;
         found.retain(|selection| selection.cost <= least + least);
-        found.sort_by_key(|selection| selection.cost);
+        found.order_by_key(|selection| selection.cost);
         let Some(most) = most else { return found };
         // Of forms that differ in the grouping of products only, the first.
         let mut seen: Vec<Vec<Operation>> = Vec::new();
@@ -288,7 +289,7 @@ impl Selection {
     /// together, however they are grouped. A group that is read twice is a factor.
     fn operations(&self, classes: &Classes<'_>) -> Vec<Operation> {
         let mut order = self.order.clone();
-        order.sort_unstable();
+        order.order();
         let operation = |id: ClassId| &classes.class(id).ways[self.ways[id.index()]].operation;
         let associative = |id: ClassId| match operation(id) {
             Operation::Product(product @ (Product::Geometric | Product::Wedge), factors) => {
@@ -340,7 +341,7 @@ impl Selection {
                 .iter()
                 .map(|id| (*id, selection.ways[id.index()]))
                 .collect();
-            ways.sort_unstable();
+            ways.order();
             ways
         };
         self.cost == other.cost && ways(self) == ways(other)
@@ -388,7 +389,7 @@ pub(super) fn extract<'a>(
             state(classes, &mut program, known, id, Ratio::ONE, step);
         }
     }
-    rules.sort();
+    rules.order();
     rules.dedup();
     let zero = Step::Constant(Blade::SCALAR, Ratio::ZERO);
     let wanted = wanted

@@ -7,6 +7,7 @@ use crate::algebra::{Blade, Product, Ratio, Unary};
 use crate::ir::{Function, Number};
 use crate::limit::SearchLimit;
 use crate::member::{Numbers, numbers};
+use crate::order::Order as _;
 
 /// The most factors that a product is made of whose parts are products.
 const MOST_FACTORS: usize = 32;
@@ -141,7 +142,7 @@ impl Classes<'_> {
     /// A sum of some terms as they are.
     pub(super) fn sum_of(&mut self, terms: &[Term], rule: Option<FormRule>) -> Made {
         let mut flat = terms.to_vec();
-        flat.sort_by(|a, b| self.compare(a.class, b.class));
+        flat.order_by(|a, b| self.compare(a.class, b.class));
         flat.dedup_by(|next, kept| {
             let is_same = next.class == kept.class;
             if is_same {
@@ -348,7 +349,7 @@ impl Classes<'_> {
         if product == Product::Geometric {
             let (mut scalars, rest): (Vec<_>, Vec<_>) =
                 factors.into_iter().partition(|id| self.is_scalar(*id));
-            scalars.sort_by(|a, b| self.compare(*a, *b));
+            scalars.order_by(|a, b| self.compare(*a, *b));
             let is_one = |id: &ClassId| {
                 let way = self.class(*id).ways.first();
                 way.is_some_and(|way| way.operation == Operation::Blade(Blade::SCALAR))

@@ -1,5 +1,6 @@
 //! Hash-consed scalar nodes.
 
+use crate::order::Order as _;
 use std::hash::{Hash, Hasher};
 
 use rustc_hash::{FxHashMap, FxHasher};
@@ -485,7 +486,7 @@ impl Arena {
                 Node::Input(number) => hash((1_u8, *number)),
                 Node::Sum(terms) => {
                     let mut terms: Vec<u64> = terms.iter().map(each).collect();
-                    terms.sort_unstable();
+                    terms.order();
                     hash((2_u8, terms))
                 }
                 Node::Product(a, b) => {
@@ -559,7 +560,7 @@ fn constant_value(function: Function, arguments: &[Value]) -> Option<Ratio> {
 /// The value that a sum is without a node of its own, or else its factor and the terms of its node.
 fn normal_sum(values: impl IntoIterator<Item = Value>) -> Result<Value, (Ratio, Box<[Value]>)> {
     let mut terms: Vec<Value> = values.into_iter().filter(|v| !v.is_zero()).collect();
-    terms.sort_by_key(|value| value.node);
+    terms.order_by_key(|value| value.node);
     terms.dedup_by(|next, kept| {
         let same = next.node == kept.node;
         if same {

@@ -2,6 +2,7 @@
 
 use super::{Arena, Facts, Value};
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
+use crate::order::Order as _;
 
 /// A sparse sum of blades, sorted by blade, with what is known of it.
 #[derive(Clone, Debug, Default)]
@@ -30,7 +31,7 @@ impl Multivector {
                 place => sums[place - 1].1.push(value),
             }
         }
-        sums.sort_by_key(|(blade, _)| *blade);
+        sums.order_by_key(|(blade, _)| *blade);
         let mut terms = Vec::with_capacity(sums.len());
         for (blade, values) in sums {
             let value = match values.as_slice() {

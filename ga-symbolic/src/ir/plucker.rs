@@ -2,6 +2,7 @@
 
 use super::{Arena, Multivector, NodeId, Value};
 use crate::algebra::Blade;
+use crate::order::Order as _;
 
 /// The Plücker relations of a multivector of one grade: values that are all zero exactly where it
 /// is an outer product of vectors, each once. For X of grade k they are the coefficients of
@@ -16,7 +17,7 @@ pub fn plucker(arena: &mut Arena, x: &Multivector) -> Vec<Value> {
             .map(|index| Blade(blade.0 & !Blade::vector(index).0));
         probes.extend(faces.filter(|_| grade > 1));
     }
-    probes.sort();
+    probes.order();
     probes.dedup();
     let mut known: Vec<NodeId> = Vec::new();
     let mut relations = Vec::new();

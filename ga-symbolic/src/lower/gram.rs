@@ -18,6 +18,7 @@
 
 use crate::algebra::{Algebra, Blade, Product, Ratio};
 use crate::ir::{Arena, Multivector, Value};
+use crate::order::Order as _;
 
 /// The largest determinant.
 const LARGEST: usize = 4;
@@ -73,7 +74,7 @@ fn monomial(
         if factors.iter().any(|value| value.is_zero()) {
             continue;
         }
-        factors.sort_by_key(|value| value.node);
+        factors.order_by_key(|value| value.node);
         let nodes: Vec<usize> = factors.iter().map(|value| value.node.index()).collect();
         if *common.get_or_insert_with(|| nodes.clone()) != nodes {
             return None;

@@ -23,6 +23,7 @@ use super::null_pair::NullPair;
 use super::split::translated;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Facts, Multivector, Node, Value};
+use crate::order::Order as _;
 
 /// How the rotation r acts.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -166,7 +167,7 @@ impl Rotation {
             .iter()
             .map(|t| t.0)
             .collect();
-        blades.sort();
+        blades.order();
         blades.dedup();
         let mut arena = Arena::default();
         let terms: Vec<_> = blades.iter().map(|&blade| (blade, arena.input())).collect();

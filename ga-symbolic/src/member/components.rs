@@ -11,6 +11,7 @@ use super::stored::from_stored;
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::define::{Role, TypeDefinition};
 use crate::ir::{Function, Number, NumberSequence, Real, Residue};
+use crate::order::Order as _;
 
 /// The components of a type of unit versors.
 pub(super) struct Components<'a> {
@@ -234,7 +235,7 @@ fn generators(algebra: &Algebra, directions: &[(Blade, Numbers)]) -> Vec<(Number
             .map(|(blade, number)| (*blade, number.residue()))
             .collect()
     };
-    bivectors.sort_by_cached_key(residues);
+    bivectors.order_by_key(residues);
     bivectors.dedup();
     let with_square = bivectors.into_iter().map(|bivector| {
         let square = product(algebra, Product::Geometric, &bivector, &bivector);
@@ -250,7 +251,7 @@ fn starts(kind: &TypeDefinition, directions: &[(Blade, Numbers)]) -> Vec<(Blade,
     let constants = constants.filter(|c| matches!(c.role, Role::Constant(_)));
     let constants = constants.map(|c| (c.blade, Numbers::from([(c.blade, Number::ONE)])));
     let mut starts: Vec<_> = directions.iter().cloned().chain(constants).collect();
-    starts.sort_by_key(|(blade, _)| (blade.grade(), *blade));
+    starts.order_by_key(|(blade, _)| (blade.grade(), *blade));
     starts
 }
 
@@ -274,7 +275,7 @@ fn seeds(
         let mask = reduced(&basis, mask);
         if !square.is_zero() && mask != 0 {
             basis.push(mask);
-            basis.sort_unstable_by(|a, b| b.cmp(a));
+            basis.order_by(|a, b| b.cmp(a));
         }
     }
     let mut classes: Vec<u32> = Vec::new();

@@ -16,6 +16,7 @@
 //! What remains are sums whose terms are rounded anyway, so that the error stays within the same
 //! bound.
 
+use crate::order::Order as _;
 use std::collections::BTreeMap;
 
 use super::cost;
@@ -88,7 +89,7 @@ pub(crate) fn uniform_coefficients(
             price,
         });
     }
-    found.sort_by_key(|collected| collected.price);
+    found.order_by_key(|collected| collected.price);
     found
 }
 
@@ -158,7 +159,7 @@ impl<'a> Expansion<'a> {
         }
         let wanted: Vec<Polynomial> = outputs.iter().map(|&value| self.of(value)).collect();
         let mut monomials: Vec<&Monomial> = wanted.iter().flat_map(Polynomial::keys).collect();
-        monomials.sort_by_key(|monomial| monomial.len());
+        monomials.order_by_key(|monomial| monomial.len());
         for monomial in monomials {
             self.monomial(monomial);
         }
@@ -266,7 +267,7 @@ impl<'a> Expansion<'a> {
             for (second, v) in right {
                 let mut monomial = first.clone();
                 monomial.extend(second);
-                monomial.sort_unstable();
+                monomial.order();
                 // One of the sides is single, so that no two monomials are equal.
                 terms.insert(monomial, self.copy.product(*u, *v));
             }

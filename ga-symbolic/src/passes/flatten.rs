@@ -10,6 +10,7 @@
 use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::Ratio;
 use crate::ir::{Arena, Node, Value};
+use crate::order::Order as _;
 
 /// Merges sums; `None` where there is nothing to merge.
 #[must_use]
@@ -88,7 +89,7 @@ pub(super) fn sum(arena: &mut Arena, plain: &[Value], shared: &[Value]) -> Value
 /// The terms with equal nodes collected.
 pub(super) fn collected(terms: impl IntoIterator<Item = Value>) -> Vec<Value> {
     let mut sorted: Vec<Value> = terms.into_iter().collect();
-    sorted.sort_by_key(|term| term.node);
+    sorted.order_by_key(|term| term.node);
     sorted.dedup_by(|next, kept| {
         let same = next.node == kept.node;
         if same {

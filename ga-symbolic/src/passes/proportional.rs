@@ -6,6 +6,7 @@
 //!
 //! It is right by the distributive law.
 
+use crate::order::Order as _;
 use rustc_hash::FxHashMap;
 
 use super::rewrite::{Graph, reads, rewrite};
@@ -102,7 +103,7 @@ fn divided(arena: &Arena, id: NodeId, terms: &[Value]) -> Option<(Multiple, Rest
         if factors.len() > LONGEST {
             return None;
         }
-        factors.sort_unstable();
+        factors.order();
         monomials.push((term.factor, factors));
     }
     let mut common = monomials[0].1.clone();
@@ -116,7 +117,7 @@ fn divided(arena: &Arena, id: NodeId, terms: &[Value]) -> Option<(Multiple, Rest
     for (_, factors) in &mut monomials {
         *factors = without(factors, &common)?;
     }
-    monomials.sort_by(|(_, a), (_, b)| a.cmp(b));
+    monomials.order_by(|(_, a), (_, b)| a.cmp(b));
     let scale = monomials[0].0;
     for (factor, _) in &mut monomials {
         *factor = *factor / scale;

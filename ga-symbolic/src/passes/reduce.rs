@@ -11,6 +11,7 @@ use super::flatten::{collected, price};
 use super::rewrite::{Graph, reads, rewrite};
 use crate::algebra::{Algebra, Blade, Product, Unary};
 use crate::ir::{Arena, Function, Multivector, Node, NodeId, Value, plucker};
+use crate::order::Order as _;
 
 /// The values that are zero by the facts of an operand: the coefficients of `M ~M − 1` for a unit
 /// versor, of `X²` for a null X, and the Plücker relations of a blade.
@@ -144,7 +145,7 @@ fn cheaper(
             .filter(|term| term.node != Arena::ONE)
             .flat_map(|term| places[term.node.index()].iter().copied())
             .collect();
-        near.sort_unstable();
+        near.order();
         near.dedup();
         // A sum can only take in nodes that come before it.
         let near = near.into_iter().map(|place| &known[place]);

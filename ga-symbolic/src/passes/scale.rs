@@ -16,6 +16,7 @@
 //! factors of products to uniform operands only. The cheapest result is taken. It is right
 //! because the scale of a node is divided out again where the node is read.
 
+use crate::order::Order as _;
 use std::collections::BTreeMap;
 
 use super::rewrite::{Graph, reads, rewrite};
@@ -329,7 +330,7 @@ impl<'a> Scales<'a> {
                 for term in terms {
                     tried.push(self.scales[term.node.index()] / term.factor.abs());
                 }
-                tried.sort_unstable();
+                tried.order();
                 tried.dedup();
                 let mut best = (self.total, current);
                 for scale in tried {

@@ -9,6 +9,7 @@
 
 use super::rewrite::reads;
 use crate::ir::{Arena, Node, NodeId, Value};
+use crate::order::Order as _;
 
 /// The nodes that some outputs need, in an order in which they can be computed.
 #[derive(Clone, Debug)]
@@ -46,7 +47,7 @@ pub fn schedule(arena: &Arena, outputs: &[Value]) -> Schedule {
     let uses = reads(arena, outputs);
     let registers = registers(arena, &uses);
     let by_registers = |operands: &mut Vec<NodeId>| {
-        operands.sort_by_key(|id| std::cmp::Reverse(registers[id.index()]));
+        operands.order_by_key(|id| std::cmp::Reverse(registers[id.index()]));
     };
     let in_order = |order| Schedule {
         order,
@@ -103,7 +104,7 @@ fn registers(arena: &Arena, uses: &[usize]) -> Vec<usize> {
         arena
             .node(id)
             .for_each_operand(|operand| needs.push(registers[operand.index()]));
-        needs.sort_unstable_by_key(|need| std::cmp::Reverse(*need));
+        needs.order_by_key(|need| std::cmp::Reverse(*need));
         let waiting = needs.iter().enumerate().map(|(before, need)| match need {
             0 => 1,
             _ => need + before,

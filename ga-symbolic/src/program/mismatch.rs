@@ -1,5 +1,6 @@
 //! A value that is not of its declared type: why not, and what would help.
 
+use crate::order::Order as _;
 use std::fmt;
 
 use super::build::Builder;
@@ -116,7 +117,7 @@ fn fitting<'a>(
         reasons.is_empty()
     };
     let mut fitting: Vec<_> = definition.types.iter().filter(is_member).collect();
-    fitting.sort_by_key(|kind| kind.coefficients.len());
+    fitting.order_by_key(|kind| kind.coefficients.len());
     fitting.truncate(2);
     fitting.into_iter().map(Some).collect()
 }

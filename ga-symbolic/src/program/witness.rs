@@ -8,6 +8,7 @@ use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
 use crate::ir::{Facts, Function, Number, Outcomes, Parts, Residue};
 use crate::member::{self, Numbers, numbers};
+use crate::order::Order as _;
 
 /// How many points are tried before points are taken at which roots are multiples of i, and how
 /// many before residues are given up.
@@ -326,7 +327,7 @@ impl Witness {
             .filter(|(_, number)| !number.is_zero())
             .map(|(blade, _)| *blade)
             .collect();
-        blades.sort();
+        blades.order();
         blades.dedup();
         blades
     }
@@ -586,7 +587,7 @@ fn free_operands(program: &Program<'_>, failed: StepId) -> Vec<usize> {
                 .flat_map(|part| read[part.index()].clone())
                 .collect(),
         };
-        operands.sort_unstable();
+        operands.order();
         operands.dedup();
         if id == failed {
             operands.retain(|operand| !settled.contains(operand));

@@ -21,14 +21,27 @@ pub(super) struct Face {
 
 pub(super) fn emit(context: &Context<'_>) -> TokenStream {
     let mut items = TokenStream::new();
-    for product in &context.definition.products {
-        items.extend(match product.operation {
-            Operation::Unary(_) => unary(context, product),
-            Operation::Product(operation) => {
-                binary(context, product, &product_face(context, operation))
+    let products = &context.definition.products;
+    let mut needs: Vec<Option<Needs>> = vec![None; products.len()];
+    for (place, product) in products.iter().enumerate() {
+        let face = match product.operation {
+            Operation::Unary(_) => {
+                items.extend(unary(context, product));
+                continue;
             }
-            Operation::Sandwich => binary(context, product, &sandwich_face(context)),
-        });
+            Operation::Product(operation) => product_face(context, operation),
+            Operation::Sandwich => sandwich_face(context),
+        };
+        let earlier = exchanged(context.definition, place).and_then(|earlier| needs[earlier]);
+        let (body, needed) = match earlier {
+            Some(needed) => {
+                let (path, method) = (&face.path, format_ident!("{}", face.method));
+                (quote! { #path::#method(other, self) }, needed)
+            }
+            None => binary_body(context, product),
+        };
+        items.extend(binary(context, product, &face, &body, needed));
+        needs[place] = Some(needed);
     }
     for (index, kind) in context.definition.types.iter().enumerate() {
         items.extend(methods(context, index, kind));
@@ -77,24 +90,66 @@ fn own_face(
     }
 }
 
-fn binary(context: &Context<'_>, product: &ProductDefinition, face: &Face) -> TokenStream {
+/// The earlier of two products that are the same with their operands exchanged: `b ∧ a` beside
+/// `a ∧ b`, where one of the grades is even. The later one calls it.
+fn exchanged(definition: &Definition, place: usize) -> Option<usize> {
+    let product = &definition.products[place];
+    let Operation::Product(operation) = product.operation else {
+        return None;
+    };
+    let dimension = definition.algebra.dimension();
+    let is_even = |index: &usize, of_dual: bool| {
+        let mut blades = definition.types[*index].coefficients.iter();
+        blades.all(|c| {
+            let is_odd = c.blade.grade() % 2 == 1;
+            is_odd == (of_dual && dimension % 2 == 1)
+        })
+    };
+    let mut operands = product.operands.iter();
+    let is_symmetric = match operation {
+        Product::Wedge => operands.any(|index| is_even(index, false)),
+        Product::Vee => operands.any(|index| is_even(index, true)),
+        Product::ScalarProduct => true,
+        _ => false,
+    };
+    let is_of_blades = |p: &ProductDefinition| p.as_blades.iter().any(Option::is_some);
+    let is_exchanged = |p: &ProductDefinition| {
+        p.operation == product.operation
+            && p.result == product.result
+            && p.operands.iter().eq(product.operands.iter().rev())
+            && !is_of_blades(p)
+    };
+    if !is_symmetric || is_of_blades(product) {
+        return None;
+    }
+    definition.products[..place].iter().position(is_exchanged)
+}
+
+/// The body of a product of two operands, and what it requires of the scalar.
+fn binary_body(context: &Context<'_>, product: &ProductDefinition) -> (TokenStream, Needs) {
+    if is_of_products(context.definition, product) {
+        let multiply = quote! { ::core::ops::Mul::mul };
+        let body = quote! { #multiply(#multiply(self, other), self.reverse()) };
+        return (body, Needs::Ring);
+    }
+    let result = product.result.map(|index| context.kind(index));
+    let [first, second] = [0, 1].map(|place| operand_kind(context, product, place));
+    let operands = [(first, receiver()), (second, other())];
+    context.compile(&operands, &product.operation.expression(), result)
+}
+
+fn binary(
+    context: &Context<'_>,
+    product: &ProductDefinition,
+    face: &Face,
+    body: &TokenStream,
+    needs: Needs,
+) -> TokenStream {
     let (left, right) = (
         context.kind(product.operands[0]),
         context.kind(product.operands[1]),
     );
     let result = product.result.map(|index| context.kind(index));
-    let [first, second] = [0, 1].map(|place| operand_kind(context, product, place));
-    let operands = [(first, receiver()), (second, other())];
-    let (body, needs) = match is_of_products(context.definition, product) {
-        true => {
-            let multiply = quote! { ::core::ops::Mul::mul };
-            (
-                quote! { #multiply(#multiply(self, other), self.reverse()) },
-                Needs::Ring,
-            )
-        }
-        false => context.compile(&operands, &product.operation.expression(), result),
-    };
     let (path, argument, output) = (
         context.path(left),
         context.path(right),
