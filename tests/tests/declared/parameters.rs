@@ -8,8 +8,8 @@ use ga_runtime::testing::assert_close;
 use ga_runtime::{Element, ga};
 
 use self::layouts::{
-    Arm, Ball, Bivector, Direction, Motor, MotorSum, Pair, Point, Pose, Quadvector, Ring, Rotor,
-    RoundVector, Trivector,
+    Arm, Ball, Bivector, Direction, Line, LineSum, Motor, MotorSum, Pair, Point, Pose, Quadvector,
+    Ring, Rotor, RoundVector, Trivector,
 };
 
 ga_runtime::algebra! {
@@ -30,6 +30,8 @@ ga_runtime::algebra! {
         struct Direction { e1i, e2i, e3i }
         /// Any bivector.
         struct Bivector { e12, e13, e23, e1o, e2o, e3o, e1i, e2i, e3i, eoi }
+        /// A sum of lines.
+        struct LineSum { e12i, e13i, e23i, e1oi, e2oi, e3oi }
         /// Any trivector.
         struct Trivector { e123, e12o, e13o, e23o, e12i, e13i, e23i, e1oi, e2oi, e3oi }
         /// Any multivector of grade 4.
@@ -77,6 +79,17 @@ ga_runtime::algebra! {
             squared_radius = -(dual | dual) / (flat | flat);
             centre = -dual * ei * dual / (2 * (flat | flat));
         }
+        /// A line of a point and a direction. Of the points of a line the one nearest to the origin
+        /// is read.
+        #[hull(LineSum)]
+        struct Line {
+            place: Point, direction: Direction;
+            self = place ^ direction;
+            direction = -(ei | self);
+            let along = eo | direction;
+            let nearest = (along | (eo | self)) / (along | along);
+            place = nearest + (nearest | nearest) / 2 * ei;
+        }
         /// A rigid motion of rotation and translation.
         #[hull(MotorSum)]
         #[facts(unit_versor)]
@@ -101,10 +114,11 @@ ga_runtime::algebra! {
             wedge(Ring, Point) -> Quadvector;
             left_contraction(Point, Ball) -> Scalar;
             left_contraction(Ball, Ball) -> Scalar;
+            left_contraction(DualPlane, Line) -> Bivector;
             dual(Ring) -> Bivector;
             geometric(Pose, Pose) -> Pose;
             geometric(Motor, Motor) -> Motor;
-            sandwich({Motor, Pose}, {Point, Direction, DualPlane, Ball, Pair, Ring}) -> Self;
+            sandwich({Motor, Pose}, {Point, Direction, DualPlane, Ball, Pair, Ring, Line}) -> Self;
         }
     }
 }
@@ -232,6 +246,20 @@ fn poses_are_motors() {
         Ok(a.rotation)
     );
     assert!(Pose::try_from(sum * 2.0).is_err());
+}
+
+#[test]
+fn a_line_of_a_point_and_a_direction_is_read_by_its_nearest_point() {
+    let line = Line::new(Point::new(1.0, 2.0, 3.0), Direction::new(0.0, 3.0, 4.0));
+    let pose = pose(0.7, [5.0, -1.0, 2.0]);
+    let moved = pose.transform(line);
+    let expected = Line::new(pose.transform(line.place), pose.transform(line.direction));
+    assert_close!(LineSum::from(moved), LineSum::from(expected));
+    let nearest = Line::try_from(LineSum::from(line)).expect("a line");
+    assert_close!(nearest.place.e1(), 1.0, 1e-15, 4.0);
+    assert_close!(nearest.place.e2(), 2.0 - 3.0 * 18.0 / 25.0, 1e-15, 4.0);
+    assert_close!(nearest.place.e3(), 3.0 - 4.0 * 18.0 / 25.0, 1e-15, 4.0);
+    assert!(Line::try_from(LineSum::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0)).is_err());
 }
 
 #[test]
