@@ -56,7 +56,18 @@ pub trait Optional<T>: Sized {
     /// This value, and the other where there is none. The other is computed only where it is
     /// needed.
     #[must_use]
+    #[inline(always)]
     fn or_else(self, other: impl FnOnce() -> Self) -> Self
+    where
+        T: Select<Mask = Self::Mask>,
+    {
+        self.or_else_of((), |()| other())
+    }
+
+    /// The same, with a function of some arguments. Where that is rarely called, they stay in
+    /// registers until it is: what a function captures lies in memory before.
+    #[must_use]
+    fn or_else_of<A>(self, arguments: A, other: impl FnOnce(A) -> Self) -> Self
     where
         T: Select<Mask = Self::Mask>;
 
@@ -99,8 +110,11 @@ impl<T> Optional<T> for Option<T> {
         self.filter(test)
     }
     #[inline(always)]
-    fn or_else(self, other: impl FnOnce() -> Self) -> Self {
-        self.or_else(other)
+    fn or_else_of<A>(self, arguments: A, other: impl FnOnce(A) -> Self) -> Self {
+        match self {
+            None => other(arguments),
+            some => some,
+        }
     }
     #[inline(always)]
     fn unwrap_or(self, other: T) -> T {
@@ -166,14 +180,14 @@ impl<T, M: Mask> Optional<T> for Masked<T, M> {
         self
     }
     #[inline(always)]
-    fn or_else(self, other: impl FnOnce() -> Self) -> Self
+    fn or_else_of<A>(self, arguments: A, other: impl FnOnce(A) -> Self) -> Self
     where
         T: Select<Mask = M>,
     {
         if self.mask.all() {
             return self;
         }
-        let other = other();
+        let other = other(arguments);
         Self {
             mask: self.mask | other.mask,
             value: T::select(self.mask, self.value, other.value),

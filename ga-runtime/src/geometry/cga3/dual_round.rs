@@ -92,10 +92,13 @@ impl<S: Real> RoundVector<S> {
         // The sum is a number only if each of them is.
         is_number(x + y + z)
             .when([x, y, z])
-            .or_else(|| {
-                let place = divided([self.e1, self.e2, self.e3], S::zero(), self.eo);
-                place.map(|[x, y, z, _]| [x, y, z])
-            })
+            .or_else_of(
+                ([self.e1, self.e2, self.e3], self.eo),
+                |(coordinates, weight)| {
+                    let place = divided(coordinates, S::zero(), weight);
+                    place.map(|[x, y, z, _]| [x, y, z])
+                },
+            )
             .filter(|_| !self.eo.equals(S::zero()))
             .map(Point::from)
     }

@@ -96,7 +96,9 @@ impl<S: Real> Line<S> {
         let sum = place.e1 + place.e2 + place.e3;
         is_moderate(square + inverse + sum.abs())
             .when(place.into())
-            .or_else(|| parts_of_any(direction.into(), moment.into()).map(|[place, _]| place))
+            .or_else_of((direction.into(), moment.into()), |(direction, moment)| {
+                parts_of_any(direction, moment).map(|[place, _]| place)
+            })
             .map(Point::from)
     }
 
@@ -120,7 +122,10 @@ impl<S: Real> Line<S> {
         let sum = place.e1 + place.e2 + place.e3;
         is_moderate(square + inverse + sum.abs())
             .when(place.into())
-            .or_else(|| foot_of_any(direction.into(), moment.into(), point.coordinates()))
+            .or_else_of(
+                (direction.into(), moment.into(), point.coordinates()),
+                |(direction, moment, point)| foot_of_any(direction, moment, point),
+            )
             .map(Point::from)
     }
 
@@ -138,7 +143,10 @@ impl<S: Real> Line<S> {
         (are_regular & is_regular(quotient))
             .when(quotient.sqrt())
             .or_else(|| are_regular.when(quotient_of_roots(reach, square)))
-            .or_else(|| distance_of_any(direction.into(), moment.into(), point.coordinates()))
+            .or_else_of(
+                (direction.into(), moment.into(), point.coordinates()),
+                |(direction, moment, point)| distance_of_any(direction, moment, point),
+            )
     }
 
     /// The point nearest to the origin and the unit direction; `None` for a line of weight zero, or
@@ -150,8 +158,8 @@ impl<S: Real> Line<S> {
         let place = direction.cross(moment).divided(square);
         (is_regular(square) & are_numbers(place.coordinates()))
             .when((place, direction.divided(square.sqrt())))
-            .or_else(|| {
-                let parts = parts_of_any(direction.into(), moment.into());
+            .or_else_of((direction.into(), moment.into()), |(direction, moment)| {
+                let parts = parts_of_any(direction, moment);
                 parts.map(|[place, direction]| (place.into(), direction.into()))
             })
     }

@@ -89,7 +89,7 @@ impl<S: Real> DualQuaternion<S> {
         let (motor, size) = self.divided_by_norm();
         is_moderate(size)
             .when(motor)
-            .or_else(|| Motor::normalize(self))
+            .or_else_of(self, Motor::normalize)
     }
 
     /// The motor nearest to a sum of motors, without a check, and a number that is moderate only

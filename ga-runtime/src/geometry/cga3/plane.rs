@@ -94,7 +94,9 @@ impl<S: Real> Plane<S> {
         let is_accurate = is_moderate(square + inverse + way.abs());
         let place = is_accurate.when((normal * way).into());
         place
-            .or_else(|| moved_of_any(normal.into(), number, [S::zero(); 3], S::one()))
+            .or_else_of((normal.into(), number), |(normal, number)| {
+                moved_of_any(normal, number, [S::zero(); 3], S::one())
+            })
             .map(Point::from)
     }
 
@@ -108,7 +110,10 @@ impl<S: Real> Plane<S> {
         let distance = (normal.dot(point.into()) - number) / square.sqrt();
         (is_regular(square) & is_number(distance))
             .when(distance)
-            .or_else(|| signed_distance_of_any(normal.into(), number, point.coordinates()))
+            .or_else_of(
+                (normal.into(), number, point.coordinates()),
+                |(normal, number, point)| signed_distance_of_any(normal, number, point),
+            )
     }
 
     /// The unit normal n and the distance d of the points x with `n·x = d`; `None` for a plane of
@@ -121,8 +126,8 @@ impl<S: Real> Plane<S> {
         let distance = number / length;
         (is_regular(square) & is_number(distance))
             .when((normal.divided(length), distance))
-            .or_else(|| {
-                let parts = parts_of_any(normal.into(), number);
+            .or_else_of((normal.into(), number), |(normal, number)| {
+                let parts = parts_of_any(normal, number);
                 parts.map(|[x, y, z, distance]| (Vector::new(x, y, z), distance))
             })
     }
@@ -137,9 +142,12 @@ impl<S: Real> Plane<S> {
         let way = (normal.dot(point) - number) * (factor * inverse);
         // A point without a number gives a way without one.
         let is_accurate = is_moderate(square + inverse + way.abs());
-        is_accurate
-            .when(point - normal * way)
-            .or_else(|| moved_of_any(normal.into(), number, point.into(), factor).map(Vector::from))
+        is_accurate.when(point - normal * way).or_else_of(
+            (normal.into(), number, point.into(), factor),
+            |(normal, number, point, factor)| {
+                moved_of_any(normal, number, point, factor).map(Vector::from)
+            },
+        )
     }
 
     /// The normal n and the number d of the points x with `n·x = d`, both times the weight.

@@ -36,10 +36,13 @@ pub(super) fn of_length<S: Real>(
     let factor = length_squared / square;
     (is_regular(factor) & is_regular(square))
         .when(direction * factor.sqrt())
-        .or_else(|| {
-            let unit = unit_axis_of_any(direction.coordinates());
-            unit.map(|unit| Vector::from(unit) * length_squared.sqrt())
-        })
+        .or_else_of(
+            (direction.coordinates(), length_squared),
+            |(direction, length_squared)| {
+                let unit = unit_axis_of_any(direction);
+                unit.map(|unit| Vector::from(unit) * length_squared.sqrt())
+            },
+        )
 }
 
 /// The vector of length 1 along an axis; `None` where that is zero or not finite.
@@ -49,7 +52,7 @@ pub(super) fn unit_axis<S: Real>(axis: [S; 3]) -> Maybe<Vector<S>, S> {
     let square = vector.length_squared();
     is_regular(square)
         .when(vector * square.sqrt().recip())
-        .or_else(|| unit_axis_of_any(axis).map(Vector::from))
+        .or_else_of(axis, |axis| unit_axis_of_any(axis).map(Vector::from))
 }
 
 /// The same for an axis whose square is too large or too small.

@@ -249,5 +249,7 @@ fn radius_towards<S: Real>(centre: Vector<S>, way: Vector<S>, radius: S) -> Mayb
     radius
         .is_zero()
         .when(centre)
-        .or_else(|| unit_axis(way.into()).map(|unit| centre + unit * radius))
+        .or_else_of((centre, way, radius), |(centre, way, radius)| {
+            unit_axis(way.into()).map(|unit| centre + unit * radius)
+        })
 }

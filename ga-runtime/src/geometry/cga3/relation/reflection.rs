@@ -101,7 +101,7 @@ impl<S: Real> Mirror<S> for Plane<S> {
         let Vector { e1, e2, e3 } = image + image_moment;
         is_moderate(square + inverse + (e1 + e2 + e3).abs())
             .when(Line::from_vectors(image, image_moment))
-            .or_else(|| image_by_motor(line, self))
+            .or_else_of((line, self), |(line, plane)| image_by_motor(line, plane))
     }
 }
 
