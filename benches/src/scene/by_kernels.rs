@@ -185,10 +185,8 @@ impl Scene {
         }) {
             return from_sky;
         }
-        let gloss = inner(mirrored(ray.direction, hit.normal), to_lamp);
-        let gloss = gloss.max(0.0).powi(64);
-        let white = Colour::new(1.0, 1.0, 1.0);
-        from_sky + colour * (by_methods::LAMP * cosine) + white * (by_methods::GLOSS * gloss)
+        let to_mirrored = inner(mirrored(ray.direction, hit.normal), to_lamp);
+        from_sky + by_methods::from_lamp(colour, cosine, to_mirrored)
     }
 
     /// The same scene with Euclidean data; `None` where a shape has none.

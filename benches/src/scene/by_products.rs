@@ -232,10 +232,8 @@ impl Scene {
         }) {
             return from_sky;
         }
-        let gloss = Vector::from(mirrored.direction()).dot(way);
-        let gloss = gloss.max(0.0).powi(64);
-        let white = Colour::new(1.0, 1.0, 1.0);
-        from_sky + colour * (by_methods::LAMP * cosine) + white * (by_methods::GLOSS * gloss)
+        let to_mirrored = Vector::from(mirrored.direction()).dot(way);
+        from_sky + by_methods::from_lamp(colour, cosine, to_mirrored)
     }
 
     /// The same scene; `None` where a shape has no Euclidean data.

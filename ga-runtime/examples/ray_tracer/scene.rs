@@ -103,9 +103,7 @@ impl Scene {
         }
         // The highlight, where the lamp is nearly in the direction of the mirrored ray.
         let mirrored = ray.reflect(hit).direction();
-        let gloss = mirrored.dot(to_lamp.direction()).max(0.0).powi(64);
-        let white = Colour::new(1.0, 1.0, 1.0);
-        from_sky + colour * (LAMP * cosine) + white * (GLOSS * gloss)
+        from_sky + from_lamp(colour, cosine, mirrored.dot(to_lamp.direction()))
     }
 
     fn is_in_shadow(&self, to_lamp: Ray<f64>) -> bool {
@@ -134,6 +132,13 @@ pub(crate) fn sky(direction: Direction<f64>) -> Colour {
 /// The light from the sky on a surface, by the height of its normal.
 pub(crate) fn ambient(upwards: f64) -> f64 {
     0.16 + 0.10 * upwards
+}
+
+/// The light of the lamp that a surface scatters, by the cosines of the angles from its direction to
+/// the normal and to the mirrored ray.
+pub(crate) fn from_lamp(colour: Colour, to_normal: f64, to_mirrored: f64) -> Colour {
+    let white = Colour::new(1.0, 1.0, 1.0);
+    colour * (LAMP * to_normal) + white * (GLOSS * to_mirrored.max(0.0).powi(64))
 }
 
 /// A pinhole camera.
