@@ -1,5 +1,5 @@
-//! Measures the accuracy of rounds over distance and size, prints the largest errors, and draws them
-//! all as the picture of the page of conventions.
+//! Measures the accuracy of rounds over distance and size, prints the largest errors, and draws
+//! them all as the picture of the page of conventions.
 //!
 //! `cargo run -p nullcone-tests --example limits -- ga-runtime/docs/limits.svg`, and another seed
 //! than 1 as the last argument for other cases.
@@ -39,14 +39,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [width, height] = PICTURE;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
-         width=\"{width}\" font-family=\"sans-serif\" font-size=\"10\">\n\
+         width=\"{width}\" style=\"max-width:100%\" font-family=\"sans-serif\" font-size=\"10\">\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n"
     );
     for (number, query) in Query::ALL.into_iter().enumerate() {
         let corner = corner(number);
         let (single, double) = (Map::new::<f32>(query, seed), Map::new::<f64>(query, seed));
-        let largest = [&single, &double].map(Map::largest);
-        let note = format!("largest: f32 {:.1}, f64 {:.1}", largest[0], largest[1]);
+        let note = format!(
+            "largest: f32 {}, f64 {}",
+            single.largest(),
+            double.largest()
+        );
         println!("{}, {note}", title(query));
         text(
             &mut svg,
@@ -77,8 +80,8 @@ fn title(query: Query) -> &'static str {
         Query::PairThrough => "Pair of two points: ends, radius",
         Query::CircleThrough => "Circle through 3 points: centre, radius",
         Query::SphereThrough => "Sphere through 4 points: centre, radius",
-        Query::SpheresMeet => "Spheres meet, radii up to 1:2",
-        Query::UnlikeSpheresMeet => "Spheres meet, radii up to 1:1000",
+        Query::SpheresMeet => "Spheres meet, radii up to 1:1000",
+        Query::LargerMeetsSmaller => "The same by the larger ∨ the smaller",
         Query::PlaneMeetsSphere => "Plane meets sphere: centre, radius",
         Query::LineMeetsSphere => "Line meets sphere: the two points",
         Query::PlaneMeetsCircle => "Plane meets circle: the two points",
@@ -124,9 +127,15 @@ impl Map {
         self.cells[0].len()
     }
 
-    fn largest(&self) -> f64 {
+    /// The largest error; the product may say that spheres do not meet which do.
+    fn largest(&self) -> String {
         let errors = self.cells.iter().flatten().flatten();
-        errors.copied().fold(0.0, f64::max)
+        let largest = errors.copied().fold(0.0, f64::max);
+        if largest.is_finite() {
+            format!("{largest:.1}")
+        } else {
+            "no answer".to_owned()
+        }
     }
 
     /// Draws the cells, those of one colour as one path, and the distances below them.

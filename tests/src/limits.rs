@@ -2,7 +2,10 @@
 //! truth is computed with vectors of twofold precision, of the coordinates as they are rounded.
 
 use ga_runtime::cga3::{Circle, Line, Motor, Plane, Point, PointPair, Rotor, Sphere};
+use ga_runtime::geometry::Kind;
 use ga_runtime::geometry::ray::Ray;
+use ga_runtime::geometry::relation::Tolerance;
+use ga_runtime::geometry::relation::meet::{LineAndSphere, SphereAndSphere};
 use ga_runtime::scalar::Real;
 
 use crate::plain::{
@@ -43,10 +46,11 @@ pub enum Query {
     CircleThrough,
     /// Centre and radius of the sphere through four points.
     SphereThrough,
-    /// Centre and radius of the circle in which spheres of like radii meet.
+    /// Centre and radius of the circle in which spheres with radii up to 1:1000 meet, by the product
+    /// of the smaller and the larger, and by the method.
     SpheresMeet,
-    /// The same for radii up to 1:1000, of which the size is the larger.
-    UnlikeSpheresMeet,
+    /// The same by the product of the larger and the smaller.
+    LargerMeetsSmaller,
     /// Centre and radius of the circle in which a plane and a sphere meet.
     PlaneMeetsSphere,
     /// Endpoints of the pair in which a line and a sphere meet.
@@ -67,7 +71,7 @@ impl Query {
         Self::CircleThrough,
         Self::SphereThrough,
         Self::SpheresMeet,
-        Self::UnlikeSpheresMeet,
+        Self::LargerMeetsSmaller,
         Self::PlaneMeetsSphere,
         Self::LineMeetsSphere,
         Self::PlaneMeetsCircle,
@@ -87,13 +91,16 @@ impl Query {
             Self::PairThrough => pair_through(&mut scene),
             Self::CircleThrough => circle_through(&mut scene),
             Self::SphereThrough => sphere_through(&mut scene),
-            Self::SpheresMeet => {
-                let ratio = 2_f64.powf(-scene.numbers.unit());
-                spheres_meet(&mut scene, ratio)
-            }
-            Self::UnlikeSpheresMeet => {
-                let ratio = 1e3_f64.powf(-scene.numbers.unit());
-                spheres_meet(&mut scene, ratio)
+            Self::SpheresMeet => spheres_meet(&mut scene, |meeting| {
+                let tolerance = Tolerance::new(S::zero(), S::zero());
+                let found = meeting.larger.meet(meeting.smaller, tolerance);
+                let Some(SphereAndSphere::Circle(circle)) = found else {
+                    return vec![];
+                };
+                vec![meeting.smaller & meeting.larger, circle]
+            }),
+            Self::LargerMeetsSmaller => {
+                spheres_meet(&mut scene, |meeting| vec![meeting.larger & meeting.smaller])
             }
             Self::PlaneMeetsSphere => plane_meets_sphere(&mut scene),
             Self::LineMeetsSphere => line_meets_sphere(&mut scene),
@@ -102,6 +109,74 @@ impl Query {
             Self::HundredMotions => hundred_motions(&mut scene),
         }?;
         Some(error / (S::epsilon().into() * unit))
+    }
+}
+
+/// What is said of two spheres, or a line and a sphere, that nearly touch.
+#[derive(Debug)]
+pub struct NearTangency {
+    /// The displacement that makes them touch, in units of ε (distance + size·K).
+    pub displacement: f64,
+    /// Whether they meet in real points.
+    pub is_real: bool,
+    /// Whether products, methods without a tolerance and rays say so.
+    pub by_numbers: Vec<bool>,
+    /// Whether the method says so with a tolerance of eight such units; `None` for a contact.
+    pub with_tolerance: Option<bool>,
+}
+
+impl NearTangency {
+    /// Spheres with radii up to 1:1000.
+    #[must_use]
+    pub fn of_spheres<S: Precision>(distance: f64, size: f64, seed: u64) -> Option<Self> {
+        let mut scene = Scene::<S>::new(distance, size, seed);
+        let height = scene.nearly_one();
+        let meeting = Meeting::new(&mut scene, height)?;
+        let (larger, smaller) = (meeting.larger, meeting.smaller);
+        let method = |tolerance: S| match larger.meet(smaller, Tolerance::new(tolerance, tolerance))
+        {
+            Some(SphereAndSphere::Circle(_)) => Some(true),
+            Some(SphereAndSphere::Imaginary(_)) => Some(false),
+            _ => None,
+        };
+        let unit = S::epsilon().into() * scene.size() * meeting.condition;
+        let product = smaller & larger;
+        Some(Self {
+            displacement: meeting.to_contact / unit,
+            is_real: meeting.squared.rounded() > 0.0,
+            by_numbers: vec![product.kind(S::zero()) == Kind::Real, method(S::zero())?],
+            with_tolerance: method(S::from_f64(8.0 * unit)),
+        })
+    }
+
+    /// A line or a ray, and a sphere.
+    #[must_use]
+    pub fn of_line_and_sphere<S: Precision>(distance: f64, size: f64, seed: u64) -> Option<Self> {
+        let mut scene = Scene::<S>::new(distance, size, seed);
+        let height = scene.nearly_one();
+        let ([p, q], [nearest, _]) = line_at(&mut scene, height);
+        let sphere = Sphere::from_centre_radius(scene.at(O), scene.size);
+        let line = Line::through(p, q);
+        let method = |tolerance: S| match line.meet(sphere, Tolerance::new(tolerance, tolerance)) {
+            Some(LineAndSphere::Points(_)) => Some(true),
+            Some(LineAndSphere::Imaginary(_)) => Some(false),
+            _ => None,
+        };
+        let unit = S::epsilon().into() * (scene.distance + scene.size());
+        let depth = (exact(scene.size) - norm(nearest)).rounded();
+        scene.resolves(scene.size()).then(|| Self {
+            displacement: depth.abs() / unit,
+            is_real: depth > 0.0,
+            by_numbers: [
+                Some((line & sphere).kind(S::zero()) == Kind::Real),
+                method(S::zero()),
+                Ray::through(p, q).map(|ray| ray.first_hit(sphere).is_some()),
+            ]
+            .into_iter()
+            .flatten()
+            .collect(),
+            with_tolerance: method(S::from_f64(8.0 * unit)),
+        })
     }
 }
 
@@ -146,6 +221,17 @@ impl<S: Precision> Scene<S> {
         let directions = [(); N].map(|()| self.numbers.axis());
         let points = directions.map(|direction| self.at(times(direction, self.size())));
         (points, points.map(|point| self.offset(point)))
+    }
+
+    /// A number that differs from 1 by some ε, by a tenth or by anything between.
+    fn nearly_one(&mut self) -> f64 {
+        let power = self.numbers.unit() * S::epsilon().into().log10();
+        let difference = 0.1 * 10_f64.powf(power);
+        if self.numbers.unit() < 0.5 {
+            1.0 + difference
+        } else {
+            1.0 - difference
+        }
     }
 
     /// Whether positions so far away can express this size.
@@ -260,37 +346,69 @@ fn sphere_through<S: Precision>(scene: &mut Scene<S>) -> Measured {
     scene.measured(error, condition)
 }
 
-/// Two spheres, the larger of them of this size, the other smaller by a ratio. Their condition is
-/// that of the distance d of the centres and of the radius ρ of the circle: r₁r₂ / dρ.
-fn spheres_meet<S: Precision>(scene: &mut Scene<S>, ratio: f64) -> Measured {
-    let mut radii = [scene.size, S::from_f64(scene.size() * ratio)];
-    let [larger, smaller] = radii.map(Into::into);
-    if scene.numbers.unit() < 0.5 {
-        radii.reverse();
+/// A smaller and a larger sphere, of the radius that is the size.
+struct Meeting<S> {
+    smaller: Sphere<S>,
+    larger: Sphere<S>,
+    /// The squared radius of the circle in which they meet, and its centre.
+    squared: Twofold,
+    centre: Offset,
+    /// The ratio of the larger radius and the distance of the centres, at least 1.
+    condition: f64,
+    /// The displacement that makes them touch.
+    to_contact: f64,
+}
+
+impl<S: Precision> Meeting<S> {
+    /// Spheres the nearest points of which are cut by a plane at this height, in units of the
+    /// smaller radius, from the centre of the smaller. At a height of 1 they touch.
+    fn new(scene: &mut Scene<S>, height: f64) -> Option<Self> {
+        let [large, small] = [1.0, 1e3_f64.powf(-scene.numbers.unit())]
+            .map(|ratio| S::from_f64(ratio * scene.size()));
+        let (larger, smaller): (f64, f64) = (large.into(), small.into());
+        let height = height * smaller;
+        let squared = larger * larger - smaller * smaller + height * height;
+        let step = times(scene.numbers.axis(), height + squared.sqrt());
+        let points = [O, step].map(|offset| scene.at(offset));
+        let [p, q] = points.map(|point| scene.offset(point));
+        let (between, r, s) = (minus(q, p), exact(small), exact(large));
+        let square = dot(between, between);
+        let share = (square + (r - s) * (r + s)) / (square + square);
+        let apart = square.sqrt();
+        let contacts = [r + s, s - r].map(|reach| (apart - reach).rounded().abs());
+        let gap = apart.rounded();
+        (scene.resolves(smaller) && gap > larger / 32.0).then(|| Self {
+            smaller: Sphere::from_centre_radius(points[0], small),
+            larger: Sphere::from_centre_radius(points[1], large),
+            squared: r * r - share * share * square,
+            centre: along(p, share, between),
+            condition: (larger / gap).max(1.0),
+            to_contact: contacts[0].min(contacts[1]),
+        })
     }
-    // A point of the circle, as it is seen from the centre of the smaller sphere.
-    let height = scene.numbers.within(0.97 * smaller);
-    let half = (smaller * smaller - height * height).sqrt();
-    let apart = height + (larger * larger - half * half).sqrt();
-    let step = times(scene.numbers.axis(), apart);
-    let centres = [O, step].map(|offset| scene.at(offset));
-    let [first, second] = [0, 1].map(|k| Sphere::from_centre_radius(centres[k], radii[k]));
-    let [p, q] = centres.map(|centre| scene.offset(centre));
-    let (between, [r, s]) = (minus(q, p), radii.map(exact));
-    let square = dot(between, between);
-    let share = (square + (r - s) * (r + s)) / (square + square);
-    let squared = r * r - share * share * square;
-    let (gap, half) = (square.sqrt().rounded(), squared.sqrt());
-    if !scene.resolves(smaller) || gap < larger / 32.0 || half.rounded() < smaller / 32.0 {
+}
+
+/// The condition is that of the spheres, and of the radius ρ of the circle in which they meet: it
+/// grows as r/ρ for the radius r of the smaller.
+fn spheres_meet<S: Precision>(
+    scene: &mut Scene<S>,
+    circles: impl Fn(&Meeting<S>) -> Vec<Circle<S>>,
+) -> Measured {
+    let height = scene.numbers.within(0.97);
+    let meeting = Meeting::new(scene, height)?;
+    let radius = meeting.squared.sqrt();
+    let smaller: f64 = meeting.smaller.radius()?.into();
+    let condition = meeting.condition * smaller / radius.rounded();
+    let error = |circle: &Circle<S>| {
+        let moved = scene.away(circle.centre(), meeting.centre);
+        off(circle.radius(), radius).max(moved)
+    };
+    let error = circles(&meeting).iter().map(error).reduce(f64::max);
+    let is_grazing = radius.rounded() < smaller / 32.0;
+    if is_grazing {
         return None;
     }
-    let circle = first & second;
-    let error = largest([
-        off(circle.radius(), half),
-        scene.away(circle.centre(), along(p, share, between)),
-    ]);
-    let condition = (larger / gap).max(1.0) * (smaller / half.rounded());
-    scene.measured(error, condition)
+    scene.measured(error.unwrap_or(f64::INFINITY), condition)
 }
 
 fn plane_meets_sphere<S: Precision>(scene: &mut Scene<S>) -> Measured {
@@ -310,16 +428,23 @@ fn plane_meets_sphere<S: Precision>(scene: &mut Scene<S>) -> Measured {
     scene.measured(error, 1.0)
 }
 
-/// Two points of a line at up to 0.9 radii from the centre of the sphere about the place, and the
-/// points in which the line meets it.
-fn secant<S: Precision>(scene: &mut Scene<S>) -> ([Point<S>; 2], [Offset; 2]) {
+/// Two points of a line at a distance, in radii, from the centre of the sphere about the place, and
+/// the offsets of the nearest point and of a unit vector along the line.
+fn line_at<S: Precision>(scene: &mut Scene<S>, height: f64) -> ([Point<S>; 2], [Offset; 2]) {
     let direction = scene.numbers.axis();
     let [side, _] = frame(direction);
-    let foot = times(side, scene.numbers.within(0.9 * scene.size()));
+    let foot = times(side, height * scene.size());
     let points = [-2.0, 3.0].map(|t| scene.at(along(foot, t * scene.size(), direction)));
     let [start, end] = points.map(|point| scene.offset(point));
     let way = unit_of(minus(end, start));
-    let nearest = minus(start, times(way, dot(start, way)));
+    (points, [minus(start, times(way, dot(start, way))), way])
+}
+
+/// Two points of a line at up to 0.9 radii from the centre, and the points in which it meets the
+/// sphere.
+fn secant<S: Precision>(scene: &mut Scene<S>) -> ([Point<S>; 2], [Offset; 2]) {
+    let height = scene.numbers.within(0.9);
+    let (points, [nearest, way]) = line_at(scene, height);
     let squared = exact(scene.size) * exact(scene.size) - dot(nearest, nearest);
     let step = times(way, squared.sqrt());
     (points, [minus(nearest, step), plus(nearest, step)])
