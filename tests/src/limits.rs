@@ -112,6 +112,11 @@ impl Query {
     }
 }
 
+ga_runtime::ga! { ga_runtime::cga3;
+    fn circle_of(a: Sphere, b: Sphere) -> Circle { a & b }
+    fn pair_of(a: Line, b: Sphere) -> PointPair { a & b }
+}
+
 /// What is said of two spheres, or a line and a sphere, that nearly touch.
 #[derive(Debug)]
 pub struct NearTangency {
@@ -119,7 +124,7 @@ pub struct NearTangency {
     pub displacement: f64,
     /// Whether they meet in real points.
     pub is_real: bool,
-    /// Whether products, methods without a tolerance and rays say so.
+    /// Whether products, `ga!`, methods without a tolerance and rays say so.
     pub by_numbers: Vec<bool>,
     /// Whether the method says so with a tolerance of eight such units; `None` for a contact.
     pub with_tolerance: Option<bool>,
@@ -140,11 +145,12 @@ impl NearTangency {
             _ => None,
         };
         let unit = S::epsilon().into() * scene.size() * meeting.condition;
-        let product = smaller & larger;
+        let products = [smaller & larger, circle_of(smaller, larger)];
+        let products = products.map(|circle| circle.kind(S::zero()) == Kind::Real);
         Some(Self {
             displacement: meeting.to_contact / unit,
             is_real: meeting.squared.rounded() > 0.0,
-            by_numbers: vec![product.kind(S::zero()) == Kind::Real, method(S::zero())?],
+            by_numbers: products.into_iter().chain(method(S::zero())).collect(),
             with_tolerance: method(S::from_f64(8.0 * unit)),
         })
     }
@@ -164,17 +170,17 @@ impl NearTangency {
         };
         let unit = S::epsilon().into() * (scene.distance + scene.size());
         let depth = (exact(scene.size) - norm(nearest)).rounded();
+        let products = [line & sphere, pair_of(line, sphere)];
+        let products = products.map(|pair| pair.kind(S::zero()) == Kind::Real);
+        let hits = Ray::through(p, q).map(|ray| ray.first_hit(sphere).is_some());
         scene.resolves(scene.size()).then(|| Self {
             displacement: depth.abs() / unit,
             is_real: depth > 0.0,
-            by_numbers: [
-                Some((line & sphere).kind(S::zero()) == Kind::Real),
-                method(S::zero()),
-                Ray::through(p, q).map(|ray| ray.first_hit(sphere).is_some()),
-            ]
-            .into_iter()
-            .flatten()
-            .collect(),
+            by_numbers: products
+                .into_iter()
+                .chain(method(S::zero()))
+                .chain(hits)
+                .collect(),
             with_tolerance: method(S::from_f64(8.0 * unit)),
         })
     }
