@@ -17,6 +17,8 @@ pub mod __private;
 mod algebras;
 pub mod batch;
 #[doc = include_str!("../docs/conventions.md")]
+#[doc = ""]
+#[doc = include_str!("../docs/limits.svg")]
 pub mod conventions {}
 pub mod dense;
 mod element;

@@ -1,9 +1,11 @@
 //! Helpers for the tests that use several crates. The programs in the README are run as doctests of
 //! this library.
 
+pub mod limits;
 pub mod oracle;
 pub mod plain;
 pub mod random;
+pub mod twofold;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -16,6 +16,6 @@ pub use near::{
 };
 pub use sampling::least_by_sampling;
 pub use vector::{
-    O, Vector, X, Y, Z, along, cross, dot, frame, length, minus, plus, rotated, times, unit,
-    unit_of, vector,
+    Number, O, Vector, X, Y, Z, along, cross, dot, frame, length, minus, plus, rotated, times,
+    unit, unit_of, vector,
 };

@@ -1,5 +1,7 @@
 //! Vectors of three numbers.
 
+use std::ops::{Add, Mul, Sub};
+
 use proptest::prelude::*;
 
 /// A vector by its components.
@@ -14,13 +16,18 @@ pub const Z: Vector = [0.0, 0.0, 1.0];
 /// The origin, and the zero vector.
 pub const O: Vector = [0.0; 3];
 
+/// What components are added and multiplied as: `f64`, or a number of more digits.
+pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Number for T {}
+
 /// The inner product.
-pub fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
+pub fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The cross product.
-pub fn cross(a: Vector, b: Vector) -> Vector {
+pub fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -29,22 +36,22 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
 }
 
 /// a + b.
-pub fn plus(a: Vector, b: Vector) -> Vector {
+pub fn plus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|k| a[k] + b[k])
 }
 
 /// a − b.
-pub fn minus(a: Vector, b: Vector) -> Vector {
+pub fn minus<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
 /// a multiplied by a factor.
-pub fn times(a: Vector, factor: f64) -> Vector {
+pub fn times<T: Number>(a: [T; 3], factor: T) -> [T; 3] {
     a.map(|x| x * factor)
 }
 
 /// a + s b.
-pub fn along(a: Vector, s: f64, b: Vector) -> Vector {
+pub fn along<T: Number>(a: [T; 3], s: T, b: [T; 3]) -> [T; 3] {
     std::array::from_fn(|k| a[k] + s * b[k])
 }
 

@@ -27,7 +27,9 @@ use crate::vga3::Vector;
 ///   cannot be distinguished from infinity and is free too.
 /// - A squared radius is treated as zero where `|r²| ≤ τ (c² + |c² − r²|)`, c being the centre. The
 ///   coefficients of a general blade determine it no more accurately than to τ = ε; the types of
-///   rounds store it, so that a tolerance of zero asks for its sign.
+///   rounds store it, so that a tolerance of zero asks for its sign. Whether that is within the
+///   rounding of a meet depends on what met: see
+///   [What if two objects nearly touch?](crate::conventions#rounds)
 /// - A sum is not a blade where its outer product with itself exceeds τ times the product of its
 ///   coefficients.
 ///

@@ -235,8 +235,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Sphere<S> {
             });
         }
         let cut = less_square(sphere_squared, from.dot(normal).abs());
-        let along = power_plane(off, squared, cut);
-        let half_squared = less_square(squared, along.abs());
+        let (along, half_squared) = power_plane(off, squared, cut);
         let pair = pair(centre + out * along, direction, half_squared)?;
         Some(if half_squared.less_than(S::zero()) {
             SphereAndCircle::Imaginary(pair)
@@ -274,7 +273,7 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
         }
         let out = flat.divided(off);
         let direction = out.cross(n);
-        let along = power_plane(off, a_squared, b_squared);
+        let (along, half_squared) = power_plane(off, a_squared, b_squared);
         let place = a + out * along;
         if touch(off, a_squared, b_squared, tolerance) {
             let point = finite_point(place)?;
@@ -283,7 +282,6 @@ impl<S: Real<Mask = bool>> Meet<Circle<S>> for Circle<S> {
                 direction: direction.into(),
             });
         }
-        let half_squared = less_square(a_squared, along.abs());
         let pair = pair(place, direction, half_squared)?;
         Some(if half_squared.less_than(S::zero()) {
             CircleAndCircle::Imaginary(pair)

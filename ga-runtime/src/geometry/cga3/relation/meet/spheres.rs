@@ -283,7 +283,13 @@ impl<S: Real<Mask = bool>> Meet<Sphere<S>> for Sphere<S> {
             let along = (distance + (a_squared - b_squared) * inverse) * S::from_ratio(1, 2);
             let (r, s) = (a_squared.sqrt(), b_squared.sqrt());
             let is_far = |x: S| tolerance.distance.less_than(x.abs());
-            let squared = (r - along.abs()) * (r + along.abs());
+            // As in `power_plane`.
+            let (radius, height) = if s.less_than(r) {
+                (s, (distance - along).abs())
+            } else {
+                (r, along.abs())
+            };
+            let squared = (radius - height) * (radius + height);
             let is_apart =
                 is_far(distance) & is_far(distance - (r + s)) & is_far(distance - (r - s).abs());
             if (is_regular(square) & is_apart)
@@ -319,7 +325,7 @@ fn near_spheres<S: Real<Mask = bool>>(
         });
     }
     let way = way.divided(distance);
-    let along = power_plane(distance, a_squared, b_squared);
+    let (along, squared) = power_plane(distance, a_squared, b_squared);
     let place = a + way * along;
     if touch(distance, a_squared, b_squared, tolerance) {
         let point = finite_point(place)?;
@@ -328,7 +334,6 @@ fn near_spheres<S: Real<Mask = bool>>(
             normal: way.into(),
         });
     }
-    let squared = less_square(a_squared, along.abs());
     let circle = circle(place, way, squared)?;
     Some(if squared.less_than(S::zero()) {
         SphereAndSphere::Imaginary(circle)
@@ -337,11 +342,25 @@ fn near_spheres<S: Real<Mask = bool>>(
     })
 }
 
-/// The distance from the first of two centres, towards the second, of the plane of points of equal
-/// power: `(d² + r² − s²)/(2 d)`.
+/// Where two spheres meet, or two circles in one plane: the distance from the first of the centres,
+/// towards the second, of the plane of points of equal power, `(d² + r² − s²)/(2 d)`, and the
+/// squared radius there.
+///
+/// That is read about the smaller sphere: from the square of the larger it would have an error
+/// that its own size does not explain.
 #[inline]
-pub(super) fn power_plane<S: Real<Mask = bool>>(distance: S, squared: S, other_squared: S) -> S {
-    (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2)
+pub(super) fn power_plane<S: Real<Mask = bool>>(
+    distance: S,
+    squared: S,
+    other_squared: S,
+) -> (S, S) {
+    let along = (distance + (squared - other_squared) / distance) * S::from_ratio(1, 2);
+    let (smaller, height) = if other_squared.less_than(squared) {
+        (other_squared, distance - along)
+    } else {
+        (squared, along)
+    };
+    (along, less_square(smaller, height.abs()))
 }
 
 /// Whether two radii, both real or both imaginary, are equal within the tolerance.
