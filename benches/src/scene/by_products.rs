@@ -37,7 +37,8 @@ const REFLECTIONS: usize = 5;
 /// Points of spheres are computed, and lie beside them by rounding.
 const TOLERANCE: Tolerance<f64> = Tolerance::new(1e-9, 1e-9);
 
-/// How the steps are taken.
+/// How the steps are taken. They are inlined, as operators and functions are where they are written
+/// in their place.
 pub(super) trait Style {
     fn points(sphere: Sphere<f64>, line: Line<f64>) -> Option<[Point<f64>; 2]>;
     fn point(plane: Plane<f64>, line: Line<f64>) -> Option<Point<f64>>;
@@ -50,26 +51,32 @@ pub(super) trait Style {
 pub(super) struct Methods;
 
 impl Style for Methods {
+    #[inline(always)]
     fn points(sphere: Sphere<f64>, line: Line<f64>) -> Option<[Point<f64>; 2]> {
         (sphere & line).endpoints()
     }
 
+    #[inline(always)]
     fn point(plane: Plane<f64>, line: Line<f64>) -> Option<Point<f64>> {
         (plane & line).to_point()
     }
 
+    #[inline(always)]
     fn tangent(sphere: Sphere<f64>, point: Point<f64>) -> Option<Plane<f64>> {
         sphere.tangent_plane_at(point, TOLERANCE)
     }
 
+    #[inline(always)]
     fn mirrored(line: Line<f64>, plane: Plane<f64>) -> Option<Line<f64>> {
         line.reflect_in(plane)
     }
 
+    #[inline(always)]
     fn depth(line: Line<f64>, from: Point<f64>, to: Point<f64>) -> f64 {
         from.vector_to(to).dot(line.direction().into())
     }
 
+    #[inline(always)]
     fn is_inside(point: Point<f64>, sphere: Sphere<f64>) -> bool {
         (point | sphere.dual()) >= 0.0
     }
@@ -78,26 +85,32 @@ impl Style for Methods {
 pub(super) struct Kernels;
 
 impl Style for Kernels {
+    #[inline(always)]
     fn points(sphere: Sphere<f64>, line: Line<f64>) -> Option<[Point<f64>; 2]> {
         crossing(sphere, line).endpoints()
     }
 
+    #[inline(always)]
     fn point(plane: Plane<f64>, line: Line<f64>) -> Option<Point<f64>> {
         piercing(plane, line).to_point()
     }
 
+    #[inline(always)]
     fn tangent(sphere: Sphere<f64>, point: Point<f64>) -> Option<Plane<f64>> {
         Some(touching(sphere, point))
     }
 
+    #[inline(always)]
     fn mirrored(line: Line<f64>, plane: Plane<f64>) -> Option<Line<f64>> {
         Some(mirrored(line, plane))
     }
 
+    #[inline(always)]
     fn depth(line: Line<f64>, from: Point<f64>, to: Point<f64>) -> f64 {
         depth(line, from, to)
     }
 
+    #[inline(always)]
     fn is_inside(point: Point<f64>, sphere: Sphere<f64>) -> bool {
         power(sphere, point) >= 0.0
     }

@@ -161,14 +161,15 @@ impl<S: Real> PointPair<S> {
     #[inline(always)]
     #[must_use]
     pub fn endpoints(self) -> Maybe<[Point<S>; 2], S> {
-        round::of_length(self.direction, self.radius_squared).and_then(|reach| {
+        let is_real = !self.radius_squared.less_than(S::zero());
+        let reach = || round::of_length(self.direction, self.radius_squared);
+        is_real.when(()).and_then(|()| reach()).and_then(|reach| {
             let centre = Vector::from(self.centre);
             let (first, second) = (centre - reach, centre + reach);
             let is_finite = are_numbers([
                 first.e1, first.e2, first.e3, second.e1, second.e2, second.e3,
             ]);
-            let is_real = !self.radius_squared.less_than(S::zero());
-            (is_real & is_finite).when([Point::from(first), Point::from(second)])
+            is_finite.when([Point::from(first), Point::from(second)])
         })
     }
 

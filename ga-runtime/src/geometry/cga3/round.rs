@@ -25,7 +25,8 @@ pub(super) fn radius<S: Real>(radius_squared: S) -> Maybe<S, S> {
     is_real.when(radius_squared.sqrt())
 }
 
-/// The vector of a length in a direction; `None` where that is zero or not finite.
+/// The vector of a length in a direction; `None` where that is zero or not finite. A negative square
+/// of the length gives NaN, in those lanes alone.
 #[inline(always)]
 pub(super) fn of_length<S: Real>(
     direction: Direction<S>,
@@ -34,7 +35,7 @@ pub(super) fn of_length<S: Real>(
     let direction = Vector::from(direction.vector());
     let square = direction.length_squared();
     let factor = length_squared / square;
-    (is_regular(factor) & is_regular(square))
+    (is_regular(factor.abs()) & is_regular(square))
         .when(direction * factor.sqrt())
         .or_else_of(
             (direction.coordinates(), length_squared),
