@@ -22,13 +22,11 @@ use super::{ArcFactors, ConstRing, Field, LaneMask, Real, Ring, Select};
 ///
 /// Lanes can be the scalar of any type of an algebra. Where a result may not exist, it is a
 /// [`Maybe`](super::Maybe), which says for each lane whether it does: unit elements, what is read
-/// of primitives, the distance of a point from anything, its projection, reflections and whether a
-/// point is on something. What has results of several kinds, or is searched step by step, is there
-/// for single numbers only: [`Figure`](crate::geometry::relation::Figure) and the distances,
-/// angles, meets and joins that are computed by it, [`Kind`](crate::geometry::Kind), fits,
-/// conversions from matrices; and so are hits of rays, for which there are
-/// [`Ray::sphere_distances`](crate::geometry::ray::Ray::sphere_distances) and
-/// [`Ray::plane_distance`](crate::geometry::ray::Ray::plane_distance).
+/// of primitives, distances and incidence, the projection of points, reflections, and what
+/// [rays](crate::geometry::ray) hit. What has results of several kinds, or is searched step by
+/// step, is there for single numbers only: angles, meets and joins, distances and incidence of
+/// circles and of sums such as [`Trivector`](crate::cga3::Trivector) with anything but a point,
+/// [`Kind`](crate::geometry::Kind), fits, conversions from matrices.
 ///
 /// Eight points in one value:
 ///

@@ -162,7 +162,7 @@ impl Bvh {
         let crossings = self.all_hits(ray).into_iter().map(|found| LineCrossing {
             point: found.hit.point,
             position: start + found.hit.distance,
-            side: found.hit.side,
+            side: found.hit.side(),
             triangle: found.triangle,
             barycentric: found.barycentric,
         });

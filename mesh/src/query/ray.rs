@@ -37,7 +37,7 @@ impl Bvh {
     /// let triangle = Bvh::new(&corners, &[[0, 1, 2]])?;
     /// let ray = Ray::new(Point::new(1.0, 2.0, 5.0), [0.0, 0.0, -1.0]).unwrap();
     /// let found = triangle.first_hit(ray).unwrap();
-    /// assert_eq!((found.hit.distance, found.hit.side), (5.0, Side::Front));
+    /// assert_eq!((found.hit.distance, found.hit.side()), (5.0, Side::Front));
     /// assert_eq!(found.barycentric, [0.25, 0.25, 0.5]);
     /// # Ok::<(), ga_mesh::MeshError>(())
     /// ```

@@ -5,8 +5,9 @@ use ga_runtime::cga3::{
     Circle, Direction, DualPlane, DualQuaternion, DualSphere, FlatPoint, Line, Motor, Plane, Point,
     PointPair, Quadvector, Rotor, RoundVector, Sphere, Trivector,
 };
+use ga_runtime::geometry::ray::{Hit, Ray, Surface};
 use ga_runtime::geometry::relation::Tolerance;
-use ga_runtime::scalar::{Dual, Lanes, Mask, Maybe, Optional, Real};
+use ga_runtime::scalar::{Dual, Lanes, Mask, Maybe, Optional, Real, Select};
 use ga_runtime::vga3::Vector;
 use nullcone_tests::random::SplitMix64;
 use wide::f64x4;
@@ -98,6 +99,128 @@ fn everything<S: Real>(x: [S; 11], tolerance: S) -> Found<S> {
         point.reflect_in(flat) => place;
         line.reflect_in(plane) => |x: Line<S>| [x.direction(), x.moment()].concat();
     }
+    found.extend(rays(x));
+    found.extend(between(x));
+    found
+}
+
+/// Distances of primitives from each other, and whether one is on another or parallel to it.
+fn between<S: Real>(x: [S; 11]) -> Found<S> {
+    let [a, b, c, d, e, f, g, h, k, l, m] = x;
+    let (point, centre) = (Point::new(a, b, c), Point::new(g, h, k));
+    // So large that much is within it.
+    let tolerance = Tolerance::new(m.abs(), S::from_f64(0.5));
+    let mut found = Vec::new();
+    macro_rules! distances {
+        ($($one:expr, $other:expr;)*) => {$(
+            let (one, other) = ($one, $other);
+            found.extend([
+                one.distance_to(other).map(|x| vec![x]),
+                one.signed_distance_to(other).map(|x| vec![x]),
+            ]);
+        )*};
+    }
+    macro_rules! tests {
+        ($test:ident: $($one:expr, $other:expr;)*) => {$(
+            found.push($one.$test($other, tolerance).when(Vec::new()));
+        )*};
+    }
+    let flat = FlatPoint::new(a, b, c, l);
+    let line = Line::from_point_direction(centre, [d, e, f]);
+    let along = Line::from_point_direction(point, [d, e, m]);
+    let plane = Plane::from_point_normal(centre, [d, e, f]);
+    let wall = Plane::from_point_normal(point, [e, -d, l]);
+    let level = Plane::from_point_normal(point, [d * l, e * l, f * l]);
+    let sphere = Sphere::from_centre_radius_squared(centre, l);
+    let ball = Sphere::from_centre_radius_squared(point, m * m);
+    let pair = PointPair::new(centre, Direction::from([d, e, f]), l);
+    let ends = PointPair::through(point, centre);
+    distances! {
+        flat, centre; flat, flat; flat, line; flat.dual(), plane.dual(); flat, sphere;
+        line, point; line, along; line, plane; line, wall; line, sphere; line.dual(), pair;
+        plane, flat; plane, line; plane, level; plane, wall; plane.dual(), ball.dual(); plane, pair;
+        sphere, point; sphere, sphere; sphere, ball; sphere, along; sphere.dual(), wall.dual();
+        pair, point; pair, line; pair, sphere; pair, ends; pair.dual(), plane; ends, line;
+        ends, ends; ends, along.dual(); ball, sphere.dual(); sphere, pair; level, wall;
+    }
+    tests! { is_on:
+        flat, line; flat, pair; pair, line; pair, sphere; ends, plane; ends.dual(), ball;
+        line, along; line, wall; along.dual(), plane.dual(); plane, level; plane, wall;
+        sphere, ball; sphere, line; sphere.dual(), plane; sphere, flat; ball, pair;
+    }
+    tests! { coincides_with:
+        point, flat; flat, pair; pair, ends; line, along; plane, level; sphere, ball;
+        sphere, centre;
+    }
+    tests! { is_parallel_to:
+        line, along; along, plane; line.dual(), wall; plane, level; plane, wall; level, along;
+    }
+    tests! { is_perpendicular_to:
+        line, along; line, plane; line.dual(), wall; plane.dual(), wall; level, along;
+    }
+    found
+}
+
+/// What rays hit, and how they go on.
+fn rays<S: Real>(x: [S; 11]) -> Found<S> {
+    let [a, b, c, d, e, f, g, h, k, l, m] = x;
+    let (point, axis, centre) = (Point::new(a, b, c), [d, e, f], Point::new(g, h, k));
+    let of_ray = |ray: Ray<S>| {
+        let direction = ray.direction().vector();
+        [ray.origin().coordinates(), direction].concat()
+    };
+    let of_hit = |hit: Hit<S>| {
+        let mut numbers = [hit.point.coordinates(), hit.normal.vector()].concat();
+        let side = S::select(hit.is_front, S::one(), S::zero());
+        numbers.extend([hit.distance, side]);
+        numbers
+    };
+    let sphere: Sphere<S> = DualSphere {
+        weight: m,
+        ..DualSphere::from_centre_radius_squared(centre, l)
+    }
+    .undual();
+    let plane = Plane::from_point_normal(centre, [l, m, d]);
+    let disc = Circle::new(centre, Direction::from([m, l, e]), l * l);
+    let triangle = [Point::new(k, m, l), Point::new(-g, l, h), centre];
+    let mut found = Vec::new();
+    for start in [|a, b, _| Ray::new(a, b), |a, _, c| Ray::through(a, c)] {
+        let ray = || start(point, axis, centre);
+        let hit = |surface: &dyn Surface<S>| ray().and_then(|ray| ray.first_hit(surface));
+        let (ball, wall) = (|| hit(&sphere), || hit(&plane));
+        let nearer = ball().zip(wall()).map(|(a, b)| {
+            let is_nearer = a.distance.less_than(b.distance);
+            Hit::select(is_nearer, a, b)
+        });
+        found.extend([
+            ray().map(of_ray),
+            ray().map(|ray| ray.line().coefficients().map(|(_, x)| x).collect()),
+            ray().map(|ray| [ray.advance(l).at(m).coordinates(), [ray.depth(centre); 3]].concat()),
+            ray().and_then(|ray| ray.reflect_in(plane)).map(of_ray),
+            ball().map(of_hit),
+            wall().map(of_hit),
+            hit(&sphere.dual()).map(of_hit),
+            hit(&plane.dual()).map(of_hit),
+            hit(&disc).map(of_hit),
+            hit(&disc.dual()).map(of_hit),
+            hit(&triangle).map(of_hit),
+            nearer.or_else(ball).or_else(wall).map(of_hit),
+            ray()
+                .and_then(|ray| ray.entry_and_exit(sphere))
+                .map(|[entry, exit]| [of_hit(entry), of_hit(exit)].concat()),
+            ray()
+                .zip(wall())
+                .map(|(ray, hit)| of_ray(ray.reflect(&hit))),
+            ray()
+                .zip(wall())
+                .and_then(|(ray, hit)| ray.refract(&hit, l))
+                .map(of_ray),
+            ray()
+                .zip(ball())
+                .map(|(ray, hit)| ray.refract(&hit, l).unwrap_or(ray.reflect(&hit)))
+                .map(of_ray),
+        ]);
+    }
     found
 }
 
@@ -128,13 +251,16 @@ fn coordinate(random: &mut SplitMix64) -> f64 {
 fn rows(random: &mut SplitMix64) -> [[f64; 11]; 4] {
     core::array::from_fn(|_| {
         let mut row: [f64; 11] = core::array::from_fn(|_| coordinate(random));
-        match (random.unit() * 8.0) as u32 {
+        match (random.unit() * 10.0) as u32 {
             // No axis; the point at the centre; the point on the axis; a tangent.
             0 => row[3..6].fill(0.0),
             1 => row.copy_within(0..3, 6),
             2 => (0..3).for_each(|i| row[i] = row[6 + i] + 2.0 * row[3 + i]),
             3 => row[9] = 0.0,
             4 => row[10] = 0.0,
+            // A ray that touches a sphere.
+            6 => row[3..5].fill(0.0),
+            5 => row = [-2.0, 1.0, 0.0, 4.0, 0.0, 0.0, 0.5, 0.0, 0.0, 1.0, row[10]],
             _ => {}
         }
         row
@@ -146,14 +272,14 @@ fn is_same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
 
-/// Compares the lanes of what was found with what each row gives alone; counts the results that do
-/// not exist and those that do.
+/// Compares the lanes of what was found with what each row gives alone; counts the results of each
+/// quantity that do not exist and those that do.
 fn compare<S: Real>(
     found: Found<S>,
     rows: [[f64; 11]; 4],
     lane_of: impl Fn(S, usize) -> f64,
-) -> [usize; 2] {
-    let mut counts = [0, 0];
+) -> Vec<[usize; 2]> {
+    let mut counts = vec![[0, 0]; found.len()];
     let alone = rows.map(|row| everything(row, 1e-9));
     assert!(alone.iter().all(|alone| alone.len() == found.len()));
     for (place, lanes) in found.into_iter().enumerate() {
@@ -168,7 +294,7 @@ fn compare<S: Real>(
                 expected.is_some(),
                 "quantity {place} of {row:?}"
             );
-            counts[usize::from(mask.lane(lane))] += 1;
+            counts[place][usize::from(mask.lane(lane))] += 1;
             let Some(expected) = expected else { continue };
             assert_eq!(numbers.len(), expected.len());
             for (found, expected) in numbers.iter().zip(expected) {
@@ -187,8 +313,8 @@ fn compare<S: Real>(
 #[test]
 fn lanes_are_single_numbers_side_by_side() {
     let mut random = SplitMix64(27);
-    let mut counts = [0; 2];
-    for _ in 0..2000 {
+    let mut counts: Vec<[usize; 2]> = Vec::new();
+    for _ in 0..1000 {
         let rows = rows(&mut random);
         let columns: [_; 11] = core::array::from_fn(|k| rows.map(|row| row[k]));
         let lanes = everything(columns.map(Lanes::from_array), Lanes::splat(1e-9));
@@ -198,11 +324,14 @@ fn lanes_are_single_numbers_side_by_side() {
             rows,
             |x: f64x4, lane| x.to_array()[lane],
         );
-        counts = [counts[0] + found[0], counts[1] + found[1]];
+        counts.resize(found.len(), [0, 0]);
+        for (counts, found) in counts.iter_mut().zip(found) {
+            *counts = [counts[0] + found[0], counts[1] + found[1]];
+        }
     }
-    let [none, some] = counts;
-    println!("{some} values and {none} without one");
-    assert!(some > 100_000 && none > 10_000);
+    for (place, [none, some]) in counts.into_iter().enumerate() {
+        assert!(none > 0 && some > 0, "quantity {place}: {none} and {some}");
+    }
 }
 
 /// The vectors of `wide` have an arctangent of their own, so that angles are compared for lanes

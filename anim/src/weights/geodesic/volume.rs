@@ -117,7 +117,7 @@ impl Volume {
                     }
                     let next = (step + 1) as f64 * self.side;
                     while let Some(found) = hits.next_if(|found| found.hit.distance < next) {
-                        let (distance, side) = (found.hit.distance, found.hit.side);
+                        let (distance, side) = (found.hit.distance, found.hit.side());
                         self.blocked[axis].insert(cell);
                         // The two triangles of an edge are crossed once.
                         let is_same = distance - last.0 < 1e-9 * self.side && last.1 == Some(side);

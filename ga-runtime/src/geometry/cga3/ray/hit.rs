@@ -3,12 +3,12 @@
 use super::Ray;
 use crate::cga3::{Direction, Point};
 use crate::geometry::number::is_regular;
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real, Select};
 use crate::vga3::Vector;
 
 /// Where a ray hits a surface. In a hit that is made by hand, `normal` must have length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit<S> {
+pub struct Hit<S: Select> {
     /// The distance from the origin of the ray, in the units of the coordinates.
     pub distance: S,
     /// The point: [`Ray::at`] the distance.
@@ -16,8 +16,8 @@ pub struct Hit<S> {
     /// The normal of the surface, of length 1, on the side from which the ray comes: its inner
     /// product with the direction of the ray is at most zero, up to rounding.
     pub normal: Direction<S>,
-    /// The side from which the ray comes.
-    pub side: Side,
+    /// Whether the ray comes from the front; of a single number, [`side`](Self::side) names it.
+    pub is_front: S::Mask,
 }
 
 /// A side of a surface.
@@ -29,7 +29,7 @@ pub enum Side {
     Back,
 }
 
-impl<S: Real<Mask = bool>> Ray<S> {
+impl<S: Real> Ray<S> {
     /// The ray that a mirror at the hit point sends on: it begins there, in the direction
     /// `−n d n = d − 2 (d·n) n`, where n is the normal. For a sphere that is the reflection in its
     /// tangent plane. [`reflect_in`](Self::reflect_in) is the mirror image of the whole ray.
@@ -70,58 +70,83 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// assert_eq!(ray.refract(&hit, 1.8), None);
     /// ```
     #[must_use]
-    pub fn refract(self, hit: &Hit<S>, ratio: S) -> Option<Self> {
-        if !(S::zero().less_than(ratio) && ratio.is_finite()) {
-            return None;
-        }
-        let (direction, normal) = (Vector::from(self.direction), Vector::from(hit.normal));
-        let cosine = -direction.dot(normal);
-        // The part along the surface; its length is the sine of the new angle.
-        let sideways = (direction + normal * cosine) * ratio;
-        let cosine_squared = S::one() - sideways.dot(sideways);
-        if cosine_squared.less_than(S::zero()) {
-            return None;
-        }
-        let direction = sideways - normal * cosine_squared.sqrt();
-        Some(Self::new_unchecked(
-            hit.point,
-            direction.normalized()?.into(),
-        ))
+    pub fn refract(self, hit: &Hit<S>, ratio: S) -> Maybe<Self, S> {
+        let is_ratio = S::zero().less_than(ratio) & ratio.is_finite();
+        is_ratio.when(()).and_then(|()| {
+            let (direction, normal) = (Vector::from(self.direction), Vector::from(hit.normal));
+            let cosine = -direction.dot(normal);
+            // The part along the surface; its length is the sine of the new angle.
+            let sideways = (direction + normal * cosine) * ratio;
+            let cosine_squared = S::one() - sideways.dot(sideways);
+            let is_total = cosine_squared.less_than(S::zero());
+            (!is_total).when(()).and_then(|()| {
+                let direction = sideways - normal * cosine_squared.sqrt();
+                let unit = direction.normalized();
+                unit.map(|unit| Self::new_unchecked(hit.point, unit.into()))
+            })
+        })
     }
 }
 
-impl<S: Real<Mask = bool>> Hit<S> {
+impl<S: Select<Mask = bool>> Hit<S> {
+    /// The side from which the ray comes.
+    #[inline]
+    #[must_use]
+    pub fn side(&self) -> Side {
+        if self.is_front {
+            Side::Front
+        } else {
+            Side::Back
+        }
+    }
+}
+
+impl<S: Real> Select for Hit<S> {
+    type Mask = S::Mask;
+
+    #[inline]
+    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+        Self {
+            distance: S::select(mask, if_true.distance, if_false.distance),
+            point: Point::select(mask, if_true.point, if_false.point),
+            normal: Direction::select(mask, if_true.normal, if_false.normal),
+            is_front: (mask & if_true.is_front) | (!mask & if_false.is_front),
+        }
+    }
+}
+
+impl<S: Real> Hit<S> {
     /// The hit at a distance, for a normal of the surface of any length that is not zero, and given
     /// the inner product of that normal with the direction of the ray. `None` where the distance is
     /// not finite, or its square overflows, or the normal has no direction.
     #[inline(always)]
-    pub(super) fn of(ray: Ray<S>, distance: S, normal: Vector<S>, slope: S) -> Option<Self> {
-        if !(distance * distance).is_finite() {
-            return None;
-        }
-        // Where a sphere is only touched, the ray stays in front.
-        let is_front = !S::zero().less_than(slope);
-        let normal = unit(if is_front { normal } else { -normal })?;
-        Some(Self {
-            distance,
-            point: ray.at(distance),
-            normal: normal.into(),
-            side: if is_front { Side::Front } else { Side::Back },
+    pub(super) fn of(ray: Ray<S>, distance: S, normal: Vector<S>, slope: S) -> Maybe<Self, S> {
+        let is_in_range = (distance * distance).is_finite();
+        is_in_range.when(()).and_then(|()| {
+            // Where a sphere is only touched, the ray stays in front.
+            let is_front = !S::zero().less_than(slope);
+            unit(Vector::select(is_front, normal, -normal)).map(|normal| Self {
+                distance,
+                point: ray.at(distance),
+                normal: normal.into(),
+                is_front,
+            })
         })
     }
 }
 
 /// The vector with length 1; `None` where it is zero or not finite.
 #[inline]
-fn unit<S: Real<Mask = bool>>(vector: Vector<S>) -> Option<Vector<S>> {
+fn unit<S: Real>(vector: Vector<S>) -> Maybe<Vector<S>, S> {
     let square = vector.dot(vector);
     let excess = square - S::one();
-    if (excess * excess).less_than(S::epsilon()) {
-        // The normal of most planes: a step of Newton's method is exact to rounding.
-        return Some(vector * (S::one() - excess * S::from_ratio(1, 2)));
-    }
-    if is_regular(square) {
-        return Some(vector * square.sqrt().recip());
-    }
-    vector.normalized()
+    // The normal of most planes: a step of Newton's method is exact to rounding.
+    let is_nearly_unit = (excess * excess).less_than(S::epsilon()).when(());
+    is_nearly_unit
+        .map(|()| vector * (S::one() - excess * S::from_ratio(1, 2)))
+        .or_else(|| {
+            let is_regular = is_regular(square).when(());
+            is_regular.map(|()| vector * square.sqrt().recip())
+        })
+        .or_else(|| vector.normalized())
 }

@@ -41,9 +41,37 @@
 //!
 //! # Many rays
 //!
-//! [`Ray::sphere_distances`] and [`Ray::plane_distance`] take several rays in
-//! [`Lanes`](crate::scalar::Lanes) at once. [`Ray::triangle_test`] prepares one ray for many
-//! triangles.
+//! All of this is also for several rays in [`Lanes`](crate::scalar::Lanes), except that a
+//! [`Figure`](super::relation::Figure) is a surface for single rays only. A hit is a
+//! [`Maybe`](crate::scalar::Maybe), and the nearer of two is chosen by a mask:
+//!
+//! ```
+//! use ga_runtime::cga3::{Plane, Point, Sphere};
+//! use ga_runtime::geometry::ray::{Hit, Ray};
+//! use ga_runtime::scalar::{Lanes, Optional, Real, Select};
+//!
+//! fn nearer<S: Real>((a, b): (Hit<S>, Hit<S>)) -> Hit<S> {
+//!     Hit::select(a.distance.less_than(b.distance), a, b)
+//! }
+//!
+//! let all = |x: f64| Lanes::splat(x);
+//! let place = |x| Point::from([all(0.0), all(0.0), all(x)]);
+//! let ball = Sphere::from_centre_radius(place(0.0), all(1.0));
+//! let floor = Plane::from_point_normal(place(-3.0), [0.0, 0.0, 1.0].map(all));
+//!
+//! // Straight down from three places; to the side from a fourth.
+//! let origin = Point::new(Lanes::from_array([0.0, 1.0, 2.0, 2.0]), all(0.0), all(5.0));
+//! let down = Lanes::from_array([-2.0, -2.0, -2.0, 0.0]);
+//! let rays = Ray::new(origin, [all(1.0) + down * all(0.5), all(0.0), down]);
+//!
+//! let ball = rays.and_then(|ray| ray.first_hit(ball));
+//! let floor = rays.and_then(|ray| ray.first_hit(floor));
+//! let first = ball.zip(floor).map(nearer).or_else(|| ball).or_else(|| floor);
+//! let distances = first.map(|hit| hit.distance).unwrap_or(all(f64::INFINITY));
+//! assert_eq!(distances.to_array(), [4.0, 5.0, 8.0, f64::INFINITY]);
+//! ```
+//!
+//! [`Ray::triangle_test`] prepares one ray for many triangles.
 //!
 //! # Example
 //!
@@ -70,11 +98,10 @@
 //! assert_eq!(mirrored.first_hit(ball), None);
 //! // From the inside, the ball is hit from its back.
 //! let inside = Ray::new(Point::default(), [1.0, 0.0, 0.0]).unwrap();
-//! assert_eq!(inside.first_hit(ball).unwrap().side, Side::Back);
+//! assert_eq!(inside.first_hit(ball).unwrap().side(), Side::Back);
 //! ```
 
 mod hit;
-mod lanes;
 mod motion;
 mod round;
 mod surface;
@@ -85,7 +112,7 @@ pub use surface::Surface;
 pub use triangle::{Crossing, TriangleTest};
 
 use crate::cga3::{Direction, Line, Point, Sphere};
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Maybe, Optional, Real, Ring, Select};
 use crate::vga3::Vector;
 
 /// A ray: the points `o + t d`, `t ≥ 0`, of a line `o∧d∧ei`, where o is its origin and d its
@@ -182,7 +209,7 @@ impl<S: Ring> Ray<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Ray<S> {
+impl<S: Real> Ray<S> {
     /// The ray from a point in a direction, which need not have length 1: an array `[x, y, z]`, a
     /// [`Vector`] or a [`Direction`]. `None` where the direction is zero, or a number is not
     /// finite.
@@ -196,10 +223,11 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn new(origin: Point<S>, direction: impl Into<Vector<S>>) -> Option<Self> {
-        let direction = direction.into().normalized()?;
-        let is_finite = Vector::from(origin).is_finite();
-        is_finite.then(|| Self::new_unchecked(origin, direction.into()))
+    pub fn new(origin: Point<S>, direction: impl Into<Vector<S>>) -> Maybe<Self, S> {
+        let direction = direction.into().normalized();
+        direction
+            .filter(|_| Vector::from(origin).is_finite())
+            .map(|direction| Self::new_unchecked(origin, direction.into()))
     }
 
     /// The ray from one point through another. `None` where they coincide, or a number is not
@@ -214,7 +242,7 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn through(origin: Point<S>, point: Point<S>) -> Option<Self> {
+    pub fn through(origin: Point<S>, point: Point<S>) -> Maybe<Self, S> {
         Self::new(origin, origin.vector_to(point))
     }
 
@@ -227,13 +255,13 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
     /// let ray = Ray::new(Point::new(1.0, 1.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
     /// let hit = ray.first_hit(triangle).unwrap();
-    /// assert_eq!((hit.distance, hit.side), (3.0, Side::Front));
+    /// assert_eq!((hit.distance, hit.side()), (3.0, Side::Front));
     /// let beside = Ray::new(Point::new(3.0, 3.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
     /// assert_eq!(beside.first_hit(triangle), None);
     /// ```
     #[inline]
     #[must_use]
-    pub fn first_hit<T: Surface<S>>(self, surface: T) -> Option<Hit<S>> {
+    pub fn first_hit<T: Surface<S>>(self, surface: T) -> Maybe<Hit<S>, S> {
         surface.first_hit_by(self)
     }
 
@@ -256,8 +284,23 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn entry_and_exit(self, sphere: Sphere<S>) -> Option<[Hit<S>; 2]> {
-        let crossing = round::sphere_crossing(self, sphere.dual())?;
-        Some([crossing.entry(self)?, crossing.exit(self)?])
+    pub fn entry_and_exit(self, sphere: Sphere<S>) -> Maybe<[Hit<S>; 2], S> {
+        let crossing = round::sphere_crossing(self, sphere.dual());
+        crossing.and_then(|crossing| {
+            let entry = crossing.entry(self);
+            entry.and_then(|entry| crossing.exit(self).map(|exit| [entry, exit]))
+        })
+    }
+}
+
+impl<S: Real> Select for Ray<S> {
+    type Mask = S::Mask;
+
+    #[inline]
+    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+        Self::new_unchecked(
+            Point::select(mask, if_true.origin, if_false.origin),
+            Direction::select(mask, if_true.direction, if_false.direction),
+        )
     }
 }

@@ -4,7 +4,7 @@ use super::Ray;
 use crate::cga3::{Direction, Motor, Rotor, Similarity, Translator};
 use crate::geometry::relation::Mirror;
 use crate::products::Sandwich;
-use crate::scalar::{Real, Ring};
+use crate::scalar::{Maybe, Optional, Real, Ring};
 use crate::vga3::Vector;
 
 macro_rules! rigid {
@@ -45,7 +45,7 @@ impl<S: Real<Mask = bool>> Sandwich<Ray<S>> for Similarity<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Ray<S> {
+impl<S: Real> Ray<S> {
     /// The image under reflection in a plane, a line or a point; see
     /// [`reflection`](crate::geometry::relation::reflection). `None` where the mirror is not a
     /// figure, or the image is not finite. [`reflect`](Self::reflect) is the ray that goes on from
@@ -64,10 +64,10 @@ impl<S: Real<Mask = bool>> Ray<S> {
     /// assert_eq!(motor.transform(ray).origin(), Point::new(0.0, 3.0, 2.0));
     /// ```
     #[must_use]
-    pub fn reflect_in<M: Mirror<S> + Copy>(self, mirror: M) -> Option<Self> {
-        Some(Self::new_unchecked(
-            self.origin.reflect_in(mirror)?,
-            self.direction.reflect_in(mirror)?,
-        ))
+    pub fn reflect_in<M: Mirror<S> + Copy>(self, mirror: M) -> Maybe<Self, S> {
+        self.origin.reflect_in(mirror).and_then(|origin| {
+            let direction = self.direction.reflect_in(mirror);
+            direction.map(|direction| Self::new_unchecked(origin, direction))
+        })
     }
 }

@@ -4,7 +4,7 @@ use super::round::{disc_hit, sphere_crossing, sphere_of};
 use super::{Hit, Ray};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Plane, Sphere};
 use crate::geometry::relation::Figure;
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A surface that a ray can hit. [`Ray::first_hit`] takes it by value or by reference.
@@ -30,57 +30,57 @@ use crate::vga3::Vector;
 /// assert_eq!(down(0.5).first_hit(&holed), None);
 /// assert_eq!(down(2.0).first_hit(&holed).unwrap().distance, 5.0);
 /// ```
-pub trait Surface<S> {
+pub trait Surface<S: Real> {
     /// The first hit by a ray, at a distance of more than zero; `None` for a miss.
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>>;
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S>;
 }
 
-impl<S, T: Surface<S> + ?Sized> Surface<S> for &T {
+impl<S: Real, T: Surface<S> + ?Sized> Surface<S> for &T {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         (**self).first_hit_by(ray)
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for DualSphere<S> {
+impl<S: Real> Surface<S> for DualSphere<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
-        sphere_crossing(ray, *self)?.first(ray)
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
+        sphere_crossing(ray, *self).and_then(|crossing| crossing.first(ray))
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for Sphere<S> {
+impl<S: Real> Surface<S> for Sphere<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         self.dual().first_hit_by(ray)
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for DualPlane<S> {
+impl<S: Real> Surface<S> for DualPlane<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         let normal = Vector::new(self.e1, self.e2, self.e3);
-        Ahead::of_plane(ray, normal, self.ei)?.hit(ray, normal)
+        Ahead::of_plane(ray, normal, self.ei).and_then(|ahead| ahead.hit(ray, normal))
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for Plane<S> {
+impl<S: Real> Surface<S> for Plane<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         self.dual().first_hit_by(ray)
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for DualCircle<S> {
+impl<S: Real> Surface<S> for DualCircle<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         disc_hit(ray, self.undual())
     }
 }
 
-impl<S: Real<Mask = bool>> Surface<S> for Circle<S> {
+impl<S: Real> Surface<S> for Circle<S> {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         disc_hit(ray, *self)
     }
 }
@@ -115,41 +115,45 @@ pub(super) struct Ahead<S> {
     slope: S,
 }
 
-impl<S: Real<Mask = bool>> Ahead<S> {
+impl<S: Real> Ahead<S> {
     /// Of the plane of the points x with `n·x = d`, for a normal of any length.
     #[inline]
-    pub(super) fn of_plane(ray: Ray<S>, normal: Vector<S>, distance: S) -> Option<Self> {
+    pub(super) fn of_plane(ray: Ray<S>, normal: Vector<S>, distance: S) -> Maybe<Self, S> {
         Self::at(ray, normal, distance - normal.dot(ray.origin.into()))
     }
 
     /// Of the plane through a point, for a normal of any length.
     #[inline]
-    pub(super) fn through(ray: Ray<S>, normal: Vector<S>, point: Vector<S>) -> Option<Self> {
+    pub(super) fn through(ray: Ray<S>, normal: Vector<S>, point: Vector<S>) -> Maybe<Self, S> {
         Self::at(ray, normal, normal.dot(point - Vector::from(ray.origin)))
     }
 
     /// Of the plane at a height above the origin of the ray, times the length of the normal.
     #[inline]
-    fn at(ray: Ray<S>, normal: Vector<S>, height: S) -> Option<Self> {
+    fn at(ray: Ray<S>, normal: Vector<S>, height: S) -> Maybe<Self, S> {
         let slope = normal.dot(ray.direction.into());
         let distance = height / slope;
         // False for a parallel plane, where the quotient is infinite with either sign, or NaN.
-        let is_ahead = S::zero().less_than(distance) && (distance * distance).is_finite();
-        is_ahead.then_some(Self { distance, slope })
+        let ahead = S::zero().less_than(distance).when(Self { distance, slope });
+        ahead.filter(|_| (distance * distance).is_finite())
     }
 
     /// Itself, if it is in or on the sphere with this centre and squared radius.
     #[inline]
-    pub(super) fn within(self, ray: Ray<S>, centre: Vector<S>, radius_squared: S) -> Option<Self> {
+    pub(super) fn within(
+        self,
+        ray: Ray<S>,
+        centre: Vector<S>,
+        radius_squared: S,
+    ) -> Maybe<Self, S> {
         let from_centre = Vector::from(ray.at(self.distance)) - centre;
         let square = from_centre.dot(from_centre);
-        let is_within = square.less_than(radius_squared) || square == radius_squared;
-        is_within.then_some(self)
+        square.less_or_equal(radius_squared).when(self)
     }
 
     /// The hit, with the normal of the plane.
     #[inline]
-    pub(super) fn hit(self, ray: Ray<S>, normal: Vector<S>) -> Option<Hit<S>> {
+    pub(super) fn hit(self, ray: Ray<S>, normal: Vector<S>) -> Maybe<Hit<S>, S> {
         Hit::of(ray, self.distance, normal, self.slope)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Hit, Ray, Surface};
 use crate::cga3::Point;
-use crate::scalar::{Lanes, Mask, Real};
+use crate::scalar::{Lanes, Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// The triangle with these corners.
@@ -10,26 +10,28 @@ use crate::vga3::Vector;
 /// The line L passes through it where `L∧p∧q`, `L∧q∧r` and `L∧r∧p` have the same sign. They are
 /// computed after a shear that maps the ray to a coordinate axis: each is then a difference of two
 /// products, whose sign is right or zero, and the opposite for the neighbour of an edge.
-impl<S: Real<Mask = bool>> Surface<S> for [Point<S>; 3] {
+impl<S: Real> Surface<S> for [Point<S>; 3] {
     #[inline]
-    fn first_hit_by(&self, ray: Ray<S>) -> Option<Hit<S>> {
+    fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S> {
         let direction = Vector::from(ray.direction);
-        let rotate = rotation_of_axes(direction);
-        let along = rotate(direction);
+        let axis = main_axis(direction);
+        let along = rotated(direction, axis);
         let slopes = [along.e1 / along.e3, along.e2 / along.e3];
         let from_origin = self.map(|corner| ray.origin.vector_to(corner));
-        let corners = sheared(from_origin.map(rotate), slopes);
+        let corners = sheared(from_origin.map(|corner| rotated(corner, axis)), slopes);
         let areas = areas(corners);
-        if !is_inside(areas) || !is_around_ray(corners) {
-            return None;
-        }
-        let distance = distance(areas, corners, along.e3);
-        if !S::zero().less_than(distance) {
-            return None;
-        }
-        // Not from the origin: a triangle without area has no normal as seen from anywhere.
-        let normal = normal(self.map(Vector::from));
-        Hit::of(ray, distance, normal, normal.dot(direction))
+        let is_crossed = is_inside(areas)
+            .when(())
+            .filter(|()| is_around_ray(corners));
+        is_crossed.and_then(|()| {
+            let distance = distance(areas, corners, along.e3);
+            let is_ahead = S::zero().less_than(distance);
+            is_ahead.when(()).and_then(|()| {
+                // Not from the origin: a triangle without area has no normal as seen from anywhere.
+                let normal = normal(self.map(Vector::from));
+                Hit::of(ray, distance, normal, normal.dot(direction))
+            })
+        })
     }
 }
 
@@ -83,13 +85,17 @@ impl<S: Real<Mask = bool>> Ray<S> {
     #[must_use]
     pub fn triangle_test(self) -> TriangleTest<S> {
         let direction = Vector::from(self.direction);
-        let rotate = rotation_of_axes(direction);
-        let along = rotate(direction);
+        let axis = main_axis(direction);
+        let along = rotated(direction, axis);
         TriangleTest {
-            origin: rotate(self.origin.into()).into(),
+            origin: rotated(self.origin.into(), axis).coordinates(),
             slopes: [along.e1 / along.e3, along.e2 / along.e3],
             along: along.e3,
-            axes: rotation_of_axes(direction)(Vector::from([0, 1, 2])).into(),
+            axes: match axis {
+                [true, _] => [1, 2, 0],
+                [_, true] => [2, 0, 1],
+                _ => [0, 1, 2],
+            },
         }
     }
 }
@@ -208,23 +214,22 @@ fn slope<S: Real>(areas: Vector<S>, along: S) -> S {
     (areas.e1 + areas.e2 + areas.e3) * along
 }
 
-/// The rotation of the coordinates by which the largest component of a direction becomes the third.
+/// Whether the largest component of a direction is the first, and whether it is the second.
 #[inline]
-fn rotation_of_axes<S: Real<Mask = bool>, T>(
-    direction: Vector<S>,
-) -> impl Fn(Vector<T>) -> Vector<T> {
+fn main_axis<S: Real>(direction: Vector<S>) -> [S::Mask; 2] {
     let size = direction.abs();
-    let is_first = size.e2.less_than(size.e1) && size.e3.less_than(size.e1);
-    let is_second = !is_first && size.e3.less_than(size.e2);
-    move |v: Vector<T>| {
-        if is_first {
-            Vector::from([v.e2, v.e3, v.e1])
-        } else if is_second {
-            Vector::from([v.e3, v.e1, v.e2])
-        } else {
-            v
-        }
-    }
+    let is_first = size.e2.less_than(size.e1) & size.e3.less_than(size.e1);
+    [is_first, !is_first & size.e3.less_than(size.e2)]
+}
+
+/// The rotation of the coordinates by which that component becomes the third.
+#[inline]
+fn rotated<S: Real>(v: Vector<S>, [is_first, is_second]: [S::Mask; 2]) -> Vector<S> {
+    let (first, second) = (is_first.when(()), is_second.when(()));
+    first
+        .map(|()| Vector::new(v.e2, v.e3, v.e1))
+        .or_else(|| second.map(|()| Vector::new(v.e3, v.e1, v.e2)))
+        .unwrap_or(v)
 }
 
 /// Twice the signed area of the triangle with two corners and the origin, in the plane of the first

@@ -62,19 +62,22 @@ use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
-use crate::scalar::{Maybe, Real};
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 macro_rules! distances {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// The least distance to the other primitive, in the units of the coordinates, zero
             /// where they meet; see [`distance`](crate::geometry::relation::distance) for all
             /// pairs. `None` where either is not a figure or the distance is beyond the range of
             /// the scalar.
             #[inline]
             #[must_use]
-            pub fn distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
+            pub fn distance_to<T: Primitive<S>>(self, other: T) -> Maybe<S, S>
+            where
+                Self: Primitive<S>,
+            {
                 Primitive::distance_from(self, other)
             }
 
@@ -84,7 +87,10 @@ macro_rules! distances {
             /// [`distance_to`](Self::distance_to).
             #[inline]
             #[must_use]
-            pub fn signed_distance_to<T: Primitive<S>>(self, other: T) -> Option<S> {
+            pub fn signed_distance_to<T: Primitive<S>>(self, other: T) -> Maybe<S, S>
+            where
+                Self: Primitive<S>,
+            {
                 Primitive::signed_distance_from(self, other)
             }
         }
@@ -115,32 +121,64 @@ impl<S: Real> Point<S> {
     }
 }
 
-pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+/// How the least distance of two figures is found that no formula gives: those of a circle from a
+/// line and from another circle.
+pub(super) type Search<S> = fn(Figure<S>, Figure<S>) -> Maybe<S, S>;
+
+pub(super) fn distance<S: Real>(a: Figure<S>, b: Figure<S>, search: Search<S>) -> Maybe<S, S> {
     use Figure::{Circle, Line, Plane, Point, PointPair, Sphere};
-    let found = match (a, b) {
+    let always = S::Mask::splat(true);
+    match (a, b) {
         (PointPair([p, q]), x) | (x, PointPair([p, q])) => {
-            distance(Point(p), x)?.min(distance(Point(q), x)?)
+            let both = from_place(x, p).zip(from_place(x, q));
+            both.map(|(to_p, to_q)| to_p.min(to_q))
         }
         (Sphere { centre, radius }, x) | (x, Sphere { centre, radius }) => {
-            from_surface(from_sphere(x, centre)?, radius)
+            from_sphere(x, centre).map(|between| from_surface(between, radius))
         }
         (Plane { normal, distance }, x) | (x, Plane { normal, distance }) => {
-            gap(heights(x, normal, distance)).abs()
+            always.when(height(x, normal, distance).abs())
         }
-        (Point(p), Point(q)) => p.distance(q),
-        (Point(p), Line { point, direction }) | (Line { point, direction }, Point(p)) => {
-            (p - point).across(direction).length()
-        }
-        (Point(p), circle @ Circle { .. }) | (circle @ Circle { .. }, Point(p)) => {
-            from_sphere(circle, p)?[0]
-        }
+        (Point(p), x) | (x, Point(p)) => from_place(x, p),
         (
             Line { point, direction },
             Line {
                 point: q,
                 direction: e,
             },
-        ) => line_to_line([point, direction], [q, e]),
+        ) => always.when(line_to_line([point, direction], [q, e])),
+        (Line { .. } | Circle { .. }, Circle { .. }) | (Circle { .. }, Line { .. }) => search(a, b),
+    }
+    .filter(|distance| distance.is_finite())
+}
+
+fn finite<S: Real>(x: S) -> Maybe<S, S> {
+    x.is_finite().when(x)
+}
+
+/// The least distance of a figure from a place.
+pub(super) fn from_place<S: Real>(figure: Figure<S>, place: Vector<S>) -> Maybe<S, S> {
+    finite(match figure {
+        Figure::Point(p) => p.distance(place),
+        Figure::PointPair(pair) => {
+            let [to_p, to_q] = pair.map(|p| finite(p.distance(place)));
+            return to_p.zip(to_q).map(|(to_p, to_q)| to_p.min(to_q));
+        }
+        Figure::Line { point, direction } => (place - point).across(direction).length(),
+        Figure::Plane { normal, distance } => (place.dot(normal) - distance).abs(),
+        Figure::Circle {
+            centre,
+            normal,
+            radius,
+        } => from_circle(place - centre, normal, radius)[0],
+        Figure::Sphere { centre, radius } => (place.distance(centre) - radius).abs(),
+    })
+}
+
+/// The [`Search`] for single numbers.
+pub(super) fn searched<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+    use Figure::{Circle, Line};
+    match (a, b) {
         (
             Line { point, direction },
             Circle {
@@ -158,7 +196,7 @@ pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Opti
             Line { point, direction },
         ) => {
             let from = (centre - point).across(direction);
-            line_to_circle(direction, from, normal, radius)
+            Some(line_to_circle(direction, from, normal, radius))
         }
         (
             Circle {
@@ -174,91 +212,87 @@ pub(super) fn distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Opti
         ) => {
             let from = c - centre;
             // Along the smaller circle the distance from the other one varies slowly.
-            if r.less_than(radius) {
+            Some(if r.less_than(radius) {
                 circle_to_circle(from, m, r, normal, radius)
             } else {
                 circle_to_circle(-from, normal, radius, m, r)
-            }
+            })
         }
-    };
-    found.is_finite().then_some(found)
+        _ => None,
+    }
 }
 
 /// The distance between two lines, each given by a point and its unit direction.
-fn line_to_line<S: Real<Mask = bool>>([p, d]: [Vector<S>; 2], [q, e]: [Vector<S>; 2]) -> S {
+fn line_to_line<S: Real>([p, d]: [Vector<S>; 2], [q, e]: [Vector<S>; 2]) -> S {
     let between = q - p;
     let normal = d.cross(e);
     let sine = normal.length();
-    if sine.less_than(parallel()) {
-        between.across(d).length()
-    } else {
-        (between.dot(normal) / sine).abs()
-    }
+    let parallel = sine
+        .less_than(parallel())
+        .when(())
+        .map(|()| between.across(d).length());
+    parallel.unwrap_or((between.dot(normal) / sine).abs())
 }
 
 /// The least distance from the surface of a sphere, for points whose distance from its centre is
 /// between two bounds.
-fn from_surface<S: Real<Mask = bool>>([least, most]: [S; 2], radius: S) -> S {
+fn from_surface<S: Real>([least, most]: [S; 2], radius: S) -> S {
     let zero = S::zero();
     let outside = (least - radius).max(zero);
     // Unbounded figures extend beyond every sphere.
-    let inside = if most.is_finite() {
-        radius - most
-    } else {
-        zero
-    };
+    let inside = S::select(most.is_finite(), radius - most, zero);
     outside.max(inside)
 }
 
-pub(super) fn signed_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+pub(super) fn signed_distance<S: Real>(
+    a: Figure<S>,
+    b: Figure<S>,
+    search: Search<S>,
+) -> Maybe<S, S> {
     use Figure::{Plane, Sphere};
-    let found = match (a, b) {
+    match (a, b) {
         (
             Sphere { centre, radius },
             Sphere {
                 centre: c,
                 radius: r,
             },
-        ) => centre.distance(c) - radius - r,
+        ) => finite(centre.distance(c) - radius - r),
         (Sphere { centre, radius }, x) | (x, Sphere { centre, radius }) => {
-            from_sphere(x, centre)?[0] - radius
+            let from_centre = from_sphere(x, centre);
+            from_centre.and_then(|[least, _]| finite(least - radius))
         }
         (Plane { normal, distance }, x) | (x, Plane { normal, distance }) => {
-            gap(heights(x, normal, distance))
+            finite(height(x, normal, distance))
         }
-        _ => return distance(a, b),
-    };
-    found.is_finite().then_some(found)
+        _ => distance(a, b, search),
+    }
 }
 
 /// The least and the greatest distance of a figure's points from the centre of a sphere, or from
 /// its surface, negative inside it; the greatest is infinite for unbounded figures.
-pub(super) fn from_sphere<S: Real<Mask = bool>>(
-    figure: Figure<S>,
-    centre: Vector<S>,
-) -> Option<[S; 2]> {
-    let zero = S::zero();
-    Some(match figure {
-        Figure::Point(p) => [(p - centre).length(); 2],
+pub(super) fn from_sphere<S: Real>(figure: Figure<S>, centre: Vector<S>) -> Maybe<[S; 2], S> {
+    let always = S::Mask::splat(true);
+    match figure {
+        Figure::Point(p) => always.when([(p - centre).length(); 2]),
         Figure::PointPair([p, q]) => {
             let [p, q] = [p, q].map(|p| (p - centre).length());
-            [p.min(q), p.max(q)]
+            always.when([p.min(q), p.max(q)])
         }
         Figure::Line { .. } | Figure::Plane { .. } => {
-            let least = distance(Figure::Point(centre), figure)?;
-            [least, S::one() / zero]
+            from_place(figure, centre).map(|least| [least, S::one() / S::zero()])
         }
         Figure::Circle {
             centre: c,
             normal,
             radius,
-        } => from_circle(centre - c, normal, radius),
+        } => always.when(from_circle(centre - c, normal, radius)),
         Figure::Sphere { centre: c, radius } => {
             let between = (centre - c).length();
             let least = (between - radius).max(radius - between);
-            [least, between + radius]
+            always.when([least, between + radius])
         }
-    })
+    }
 }
 
 /// The least and the greatest distance of the points of a circle from a place, which is given from
@@ -271,35 +305,29 @@ pub(super) fn from_circle<S: Real>(place: Vector<S>, normal: Vector<S>, radius: 
     ]
 }
 
-/// The least and the greatest height of a figure's points above a plane.
-fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: Vector<S>, distance: S) -> [S; 2] {
+/// The height of a figure's point that is nearest to a plane, zero where it meets the plane.
+// Outlined, since within its caller lengths would be calls.
+#[inline(never)]
+fn height<S: Real>(figure: Figure<S>, normal: Vector<S>, distance: S) -> S {
     let height = |p: Vector<S>| p.dot(normal) - distance;
     // All heights occur where a direction is not parallel to the plane.
-    let everywhere = [-S::one(), S::one()];
-    let around = |middle: S, reach: S| [middle - reach, middle + reach];
+    let parallel = |sine: S| sine.less_than(parallel()).when(());
+    let around = |middle: S, reach: S| gap([middle - reach, middle + reach]);
     match figure {
-        Figure::Point(p) => [height(p); 2],
+        Figure::Point(p) => height(p),
         Figure::PointPair([p, q]) => {
             let [p, q] = [p, q].map(height);
-            [p.min(q), p.max(q)]
+            gap([p.min(q), p.max(q)])
         }
-        Figure::Line { point, direction } => {
-            if direction.dot(normal).abs().less_than(parallel()) {
-                [height(point); 2]
-            } else {
-                everywhere
-            }
-        }
+        Figure::Line { point, direction } => parallel(direction.dot(normal).abs())
+            .map(|()| height(point))
+            .unwrap_or(S::zero()),
         Figure::Plane {
             normal: m,
             distance,
-        } => {
-            if normal.cross(m).length().less_than(parallel()) {
-                [height(m * distance); 2]
-            } else {
-                everywhere
-            }
-        }
+        } => parallel(normal.cross(m).length())
+            .map(|()| height(m * distance))
+            .unwrap_or(S::zero()),
         Figure::Circle {
             centre,
             normal: m,
@@ -310,12 +338,8 @@ fn heights<S: Real<Mask = bool>>(figure: Figure<S>, normal: Vector<S>, distance:
 }
 
 /// The number nearest to zero in an interval.
-fn gap<S: Real<Mask = bool>>([least, most]: [S; 2]) -> S {
-    if S::zero().less_than(least) {
-        least
-    } else if most.less_than(S::zero()) {
-        most
-    } else {
-        (least + most) * S::zero()
-    }
+fn gap<S: Real>([least, most]: [S; 2]) -> S {
+    let zero = S::zero();
+    let around_zero = S::select(most.less_than(zero), most, (least + most) * zero);
+    S::select(zero.less_than(least), least, around_zero)
 }

@@ -1,6 +1,6 @@
 //! Primitives as plain Euclidean figures.
 
-use super::distance::{distance, signed_distance};
+use super::distance::{distance, searched, signed_distance};
 use super::from_point::circle_parts;
 use super::incidence::is_on;
 use super::{FromPoint, Tolerance, parallel};
@@ -11,7 +11,7 @@ use crate::cga3::{
 };
 use crate::geometry::cga3::round::radius;
 use crate::geometry::number::{is_moderate, is_number, is_regular};
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A primitive as a set of points of space, given by position vectors and directions. All numbers
@@ -54,7 +54,7 @@ pub enum Figure<S> {
     },
 }
 
-/// A primitive that can be converted to a [`Figure`].
+/// A primitive that can be converted to a [`Figure`]; those of lanes are all of one kind.
 pub trait Primitive<S: Real>: FromPoint<S> {
     /// The figure; `None` for weight zero, imaginary points or radii, and numbers that are not
     /// finite.
@@ -71,111 +71,119 @@ pub trait Primitive<S: Real>: FromPoint<S> {
     /// let figure = Figure::Line { point, direction };
     /// assert_eq!(line.figure(), Some(figure));
     /// ```
-    fn figure(self) -> Option<Figure<S>>;
+    fn figure(self) -> Maybe<Figure<S>, S>;
+
+    /// The least distance of a circle from a line or a circle, which circles and sums search.
+    #[doc(hidden)]
+    fn search(_: Figure<S>, _: Figure<S>) -> Maybe<S, S> {
+        S::Mask::splat(false).when(S::zero())
+    }
 
     /// The least distance to a line.
     #[doc(hidden)]
     #[inline]
-    fn distance_from_line(self, line: Line<S>) -> Option<S>
-    where
-        S: Real<Mask = bool>,
-    {
-        distance(line.figure()?, self.figure()?)
+    fn distance_from_line(self, line: Line<S>) -> Maybe<S, S> {
+        line.figure()
+            .and_then(|a| self.figure().and_then(|b| distance(a, b, Self::search)))
     }
 
     /// The least distance to another primitive.
     #[doc(hidden)]
     #[inline]
-    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S>
-    where
-        S: Real<Mask = bool>,
-    {
-        distance(self.figure()?, other.figure()?)
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Maybe<S, S> {
+        let search = search_for::<S, Self, T>;
+        self.figure()
+            .and_then(|a| other.figure().and_then(|b| distance(a, b, search)))
     }
 
     /// The distance to another primitive, with a sign where one of them has sides.
     #[doc(hidden)]
     #[inline]
-    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Option<S>
-    where
-        S: Real<Mask = bool>,
-    {
-        signed_distance(self.figure()?, other.figure()?)
+    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Maybe<S, S> {
+        let search = search_for::<S, Self, T>;
+        self.figure()
+            .and_then(|a| other.figure().and_then(|b| signed_distance(a, b, search)))
     }
 
     /// Whether all of this primitive is on the other.
     #[doc(hidden)]
     #[inline]
-    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool
-    where
-        S: Real<Mask = bool>,
-    {
-        match (self.figure(), other.figure()) {
-            (Some(a), Some(b)) => is_on(a, b, tolerance),
-            _ => false,
-        }
+    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask {
+        self.figure()
+            .is_some_and(|a| other.figure().is_some_and(|b| is_on(a, b, tolerance)))
     }
 }
 
-#[inline]
-fn finite<S: Real<Mask = bool>>(point: Vector<S>) -> Option<Figure<S>> {
-    point.is_finite().then_some(Figure::Point(point))
+/// The search of two types, one of which may be a circle.
+fn search_for<S: Real, A: Primitive<S>, B: Primitive<S>>(
+    a: Figure<S>,
+    b: Figure<S>,
+) -> Maybe<S, S> {
+    A::search(a, b).or_else(|| B::search(a, b))
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for Point<S> {
+#[inline]
+fn finite<S: Real>(point: Vector<S>) -> Maybe<Figure<S>, S> {
+    point.is_finite().when(Figure::Point(point))
+}
+
+impl<S: Real> Primitive<S> for Point<S> {
     #[inline]
-    fn figure(self) -> Option<Figure<S>> {
+    fn figure(self) -> Maybe<Figure<S>, S> {
         finite(self.into())
     }
 
     #[inline]
-    fn distance_from_line(self, line: Line<S>) -> Option<S> {
+    fn distance_from_line(self, line: Line<S>) -> Maybe<S, S> {
         line.distance_from_point(self.into())
     }
 
     #[inline]
-    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Maybe<S, S> {
         other.distance_from_point(self.into())
     }
 
     #[inline]
-    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+    fn signed_distance_from<T: Primitive<S>>(self, other: T) -> Maybe<S, S> {
         other.signed_distance_from_point(self.into())
     }
 
     #[inline]
-    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+    fn lies_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask {
         other.is_near(self.into(), tolerance)
     }
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for FlatPoint<S> {
+impl<S: Real> Primitive<S> for FlatPoint<S> {
     #[inline]
-    fn figure(self) -> Option<Figure<S>> {
-        self.to_point()?.figure()
+    fn figure(self) -> Maybe<Figure<S>, S> {
+        self.to_point().and_then(|point| point.figure())
     }
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for PointPair<S> {
-    fn figure(self) -> Option<Figure<S>> {
-        let [p, q] = self.endpoints()?.map(Vector::from);
-        Some(if p == q {
-            Figure::Point(p)
-        } else {
-            Figure::PointPair([p, q])
+impl<S: Real> Primitive<S> for PointPair<S> {
+    /// One point where both are equal; of lanes, where they are in all of them.
+    fn figure(self) -> Maybe<Figure<S>, S> {
+        self.endpoints().map(|ends| {
+            let [p, q] = ends.map(Vector::from);
+            if p == q {
+                Figure::Point(p)
+            } else {
+                Figure::PointPair([p, q])
+            }
         })
     }
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
+impl<S: Real> Primitive<S> for Line<S> {
     #[inline]
-    fn figure(self) -> Option<Figure<S>> {
-        let (point, direction) = self.parts()?;
-        Some(Figure::Line { point, direction })
+    fn figure(self) -> Maybe<Figure<S>, S> {
+        let parts = self.parts();
+        parts.map(|(point, direction)| Figure::Line { point, direction })
     }
 
     #[inline]
-    fn distance_from_line(self, line: Self) -> Option<S> {
+    fn distance_from_line(self, line: Self) -> Maybe<S, S> {
         let (d, m) = self.vectors();
         let (e, n) = line.vectors();
         let normal = d.cross(e);
@@ -186,26 +194,28 @@ impl<S: Real<Mask = bool>> Primitive<S> for Line<S> {
         // The sine of the angle, times the lengths of both directions, against the bound below
         // which they are treated as parallel.
         let bound = parallel::<S>() * parallel::<S>() * product;
-        if is_regular(square) && bound.less_than(square) {
-            let distance = (d.dot(n) + e.dot(m)).abs() / square.sqrt();
-            if is_number(distance) {
-                return Some(distance);
-            }
-        }
-        distance(self.figure()?, line.figure()?)
+        let is_skew = is_regular(square) & bound.less_than(square);
+        let usual = is_skew
+            .when(())
+            .map(|()| (d.dot(n) + e.dot(m)).abs() / square.sqrt())
+            .filter(|distance| is_number(*distance));
+        usual.or_else(|| {
+            self.figure()
+                .and_then(|a| line.figure().and_then(|b| distance(a, b, Self::search)))
+        })
     }
 
     #[inline]
-    fn distance_from<T: Primitive<S>>(self, other: T) -> Option<S> {
+    fn distance_from<T: Primitive<S>>(self, other: T) -> Maybe<S, S> {
         other.distance_from_line(self)
     }
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for Plane<S> {
+impl<S: Real> Primitive<S> for Plane<S> {
     #[inline]
-    fn figure(self) -> Option<Figure<S>> {
-        let (normal, distance) = self.parts()?;
-        Some(Figure::Plane { normal, distance })
+    fn figure(self) -> Maybe<Figure<S>, S> {
+        let parts = self.parts();
+        parts.map(|(normal, distance)| Figure::Plane { normal, distance })
     }
 }
 
@@ -218,14 +228,16 @@ impl<S: Real<Mask = bool>> Primitive<S> for Circle<S> {
             radius: radius(squared)?,
         })
     }
+
+    fn search(a: Figure<S>, b: Figure<S>) -> Option<S> {
+        searched(a, b)
+    }
 }
 
-impl<S: Real<Mask = bool>> Primitive<S> for Sphere<S> {
-    fn figure(self) -> Option<Figure<S>> {
-        let (centre, squared) = sphere_parts(self)?;
-        Some(Figure::Sphere {
-            centre,
-            radius: radius(squared)?,
+impl<S: Real> Primitive<S> for Sphere<S> {
+    fn figure(self) -> Maybe<Figure<S>, S> {
+        sphere_parts(self).and_then(|(centre, squared)| {
+            radius(squared).map(|radius| Figure::Sphere { centre, radius })
         })
     }
 }
@@ -241,6 +253,10 @@ macro_rules! of_a_sum {
                 }
                 $Round::from_coefficients_unchecked(&mut { read }).figure()
             }
+
+            fn search(a: Figure<S>, b: Figure<S>) -> Option<S> {
+                searched(a, b)
+            }
         }
     )*};
 }
@@ -252,27 +268,43 @@ of_a_sum! {
 }
 
 macro_rules! by_the_direct_form {
-    ($($Dual:ident)*) => {$(
-        impl<S: Real<Mask = bool>> Primitive<S> for $Dual<S> {
+    ($($Dual:ident of $Direct:ident)*) => {$(
+        impl<S: Real> Primitive<S> for $Dual<S>
+        where
+            $Direct<S>: Primitive<S>,
+        {
             #[inline]
-            fn figure(self) -> Option<Figure<S>> {
+            fn figure(self) -> Maybe<Figure<S>, S> {
                 self.undual().figure()
             }
 
             #[inline]
-            fn distance_from_line(self, line: Line<S>) -> Option<S> {
+            fn search(a: Figure<S>, b: Figure<S>) -> Maybe<S, S> {
+                $Direct::search(a, b)
+            }
+
+            #[inline]
+            fn distance_from_line(self, line: Line<S>) -> Maybe<S, S> {
                 self.undual().distance_from_line(line)
             }
         }
     )*};
 }
 
-by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
+by_the_direct_form! {
+    DualFlatPoint of FlatPoint
+    DualPointPair of PointPair
+    MotorGenerator of Line
+    DualPlane of Plane
+    DualCircle of Circle
+    DualSphere of Sphere
+}
 
 /// Centre and squared radius, negative for an imaginary sphere.
 #[inline]
-pub(super) fn sphere_parts<S: Real<Mask = bool>>(sphere: Sphere<S>) -> Option<(Vector<S>, S)> {
-    Some((sphere.centre()?.into(), sphere.radius_squared))
+pub(super) fn sphere_parts<S: Real>(sphere: Sphere<S>) -> Maybe<(Vector<S>, S), S> {
+    let centre = sphere.centre();
+    centre.map(|centre| (centre.into(), sphere.radius_squared))
 }
 
 /// The same where the centre and the radius are so far from both ends of the range of the scalar

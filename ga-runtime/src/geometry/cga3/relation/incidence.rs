@@ -32,39 +32,44 @@
 //! assert!(!circle.is_on(Sphere::from_centre_radius(p, 2.0), tolerance));
 //! ```
 
-use super::distance::{distance, from_sphere};
+use super::distance::{from_place, from_sphere};
 use super::tolerance::{angle_within, within};
 use super::{Figure, FromPoint, Primitive, Tolerance};
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
 };
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A primitive with a direction: a line, a plane by its normal, a circle by the normal of its
 /// plane.
 pub trait Directed<S: Real>: Primitive<S> {}
 
-impl<S: Real<Mask = bool>> Directed<S> for Line<S> {}
-impl<S: Real<Mask = bool>> Directed<S> for Plane<S> {}
+impl<S: Real> Directed<S> for Line<S> {}
+impl<S: Real> Directed<S> for Plane<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for Circle<S> {}
-impl<S: Real<Mask = bool>> Directed<S> for MotorGenerator<S> {}
-impl<S: Real<Mask = bool>> Directed<S> for DualPlane<S> {}
+impl<S: Real> Directed<S> for MotorGenerator<S> {}
+impl<S: Real> Directed<S> for DualPlane<S> {}
 impl<S: Real<Mask = bool>> Directed<S> for DualCircle<S> {}
 
 macro_rules! incidence {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// Whether this and the other primitive are the same set of points, each
             /// [on](Self::is_on) the other; orientation and weight are ignored. False where either
             /// is not a figure.
             #[must_use]
-            pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
-                match (self.figure(), other.figure()) {
-                    (Some(a), Some(b)) => is_on(a, b, tolerance) && is_on(b, a, tolerance),
-                    _ => false,
-                }
+            pub fn coincides_with<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask
+            where
+                Self: Primitive<S>,
+            {
+                self.figure().is_some_and(|a| {
+                    other.figure().is_some_and(|b| {
+                        let on_other = is_on(a, b, tolerance).when(());
+                        on_other.is_some_and(|()| is_on(b, a, tolerance))
+                    })
+                })
             }
         }
     )*};
@@ -72,13 +77,16 @@ macro_rules! incidence {
 
 macro_rules! contained {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// Whether every point of this primitive is a point of the other, within the tolerance;
             /// see [`incidence`](crate::geometry::relation::incidence). False where either is no
             /// figure.
             #[inline]
             #[must_use]
-            pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+            pub fn is_on<T: Primitive<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask
+            where
+                Self: Primitive<S>,
+            {
                 Primitive::lies_on(self, other, tolerance)
             }
         }
@@ -97,12 +105,15 @@ impl<S: Real> Point<S> {
 
 macro_rules! attitude {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// Whether the angle to the other is zero within `tolerance.angle`, ignoring
             /// orientation. Lines, planes and the planes of circles are compared; primitives that
             /// coincide are parallel too. False where either is not a figure.
             #[must_use]
-            pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+            pub fn is_parallel_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask
+            where
+                Self: Directed<S>,
+            {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
                 slope.is_some_and(|[sine, cosine]| angle_within(sine, cosine, tolerance.angle))
             }
@@ -111,7 +122,10 @@ macro_rules! attitude {
             /// planes and the planes of circles are compared; they need not meet. False where
             /// either is not a figure.
             #[must_use]
-            pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> bool {
+            pub fn is_perpendicular_to<T: Directed<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask
+            where
+                Self: Directed<S>,
+            {
                 let slope = self.figure().zip(other.figure()).and_then(|(a, b)| slope(a, b));
                 slope.is_some_and(|[sine, cosine]| angle_within(cosine, sine, tolerance.angle))
             }
@@ -130,11 +144,12 @@ contained! {
 attitude!(Line Plane Circle MotorGenerator DualPlane DualCircle);
 
 /// Sine and cosine, neither negative, of the acute angle between two directed figures.
-fn slope<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<[S; 2]> {
-    let (u, u_is_normal) = direction(a)?;
-    let (v, v_is_normal) = direction(b)?;
+fn slope<S: Real>(a: Figure<S>, b: Figure<S>) -> Maybe<[S; 2], S> {
+    let (Some((u, u_is_normal)), Some((v, v_is_normal))) = (direction(a), direction(b)) else {
+        return S::Mask::splat(false).when([S::zero(); 2]);
+    };
     let [sine, cosine] = [u.cross(v).length(), u.dot(v).abs()];
-    Some(if u_is_normal == v_is_normal {
+    S::Mask::splat(true).when(if u_is_normal == v_is_normal {
         [sine, cosine]
     } else {
         [cosine, sine]
@@ -150,36 +165,44 @@ fn direction<S>(figure: Figure<S>) -> Option<(Vector<S>, bool)> {
     }
 }
 
-pub(super) fn is_on<S: Real<Mask = bool>>(
-    a: Figure<S>,
-    b: Figure<S>,
-    tolerance: Tolerance<S>,
-) -> bool {
+pub(super) fn is_on<S: Real>(a: Figure<S>, b: Figure<S>, tolerance: Tolerance<S>) -> S::Mask {
+    let (Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }) = a else {
+        return is_all_on(a, b, tolerance);
+    };
+    let is_point = within(radius, tolerance.distance);
+    let centre_is_on = is_point
+        .when(())
+        .is_some_and(|()| is_all_on(Figure::Point(centre), b, tolerance));
+    let is_round = (!is_point).when(());
+    centre_is_on | is_round.is_some_and(|()| is_all_on(a, b, tolerance))
+}
+
+/// The same for a circle or a sphere whose radius is not within the tolerance.
+fn is_all_on<S: Real>(a: Figure<S>, b: Figure<S>, tolerance: Tolerance<S>) -> S::Mask {
     let near = |x: S| within(x, tolerance.distance);
-    let point_is_on = |p: Vector<S>, b| distance(Figure::Point(p), b).is_some_and(near);
+    let place_is_on = |p: Vector<S>| from_place(b, p).is_some_and(near);
     let turned = |u: Vector<S>, v: Vector<S>| {
         angle_within(u.cross(v).length(), u.dot(v).abs(), tolerance.angle)
     };
     match (a, b) {
-        (Figure::Point(p), b) => point_is_on(p, b),
-        (Figure::Circle { centre, radius, .. } | Figure::Sphere { centre, radius }, b)
-            if near(radius) =>
-        {
-            point_is_on(centre, b)
-        }
-        (Figure::PointPair([p, q]), b) => point_is_on(p, b) && point_is_on(q, b),
+        (Figure::Point(p), _) => place_is_on(p),
+        (Figure::PointPair([p, q]), _) => place_is_on(p) & place_is_on(q),
         (Figure::Line { point, direction }, Figure::Line { direction: e, .. }) => {
-            turned(direction, e) && point_is_on(point, b)
+            turned(direction, e)
+                .when(())
+                .is_some_and(|()| place_is_on(point))
         }
         (Figure::Line { point, direction }, Figure::Plane { normal, .. }) => {
             let [sine, cosine] = [
                 direction.dot(normal).abs(),
                 direction.cross(normal).length(),
             ];
-            angle_within(sine, cosine, tolerance.angle) && point_is_on(point, b)
+            let turned = angle_within(sine, cosine, tolerance.angle);
+            turned.when(()).is_some_and(|()| place_is_on(point))
         }
         (Figure::Plane { normal, distance }, Figure::Plane { normal: m, .. }) => {
-            turned(normal, m) && point_is_on(normal * distance, b)
+            let turned = turned(normal, m).when(());
+            turned.is_some_and(|()| place_is_on(normal * distance))
         }
         (
             Figure::Sphere { centre, radius },
@@ -187,7 +210,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
                 centre: c,
                 radius: r,
             },
-        ) => near((centre - c).length()) && near(radius - r),
+        ) => near((centre - c).length()) & near(radius - r),
         (
             Figure::Circle {
                 centre,
@@ -200,7 +223,7 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
             },
         ) => near((centre.dot(m) - distance).abs() + normal.cross(m).length() * radius),
         (Figure::Circle { .. }, Figure::Sphere { centre, radius }) => from_sphere(a, centre)
-            .is_some_and(|[least, most]| near(least - radius) && near(most - radius)),
+            .is_some_and(|[least, most]| near(least - radius) & near(most - radius)),
         (
             Figure::Circle {
                 centre,
@@ -214,8 +237,8 @@ pub(super) fn is_on<S: Real<Mask = bool>>(
             },
         ) => {
             let tilt = normal.cross(m).length() * radius;
-            near((centre - c).length()) && near(radius - r) && near(tilt)
+            near((centre - c).length()) & near(radius - r) & near(tilt)
         }
-        _ => false,
+        _ => S::Mask::splat(false),
     }
 }

@@ -40,10 +40,10 @@
 //! ));
 //! ```
 
-use super::distance::distance;
+use super::distance::from_place;
 use super::figure::sphere_parts;
 use super::tolerance::within;
-use super::{Figure, Primitive, Tolerance};
+use super::{Primitive, Tolerance};
 use crate::Element;
 use crate::cga3::{
     Bivector, Circle, FlatPoint, Line, Plane, Point, PointPair, Quadvector, Sphere, Translator,
@@ -95,7 +95,7 @@ macro_rules! inversions {
                 tolerance: Tolerance<S>,
             ) -> Option<RoundOrFlat<$Round<S>, $Flat<S>>> {
                 let (centre, radius) = mirror(sphere)?;
-                let away = distance(Figure::Point(centre), self.figure()?)?;
+                let away = from_place(self.figure()?, centre)?;
                 let there = Translator::from_displacement(centre.into());
                 let moved = Sandwich::sandwich(there.reverse(), self);
                 let image: $Sum<S> = inverted(recast(moved), radius);

@@ -51,7 +51,7 @@
 //! assert_eq!(axis.join(circle, tolerance), Some(Join::Space));
 //! ```
 
-use super::distance::distance;
+use super::distance::{distance, from_place, searched};
 use super::incidence::is_on;
 use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
@@ -271,7 +271,7 @@ fn two_lines<S: Real<Mask = bool>>(
     }
     let [first, second] =
         [(p, d), (q, e)].map(|(point, direction)| Figure::Line { point, direction });
-    if within(distance(first, second)?, tolerance.distance) {
+    if within(distance(first, second, searched)?, tolerance.distance) {
         let midway = middle(p, p + along(q - p, normal));
         plane(midway, normal)
     } else {
@@ -389,7 +389,7 @@ fn four_points<S: Real<Mask = bool>>(
         return None;
     };
     let near = |x: S| within(x, tolerance.distance);
-    if near(distance(Figure::Point(fourth), found)?) {
+    if near(from_place(found, fourth)?) {
         circle(centre, normal, radius)
     } else if near((fourth - centre).dot(normal)) {
         plane(centre, normal)

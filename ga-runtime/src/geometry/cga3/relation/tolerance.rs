@@ -1,6 +1,6 @@
 //! Tolerances for comparing primitives.
 
-use crate::scalar::Real;
+use crate::scalar::{Mask, Optional, Real};
 
 /// The deviations that are ignored in comparisons: a distance in the units of the coordinates and
 /// an angle in radians, both bounds included.
@@ -69,12 +69,13 @@ pub(super) fn within<S: Real>(x: S, bound: S) -> S::Mask {
 /// Whether the angle with a sine and a cosine, both not negative, is at most as large as a bound.
 /// No angle is smaller than its sine, which decides most cases.
 #[inline]
-pub(super) fn angle_within<S: Real<Mask = bool>>(sine: S, cosine: S, bound: S) -> bool {
-    !bound.less_than(sine) && small_angle_within(sine, cosine, bound)
+pub(super) fn angle_within<S: Real>(sine: S, cosine: S, bound: S) -> S::Mask {
+    let may_be = (!bound.less_than(sine)).when(());
+    may_be.is_some_and(|()| small_angle_within(sine, cosine, bound))
 }
 
 #[cold]
 #[inline(never)]
-fn small_angle_within<S: Real<Mask = bool>>(sine: S, cosine: S, bound: S) -> bool {
+fn small_angle_within<S: Real>(sine: S, cosine: S, bound: S) -> S::Mask {
     within(sine.atan2(cosine), bound)
 }

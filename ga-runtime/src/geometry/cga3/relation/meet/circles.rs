@@ -3,7 +3,7 @@
 use super::spheres::{power_plane, same_radius, touch};
 use super::{Meet, finite_point, less_square, pair, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::relation::distance::{distance, from_sphere};
+use crate::geometry::relation::distance::{from_place, from_sphere};
 use crate::geometry::relation::figure::sphere_parts;
 use crate::geometry::relation::from_point::circle_parts;
 use crate::geometry::relation::tolerance::{angle_within, within};
@@ -308,7 +308,7 @@ fn in_two_planes<S: Real<Mask = bool>>(
         radius: r,
     };
     let is_on = |p: Point<S>| {
-        let distance = distance(Figure::Point(p.into()), figure);
+        let distance = from_place(figure, p.into());
         distance.is_some_and(|x| within(x, tolerance.distance))
     };
     Some(match plane.meet(first, tolerance)? {
