@@ -4,7 +4,6 @@ use super::distance::{distance, searched, signed_distance};
 use super::from_point::circle_parts;
 use super::incidence::is_on;
 use super::{FromPoint, Tolerance, parallel};
-use crate::Element;
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
@@ -242,16 +241,12 @@ impl<S: Real> Primitive<S> for Sphere<S> {
     }
 }
 
-/// Sums of rounds and flats are what their coefficients say.
-macro_rules! of_a_sum {
-    ($($Sum:ident: $Round:ident or $Flat:ident without $($weight:ident)*;)*) => {$(
+macro_rules! of_sums {
+    ($($Sum:ident)*) => {$(
         impl<S: Real<Mask = bool>> Primitive<S> for $Sum<S> {
             fn figure(self) -> Option<Figure<S>> {
-                let read = |blade| self.coefficient(blade);
-                if $(self.$weight.is_zero())&&* {
-                    return $Flat::from_coefficients_unchecked(&mut { read }).figure();
-                }
-                $Round::from_coefficients_unchecked(&mut { read }).figure()
+                let (is_flat, flat, round) = self.flat_or_round();
+                if is_flat { flat.figure() } else { round.figure() }
             }
 
             fn search(a: Figure<S>, b: Figure<S>) -> Option<S> {
@@ -261,11 +256,7 @@ macro_rules! of_a_sum {
     )*};
 }
 
-of_a_sum! {
-    Bivector: PointPair or FlatPoint without e1o e2o e3o;
-    Trivector: Circle or Line without e123 e12o e13o e23o;
-    Quadvector: Sphere or Plane without e123o;
-}
+of_sums!(Bivector Trivector Quadvector);
 
 macro_rules! by_the_direct_form {
     ($($Dual:ident of $Direct:ident)*) => {$(

@@ -3,7 +3,6 @@
 use super::distance::from_circle;
 use super::tolerance::within;
 use super::{Tolerance, parallel};
-use crate::Element;
 use crate::cga3::{
     Bivector, Circle, DualCircle, DualFlatPoint, DualPlane, DualPointPair, DualSphere, FlatPoint,
     Line, MotorGenerator, Plane, Point, PointPair, Quadvector, Sphere, Trivector,
@@ -172,51 +171,31 @@ impl<S: Real> FromPoint<S> for Sphere<S> {
     }
 }
 
-/// Sums of rounds and flats are what their coefficients say.
-macro_rules! of_a_sum {
-    ($($Sum:ident: $Round:ident or $Flat:ident without $($weight:ident)*;)*) => {$(
-        impl<S: Real> $Sum<S> {
-            /// What the flat or the round gives that it is.
-            fn by_its_kind<T: Select<Mask = S::Mask>>(
-                self,
-                of_flat: impl FnOnce($Flat<S>) -> Maybe<T, S>,
-                of_round: impl FnOnce($Round<S>) -> Maybe<T, S>,
-            ) -> Maybe<T, S> {
-                let read = |blade| self.coefficient(blade);
-                let is_flat = $(self.$weight.is_zero())&*;
-                is_flat
-                    .when(())
-                    .and_then(|()| of_flat($Flat::from_coefficients_unchecked(&mut { read })))
-                    .or_else(|| {
-                        let round = || $Round::from_coefficients_unchecked(&mut { read });
-                        (!is_flat).when(()).and_then(|()| of_round(round()))
-                    })
-            }
-        }
-
+macro_rules! of_sums {
+    ($($Sum:ident)*) => {$(
         impl<S: Real> FromPoint<S> for $Sum<S> {
             fn signed_distance_from_point(self, point: Vector<S>) -> Maybe<S, S> {
-                self.by_its_kind(
-                    |flat| flat.signed_distance_from_point(point),
-                    |round| round.signed_distance_from_point(point),
+                let (is_flat, flat, round) = self.flat_or_round();
+                by_kind(
+                    is_flat,
+                    || flat.signed_distance_from_point(point),
+                    || round.signed_distance_from_point(point),
                 )
             }
 
             fn nearest_place(self, point: Vector<S>) -> Maybe<Vector<S>, S> {
-                self.by_its_kind(
-                    |flat| flat.nearest_place(point),
-                    |round| round.nearest_place(point),
+                let (is_flat, flat, round) = self.flat_or_round();
+                by_kind(
+                    is_flat,
+                    || flat.nearest_place(point),
+                    || round.nearest_place(point),
                 )
             }
         }
     )*};
 }
 
-of_a_sum! {
-    Bivector: PointPair or FlatPoint without e1o e2o e3o;
-    Trivector: Circle or Line without e123 e12o e13o e23o;
-    Quadvector: Sphere or Plane without e123o;
-}
+of_sums!(Bivector Trivector Quadvector);
 
 macro_rules! by_the_direct_form {
     ($($Dual:ident)*) => {$(
@@ -235,6 +214,16 @@ macro_rules! by_the_direct_form {
 }
 
 by_the_direct_form!(DualFlatPoint DualPointPair MotorGenerator DualPlane DualCircle DualSphere);
+
+/// What the flat or the round gives that a sum is.
+fn by_kind<M: Mask, T: Select<Mask = M>>(
+    is_flat: M,
+    of_flat: impl FnOnce() -> M::Maybe<T>,
+    of_round: impl FnOnce() -> M::Maybe<T>,
+) -> M::Maybe<T> {
+    let flat = is_flat.when(()).and_then(|()| of_flat());
+    flat.or_else(|| (!is_flat).when(()).and_then(|()| of_round()))
+}
 
 /// Centre, unit normal and squared radius, negative for an imaginary circle.
 #[inline]

@@ -44,6 +44,7 @@ mod least;
 pub mod meet;
 pub mod projection;
 pub mod reflection;
+mod sum;
 pub mod tangent;
 mod tolerance;
 
