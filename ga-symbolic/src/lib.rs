@@ -25,6 +25,7 @@
 //! - [`kernel`]: one compiled graph; [`task`]: what is to be compiled; [`search`]: the form and the
 //!   rules that make the cheapest graph; `staging`: whether to collect uniform coefficients;
 //!   `stepwise`: programs operation by operation.
+//! - `order`: one stable sort for lists of all types.
 
 pub mod algebra;
 pub mod define;
