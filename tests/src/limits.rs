@@ -46,8 +46,8 @@ pub enum Query {
     CircleThrough,
     /// Centre and radius of the sphere through four points.
     SphereThrough,
-    /// Centre and radius of the circle in which spheres with radii up to 1:1000 meet, by the product
-    /// of the smaller and the larger, and by the method.
+    /// Centre and radius of the circle in which spheres with radii up to 1:1000 meet, by the
+    /// product of the smaller and the larger, and by the method.
     SpheresMeet,
     /// The same by the product of the larger and the smaller.
     LargerMeetsSmaller,

@@ -1,10 +1,10 @@
 //! The methods that users call most, beside the same written with glam or nalgebra in `f64`.
 //!
 //! All contenders start from the same numbers: a plane is a normal of any length and a distance
-//! times that length, a line a direction of any length and its moment, a sphere its centre, weight and
-//! squared radius, a circle or a pair its centre, its normal or direction, whose length is the
-//! weight, and its squared radius. What glam has no type for is written by hand with its vectors, as
-//! a user of glam would.
+//! times that length, a line a direction of any length and its moment, a sphere its centre, weight
+//! and squared radius, a circle or a pair its centre, its normal or direction, whose length is the
+//! weight, and its squared radius. What glam has no type for is written by hand with its vectors,
+//! as a user of glam would.
 
 mod by_hand;
 mod construction;

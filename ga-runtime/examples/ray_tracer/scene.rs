@@ -134,8 +134,8 @@ pub(crate) fn ambient(upwards: f64) -> f64 {
     0.16 + 0.10 * upwards
 }
 
-/// The light of the lamp that a surface scatters, by the cosines of the angles from its direction to
-/// the normal and to the mirrored ray.
+/// The light of the lamp that a surface scatters, by the cosines of the angles from its direction
+/// to the normal and to the mirrored ray.
 pub(crate) fn from_lamp(colour: Colour, to_normal: f64, to_mirrored: f64) -> Colour {
     let white = Colour::new(1.0, 1.0, 1.0);
     colour * (LAMP * to_normal) + white * (GLOSS * to_mirrored.max(0.0).powi(64))

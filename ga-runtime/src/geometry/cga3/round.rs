@@ -25,8 +25,8 @@ pub(super) fn radius<S: Real>(radius_squared: S) -> Maybe<S, S> {
     is_real.when(radius_squared.sqrt())
 }
 
-/// The vector of a length in a direction; `None` where that is zero or not finite. A negative square
-/// of the length gives NaN, in those lanes alone.
+/// The vector of a length in a direction; `None` where that is zero or not finite. A negative
+/// square of the length gives NaN, in those lanes alone.
 #[inline(always)]
 pub(super) fn of_length<S: Real>(
     direction: Direction<S>,
