@@ -24,8 +24,8 @@ bench() { # folder, flags, run, arguments of cargo
 rm -rf "$target/native/criterion" "$target/default/criterion"
 for run in $(seq "$runs"); do
     bench "$target/native" "$native" "$run" "${features[@]}"
-    # Without flags only the code that chooses its instructions at run time is of interest.
-    bench "$target/default" "" "$run" --bench batch
+    # Most users build without flags: the methods, and the code that chooses its instructions itself.
+    bench "$target/default" "" "$run" --bench batch --bench geometry --bench scene
 done
 
 instructions=$target/instructions.tsv

@@ -14,6 +14,9 @@ pub(super) fn target(flags: &str, group: &str, ours: &str, rival: &str) -> Optio
         ("batch/one-motor-points-f32", "nullcone dispatched", "glam Affine3A") => {
             Some(if is_native { 0.6 } else { 1.0 })
         }
+        ("scene/ray-trace", "methods, as a textbook", "glam DVec3") => Some(1.5),
+        ("scene/ray-trace", "ga!, as a textbook", "glam DVec3") => Some(1.1),
+        ("geometry/motion from 1000 pairs of points", "nullcone", _) => Some(1.2),
         (sandwich, "nullcone", "clifford") => sandwich.starts_with("sandwich/").then_some(0.1),
         _ => None,
     }
