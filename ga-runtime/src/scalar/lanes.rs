@@ -22,9 +22,10 @@ use super::{ArcFactors, ConstRing, Field, LaneMask, Real, Ring, Select};
 ///
 /// Lanes can be the scalar of any type of an algebra. Where a result may not exist, it is a
 /// [`Maybe`](super::Maybe), which says for each lane whether it does: unit elements, what is read
-/// of primitives, distances and incidence, the projection of points, reflections, and what
-/// [rays](crate::geometry::ray) hit. What has results of several kinds, or is searched step by
-/// step, is there for single numbers only: angles, meets and joins, distances and incidence of
+/// of primitives, distances, angles and incidence, the projection of points, reflections, what
+/// [rays](crate::geometry::ray) hit, and what is read of products: `(sphere & line).endpoints()` is
+/// the meet. What has results of several kinds, or is searched step by step, is there for single
+/// numbers only: `meet` and `join`, which tell the kinds apart, distances, angles and incidence of
 /// circles and of sums such as [`Trivector`](crate::cga3::Trivector) with anything but a point,
 /// [`Kind`](crate::geometry::Kind), fits, conversions from matrices.
 ///

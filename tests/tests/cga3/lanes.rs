@@ -93,6 +93,10 @@ fn everything<S: Real>(x: [S; 11], tolerance: S) -> Found<S> {
         pair.endpoints() => |ends: [Point<S>; 2]| ends.map(Point::coordinates).concat();
         RoundVector::new(a, b, c, l, d).centre() => place;
         RoundVector::new(a, b, c, l, d).radius_squared() => number;
+        (sphere & line).endpoints() => |ends: [Point<S>; 2]| ends.map(Point::coordinates).concat();
+        (Plane::from_point_normal(centre, [e, f, d]) & circle).endpoints() => |ends: [Point<S>; 2]| ends.map(Point::coordinates).concat();
+        (plane & line).to_point() => place;
+        (sphere & plane).radius() => number;
         point.reflect_in(plane) => place;
         point.reflect_in(line) => place;
         point.reflect_in(centre) => place;
@@ -152,11 +156,46 @@ fn between<S: Real>(x: [S; 11]) -> Found<S> {
         point, flat; flat, pair; pair, ends; line, along; plane, level; sphere, ball;
         sphere, centre;
     }
+    macro_rules! inversive_distances {
+        ($($one:expr, $other:expr;)*) => {$(
+            found.push($one.inversive_distance_to($other).map(|x| vec![x]));
+        )*};
+    }
+    inversive_distances! {
+        sphere, ball; sphere.dual(), plane; plane, wall; ball, wall.dual();
+    }
     tests! { is_parallel_to:
         line, along; along, plane; line.dual(), wall; plane, level; plane, wall; level, along;
     }
     tests! { is_perpendicular_to:
         line, along; line, plane; line.dual(), wall; plane.dual(), wall; level, along;
+    }
+    found
+}
+
+/// Angles of primitives with each other.
+fn angles<S: Real>(x: [S; 11]) -> Found<S> {
+    let [a, b, c, d, e, f, g, h, k, l, m] = x;
+    let (point, centre) = (Point::new(a, b, c), Point::new(g, h, k));
+    let line = Line::from_point_direction(centre, [d, e, f]);
+    let along = Line::from_point_direction(point, [d, e, m]);
+    let plane = Plane::from_point_normal(centre, [d, e, f]);
+    let wall = Plane::from_point_normal(point, [e, -d, l]);
+    let sphere = Sphere::from_centre_radius_squared(centre, l);
+    let ball = Sphere::from_centre_radius_squared(point, m * m);
+    let mut found = vec![
+        Vector::new(a, b, c)
+            .angle(Vector::new(d, e, f))
+            .map(|x| vec![x]),
+    ];
+    macro_rules! angles {
+        ($($one:expr, $other:expr;)*) => {$(
+            found.push($one.angle_to($other).map(|x| vec![x]));
+        )*};
+    }
+    angles! {
+        line, along; line, plane; along, wall; plane, wall; line.dual(), along; plane.dual(), wall;
+        sphere, ball; ball, sphere.dual(); sphere, plane; wall, ball; sphere, along; line, ball;
     }
     found
 }
@@ -277,10 +316,10 @@ fn is_same(a: f64, b: f64) -> bool {
 fn compare<S: Real>(
     found: Found<S>,
     rows: [[f64; 11]; 4],
+    alone: &[Found<f64>; 4],
     lane_of: impl Fn(S, usize) -> f64,
 ) -> Vec<[usize; 2]> {
     let mut counts = vec![[0, 0]; found.len()];
-    let alone = rows.map(|row| everything(row, 1e-9));
     assert!(alone.iter().all(|alone| alone.len() == found.len()));
     for (place, lanes) in found.into_iter().enumerate() {
         let mask = lanes.is_some();
@@ -313,23 +352,33 @@ fn compare<S: Real>(
 #[test]
 fn lanes_are_single_numbers_side_by_side() {
     let mut random = SplitMix64(27);
-    let mut counts: Vec<[usize; 2]> = Vec::new();
+    let mut counts = Vec::new();
     for _ in 0..1000 {
         let rows = rows(&mut random);
         let columns: [_; 11] = core::array::from_fn(|k| rows.map(|row| row[k]));
+        let alone = rows.map(|row| everything(row, 1e-9));
         let lanes = everything(columns.map(Lanes::from_array), Lanes::splat(1e-9));
-        let found = compare(lanes, rows, |x: Lanes<f64, 4>, lane| x[lane]);
+        let found = compare(lanes, rows, &alone, |x: Lanes<f64, 4>, lane| x[lane]);
         let _ = compare(
             everything(columns.map(f64x4::from), f64x4::splat(1e-9)),
             rows,
+            &alone,
             |x: f64x4, lane| x.to_array()[lane],
         );
-        counts.resize(found.len(), [0, 0]);
-        for (counts, found) in counts.iter_mut().zip(found) {
-            *counts = [counts[0] + found[0], counts[1] + found[1]];
-        }
+        counts.push(found);
     }
-    for (place, [none, some]) in counts.into_iter().enumerate() {
+    assert_some_exist(&counts);
+}
+
+/// Each quantity must exist for some rows and not exist for others.
+fn assert_some_exist(counts: &[Vec<[usize; 2]>]) {
+    let quantities = counts.first().map_or(0, Vec::len);
+    let total = |place: usize, exist: usize| -> usize {
+        counts.iter().map(|counts| counts[place][exist]).sum()
+    };
+    let totals = (0..quantities).map(|place| [total(place, 0), total(place, 1)]);
+    assert!(quantities > 0);
+    for (place, [none, some]) in totals.enumerate() {
         assert!(none > 0 && some > 0, "quantity {place}: {none} and {some}");
     }
 }
@@ -339,15 +388,17 @@ fn lanes_are_single_numbers_side_by_side() {
 #[test]
 fn angles_in_lanes_are_those_of_each_lane() {
     let mut random = SplitMix64(8);
+    let mut counts = Vec::new();
     for _ in 0..500 {
         let rows = rows(&mut random);
-        let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| Lanes::from_array(rows.map(|r| r[k])));
-        let found = Vector::new(a, b, c).angle(Vector::new(d, e, f));
-        for (lane, [a, b, c, d, e, f, ..]) in rows.into_iter().enumerate() {
-            let alone = Vector::new(a, b, c).angle(Vector::new(d, e, f));
-            assert_eq!(found.lane(lane).map(|angle| angle[lane]), alone);
-        }
+        let columns: [_; 11] = core::array::from_fn(|k| rows.map(|row| row[k]));
+        let lanes = angles(columns.map(Lanes::from_array));
+        let alone = rows.map(angles);
+        counts.push(compare(lanes, rows, &alone, |x: Lanes<f64, 4>, lane| {
+            x[lane]
+        }));
     }
+    assert_some_exist(&counts);
 }
 
 /// A program that once did not compile: everything that a generic function does with motors is

@@ -50,7 +50,7 @@
 use super::circle_angles::circle_angles;
 use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
-use crate::scalar::Real;
+use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A primitive with extent, between which angles are defined: a line, a plane, a circle or a
@@ -62,7 +62,7 @@ pub trait Extended<S: Real>: Primitive<S> {
 
     /// The angle between two figures, the first of which is a circle and the second this primitive.
     #[doc(hidden)]
-    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<Self::ToCircle>;
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Maybe<Self::ToCircle, S>;
 
     /// What is needed for angles of a line or a plane; `None` for types that do not know it without
     /// their figure.
@@ -75,9 +75,9 @@ pub trait Extended<S: Real>: Primitive<S> {
 
 macro_rules! one_angle {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> Extended<S> for $Primitive<S> {
+        impl<S: Real> Extended<S> for $Primitive<S> {
             type ToCircle = S;
-            fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+            fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Maybe<S, S> {
                 angle(circle, figure)
             }
         }
@@ -111,10 +111,10 @@ macro_rules! two_angles {
 
 two_angles!(Circle DualCircle);
 
-impl<S: Real<Mask = bool>> Extended<S> for Line<S> {
+impl<S: Real> Extended<S> for Line<S> {
     type ToCircle = S;
 
-    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Maybe<S, S> {
         angle(circle, figure)
     }
 
@@ -129,10 +129,10 @@ impl<S: Real<Mask = bool>> Extended<S> for Line<S> {
     }
 }
 
-impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {
+impl<S: Real> Extended<S> for Plane<S> {
     type ToCircle = S;
 
-    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Option<S> {
+    fn angle_to_circle(circle: Figure<S>, figure: Figure<S>) -> Maybe<S, S> {
         angle(circle, figure)
     }
 
@@ -149,20 +149,19 @@ impl<S: Real<Mask = bool>> Extended<S> for Plane<S> {
 
 macro_rules! angles {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// The angle to the other primitive in radians; see
             /// [`angle`](crate::geometry::relation::angle) for all pairs. `None` where a sphere and
             /// the other do not meet, beyond what rounding explains, or where either is not a
             /// figure.
             #[inline]
             #[must_use]
-            pub fn angle_to<T: Extended<S>>(self, other: T) -> Option<S> {
-                if let (Some(a), Some(b)) = (self.attitude_and_size(), other.attitude_and_size())
-                    && let Some(angle) = angle_of_directions(a, b)
-                {
-                    return Some(angle);
+            pub fn angle_to<T: Extended<S>>(self, other: T) -> Maybe<S, S> {
+                match (self.attitude_and_size(), other.attitude_and_size()) {
+                    (Some(a), Some(b)) => angle_of_directions(a, b)
+                        .or_else_of((self, other), |(a, b)| angle_of_figures(a, b)),
+                    _ => angle_of_figures(self, other),
                 }
-                angle(self.figure()?, other.figure()?)
             }
         }
     )*};
@@ -172,7 +171,7 @@ angles!(Line Plane Sphere MotorGenerator DualPlane DualSphere);
 
 macro_rules! inversive_distances {
     ($($Primitive:ident)*) => {$(
-        impl<S: Real<Mask = bool>> $Primitive<S> {
+        impl<S: Real> $Primitive<S> {
             /// The invariant `σ·τ / √(σ² τ²)` of two dual spheres or planes:
             /// `(r² + s² − d²)/(2 r s)` for spheres with radii r and s whose centres are at a
             /// distance d, `h/r` for a sphere of radius r whose centre is at a height h above a
@@ -197,8 +196,9 @@ macro_rules! inversive_distances {
             /// assert_eq!(a.inversive_distance_to(around), Some(1.25));
             /// ```
             #[must_use]
-            pub fn inversive_distance_to<T: Extended<S>>(self, other: T) -> Option<S> {
-                inversive_distance(self.figure()?, other.figure()?)
+            pub fn inversive_distance_to<T: Extended<S>>(self, other: T) -> Maybe<S, S> {
+                let figures = self.figure().zip(other.figure());
+                figures.and_then(|(a, b)| inversive_distance(a, b))
             }
         }
     )*};
@@ -218,10 +218,7 @@ pub struct AttitudeAndSize<S> {
 /// The angle of two directions of any length; `None` where they are nearly parallel or a number is
 /// large, in which case one of them may be no figure.
 #[inline]
-fn angle_of_directions<S: Real<Mask = bool>>(
-    a: AttitudeAndSize<S>,
-    b: AttitudeAndSize<S>,
-) -> Option<S> {
+fn angle_of_directions<S: Real>(a: AttitudeAndSize<S>, b: AttitudeAndSize<S>) -> Maybe<S, S> {
     let (u, v) = (a.vector, b.vector);
     let (across, along) = (u.cross(v).length_squared(), u.dot(v));
     // A cross product that is not small shows that none of both vectors is.
@@ -229,50 +226,54 @@ fn angle_of_directions<S: Real<Mask = bool>>(
     let is_regular = S::from_f64(1e-12).less_than(across)
         & squares.less_than(S::from_f64(1e12))
         & (a.size + b.size).less_than(S::from_f64(1e24));
-    if !is_regular {
-        return None;
-    }
-    let (sine, size) = (across.sqrt(), (across + along * along).sqrt());
-    if a.is_normal != b.is_normal {
-        return Some(along.atan2(sine));
-    }
-    // The acute angle, by the polynomial for half of the angle of a rotation.
-    let inverse = size.recip();
-    let (by_sine, _) = (along.abs() * inverse).angle_by_sine();
-    // Rounding of the polynomial must not make it obtuse.
-    let acute = (by_sine * (sine * inverse)).min(S::from_f64(core::f64::consts::FRAC_PI_2));
-    Some(S::select(
-        along.less_than(S::zero()),
-        S::from_f64(core::f64::consts::PI) - acute,
-        acute,
-    ))
+    let angle = || {
+        let (sine, size) = (across.sqrt(), (across + along * along).sqrt());
+        if a.is_normal != b.is_normal {
+            return along.atan2(sine);
+        }
+        // The acute angle, by the polynomial for half of the angle of a rotation.
+        let inverse = size.recip();
+        let (by_sine, _) = (along.abs() * inverse).angle_by_sine();
+        // Rounding of the polynomial must not make it obtuse.
+        let acute = (by_sine * (sine * inverse)).min(S::from_f64(core::f64::consts::FRAC_PI_2));
+        S::select(
+            along.less_than(S::zero()),
+            S::from_f64(core::f64::consts::PI) - acute,
+            acute,
+        )
+    };
+    is_regular.when(()).map(|()| angle())
+}
+
+fn angle_of_figures<S: Real, A: Primitive<S>, B: Primitive<S>>(a: A, b: B) -> Maybe<S, S> {
+    a.figure().zip(b.figure()).and_then(|(a, b)| angle(a, b))
 }
 
 #[inline(never)]
-fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+fn angle<S: Real>(a: Figure<S>, b: Figure<S>) -> Maybe<S, S> {
     use Figure::{Circle, Line, Plane, Sphere};
     let between = |u: Vector<S>, v: Vector<S>| u.cross(v).length().atan2(u.dot(v));
-    let found = match (a, b) {
+    let always = S::Mask::splat(true);
+    match (a, b) {
         (Line { direction: u, .. }, Line { direction: v, .. })
         | (
             Plane { normal: u, .. } | Circle { normal: u, .. },
             Plane { normal: v, .. } | Circle { normal: v, .. },
-        ) => between(u, v),
+        ) => always.when(between(u, v)),
         (Line { direction, .. }, Plane { normal, .. } | Circle { normal, .. })
-        | (Plane { normal, .. } | Circle { normal, .. }, Line { direction, .. }) => direction
-            .dot(normal)
-            .atan2(direction.cross(normal).length()),
+        | (Plane { normal, .. } | Circle { normal, .. }, Line { direction, .. }) => {
+            let sine = direction.dot(normal);
+            always.when(sine.atan2(direction.cross(normal).length()))
+        }
         (Sphere { centre, radius }, Plane { normal, distance })
         | (Plane { normal, distance }, Sphere { centre, radius }) => {
             let height = centre.dot(normal) - distance;
-            let chord = half_chord(height, radius, rounding(centre, radius))?;
-            chord.atan2(height)
+            half_chord(height, radius, rounding(centre, radius)).map(|chord| chord.atan2(height))
         }
         (Sphere { centre, radius }, Line { point, direction })
         | (Line { point, direction }, Sphere { centre, radius }) => {
             let height = (centre - point).across(direction).length();
-            let chord = half_chord(height, radius, rounding(centre, radius))?;
-            chord.atan2(height)
+            half_chord(height, radius, rounding(centre, radius)).map(|chord| chord.atan2(height))
         }
         (
             Sphere {
@@ -282,13 +283,12 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
             Sphere { centre, radius },
         ) => {
             let sides = [(centre - c).length(), r, radius];
-            let area = heron(sides, rounding(c, r) + rounding(centre, radius))?;
+            let area = heron(sides, rounding(c, r) + rounding(centre, radius));
+            let have_size = S::zero().less_than(r) & S::zero().less_than(radius);
             let unit = sides[0].max(r).max(radius);
-            if !S::zero().less_than(r) || !S::zero().less_than(radius) {
-                return None;
-            }
             let [d, r, s] = sides.map(|x| x / unit);
-            area.atan2(r * r + s * s - d * d)
+            area.map(|area| area.atan2(r * r + s * s - d * d))
+                .filter(|_| have_size)
         }
         (
             Sphere {
@@ -311,38 +311,38 @@ fn angle<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
                 centre: c,
                 radius: r,
             },
-        ) => sphere_and_circle([c, centre], normal, [r, radius])?,
+        ) => sphere_and_circle([c, centre], normal, [r, radius]),
         (Figure::Point(_) | Figure::PointPair(_), _)
-        | (_, Figure::Point(_) | Figure::PointPair(_)) => return None,
-    };
-    found.is_finite().then_some(found)
+        | (_, Figure::Point(_) | Figure::PointPair(_)) => S::Mask::splat(false).when(S::zero()),
+    }
+    .filter(|angle| angle.is_finite())
 }
 
 /// The angle of a sphere and a circle, by their centres, the normal of the circle and their radii.
-fn sphere_and_circle<S: Real<Mask = bool>>(
+fn sphere_and_circle<S: Real>(
     [c, centre]: [Vector<S>; 2],
     normal: Vector<S>,
     [r, radius]: [S; 2],
-) -> Option<S> {
+) -> Maybe<S, S> {
     let from = c - centre;
     let height = from.dot(normal);
     // The plane of the circle intersects the sphere in a circle of this radius, and the two circles
     // meet.
     let rounded = rounding(c, r) + rounding(centre, radius);
-    let cut = half_chord(height, r, rounded)?;
     let between = from.across(normal).length();
-    let sides = [between, radius, cut];
-    let area = heron(sides, rounded)?;
-    let unit = between.max(radius).max(cut);
-    if !S::zero().less_than(radius) {
-        return None;
-    }
-    let [d, q, s] = sides.map(|x| x / unit);
-    let cosine = hypotenuse(q * q + s * s - d * d, (q + q) * (height / unit));
-    Some(area.atan2(cosine))
+    let angle = half_chord(height, r, rounded).and_then(|cut| {
+        let sides = [between, radius, cut];
+        let unit = between.max(radius).max(cut);
+        let [d, q, s] = sides.map(|x| x / unit);
+        heron(sides, rounded).map(|area| {
+            let cosine = hypotenuse(q * q + s * s - d * d, (q + q) * (height / unit));
+            area.atan2(cosine)
+        })
+    });
+    angle.filter(|_| S::zero().less_than(radius))
 }
 
-fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Option<S> {
+fn inversive_distance<S: Real>(a: Figure<S>, b: Figure<S>) -> Maybe<S, S> {
     use Figure::{Plane, Sphere};
     let found = match (a, b) {
         (Plane { normal, .. }, Plane { normal: m, .. }) => normal.dot(m),
@@ -362,39 +362,40 @@ fn inversive_distance<S: Real<Mask = bool>>(a: Figure<S>, b: Figure<S>) -> Optio
             let cut = ((d - r + radius) / r) * ((d + r - radius) / radius);
             S::one() - cut * S::from_ratio(1, 2)
         }
-        _ => return None,
+        _ => return S::Mask::splat(false).when(S::zero()),
     };
-    found.is_finite().then_some(found)
+    found.is_finite().when(found)
 }
 
 /// The length that, times ε, bounds the rounding of a radius and a centre.
-pub(super) fn rounding<S: Real<Mask = bool>>(centre: Vector<S>, radius: S) -> S {
+pub(super) fn rounding<S: Real>(centre: Vector<S>, radius: S) -> S {
     radius + centre.length()
 }
 
 /// Half the length of the chord of a sphere at a height from its centre; `None` where the height is
 /// beyond the radius, or the radius is zero.
-fn half_chord<S: Real<Mask = bool>>(height: S, radius: S, rounding: S) -> Option<S> {
-    let short = slack(radius - height.abs(), rounding)?;
-    let usable = S::zero().less_than(radius);
-    usable.then(|| short.sqrt() * (radius + height.abs()).sqrt())
+fn half_chord<S: Real>(height: S, radius: S, rounding: S) -> Maybe<S, S> {
+    slack(radius - height.abs(), rounding)
+        .filter(|_| S::zero().less_than(radius))
+        .map(|short| short.sqrt() * (radius + height.abs()).sqrt())
 }
 
 /// Four times the area of a triangle in units of its longest side squared, by Heron's formula;
 /// `None` where no triangle has these sides, or two of them vanish.
-fn heron<S: Real<Mask = bool>>(sides: [S; 3], rounding: S) -> Option<S> {
+fn heron<S: Real>(sides: [S; 3], rounding: S) -> Maybe<S, S> {
     let unit = sides[0].max(sides[1]).max(sides[2]);
-    if !S::zero().less_than(unit) {
-        return None;
-    }
     let [a, b, c] = sides.map(|x| x / unit);
     let size = S::one() + rounding / unit;
-    let product = slack(b + c - a, size)? * slack(c + a - b, size)? * slack(a + b - c, size)?;
-    Some((product * (a + b + c)).sqrt())
+    let [first, second, third] = [b + c - a, c + a - b, a + b - c].map(|x| slack(x, size));
+    first
+        .zip(second)
+        .zip(third)
+        .map(|((x, y), z)| (x * y * z * (a + b + c)).sqrt())
+        .filter(|_| S::zero().less_than(unit))
 }
 
 /// The number, or zero where it is negative by rounding only.
-fn slack<S: Real<Mask = bool>>(x: S, size: S) -> Option<S> {
+fn slack<S: Real>(x: S, size: S) -> Maybe<S, S> {
     let is_off = x.less_than(-(size * parallel::<S>()));
-    (!is_off).then(|| x.max(S::zero()))
+    (!is_off).when(x.max(S::zero()))
 }
