@@ -381,7 +381,7 @@ fn half_chord<S: Real>(height: S, radius: S, rounding: S) -> Maybe<S, S> {
 }
 
 /// Four times the area of a triangle in units of its longest side squared, by Heron's formula;
-/// `None` where no triangle has these sides, or two of them vanish.
+/// `None` where no triangle has these sides. It is NaN where all of them vanish.
 fn heron<S: Real>(sides: [S; 3], rounding: S) -> Maybe<S, S> {
     let unit = sides[0].max(sides[1]).max(sides[2]);
     let [a, b, c] = sides.map(|x| x / unit);
@@ -391,7 +391,6 @@ fn heron<S: Real>(sides: [S; 3], rounding: S) -> Maybe<S, S> {
         .zip(second)
         .zip(third)
         .map(|((x, y), z)| (x * y * z * (a + b + c)).sqrt())
-        .filter(|_| S::zero().less_than(unit))
 }
 
 /// The number, or zero where it is negative by rounding only.
