@@ -17,6 +17,8 @@ use crate::scalar::{Field, Prime61};
 /// arithmetic of each type.
 ///
 /// The tests come from the declaration, so that a product is tested as soon as it is declared.
+/// Types by parameters that cannot be read, or whose formulas have roots or angles, have no members
+/// over the prime field, and no tests.
 ///
 /// ```
 /// ga_runtime::algebra! {

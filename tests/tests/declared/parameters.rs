@@ -1,5 +1,6 @@
 //! Types by parameters: rounds of centre and squared radius, a pose of rotation and translation, a
-//! line of point and direction, a sphere of centre and radius, an arm of angles.
+//! line of point and direction, a sphere of centre and radius, a segment of two points, an arm of
+//! angles.
 
 #![allow(clippy::float_cmp, reason = "the examples are exact")]
 
@@ -8,8 +9,8 @@ use ga_runtime::testing::assert_close;
 use ga_runtime::{Element, ga};
 
 use self::layouts::{
-    Arm, Ball, Bivector, Direction, Line, LineSum, Motor, MotorSum, Pair, Point, Pose, Quadvector,
-    Ring, Rotor, RoundVector, Trivector,
+    Arm, Ball, Bivector, Direction, Globe, Line, LineSum, Motor, MotorSum, Pair, Point, Pose,
+    Quadvector, Ring, Rotor, RoundVector, Segment, Trivector,
 };
 
 ga_runtime::algebra! {
@@ -58,6 +59,18 @@ ga_runtime::algebra! {
             squared_radius = (self | self) / (weight * weight);
             centre = self / weight + squared_radius / 2 * ei;
         }
+        /// A dual sphere of centre and radius.
+        #[hull(RoundVector)]
+        struct Globe {
+            centre: Point, radius;
+            self = centre - radius * radius / 2 * ei;
+            let unit = self / -(ei | self);
+            radius = sqrt(unit | unit);
+            centre = unit + (unit | unit) / 2 * ei;
+        }
+        /// Two points.
+        #[hull(Bivector)]
+        struct Segment { from: Point, to: Point; self = from ^ to; }
         /// A point pair of centre, direction and squared radius.
         #[hull(Bivector)]
         struct Pair {
@@ -110,6 +123,8 @@ ga_runtime::algebra! {
         products {
             wedge(Point, Point) -> Pair;
             wedge(Pair, Point) -> Ring;
+            wedge(Segment, Point) -> Ring;
+            left_contraction(Point, Globe) -> Scalar;
             wedge(Ball, Ball) -> Bivector;
             wedge(Ring, Point) -> Quadvector;
             left_contraction(Point, Ball) -> Scalar;
@@ -118,7 +133,7 @@ ga_runtime::algebra! {
             dual(Ring) -> Bivector;
             geometric(Pose, Pose) -> Pose;
             geometric(Motor, Motor) -> Motor;
-            sandwich({Motor, Pose}, {Point, Direction, DualPlane, Ball, Pair, Ring, Line}) -> Self;
+            sandwich({Motor, Pose}, {Point, Direction, DualPlane, Ball, Globe, Pair, Ring, Line}) -> Self;
         }
     }
 }
@@ -260,6 +275,18 @@ fn a_line_of_a_point_and_a_direction_is_read_by_its_nearest_point() {
     assert_close!(nearest.place.e2(), 2.0 - 3.0 * 18.0 / 25.0, 1e-15, 4.0);
     assert_close!(nearest.place.e3(), 3.0 - 4.0 * 18.0 / 25.0, 1e-15, 4.0);
     assert!(Line::try_from(LineSum::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0)).is_err());
+}
+
+#[test]
+fn a_globe_keeps_its_radius_and_a_segment_its_points() {
+    let globe = Globe::new(Point::new(1.0, 2.0, 3.0), 0.5);
+    let moved = pose(0.7, [5.0, -1.0, 2.0]).transform(globe);
+    assert_close!(moved.radius, 0.5, 1e-15, 4.0);
+    // Half the power of the point, negated: ½ (r² − 4).
+    assert_eq!(Point::new(1.0, 4.0, 3.0) | globe, (0.25 - 4.0) / 2.0);
+    let segment = Segment::new(Point::new(-2.0, 0.0, 0.0), Point::new(2.0, 0.0, 0.0));
+    let (centre, squared) = middle(segment ^ Point::new(0.0, 2.0, 0.0));
+    assert_eq!((centre, squared), (Point::new(0.0, 0.0, 0.0), 4.0));
 }
 
 #[test]

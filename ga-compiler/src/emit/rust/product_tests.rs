@@ -6,27 +6,36 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
+use super::body::Needs;
+use super::context::Context;
 use super::surface::{has_product, takes_references};
+use super::types::needs;
 use crate::algebra::{Product, Ratio};
 use crate::define::{Definition, Operation, ProductDefinition, Role, TypeDefinition};
 
 /// One test for each declared product of a definition, demanding exact equality with the dense
-/// reference over the prime field. `path` is where the module of the algebra is found.
+/// reference over the prime field. `path` is where the module of the algebra is found. Types by
+/// parameters that cannot be read, or whose formulas have roots or angles, have no tests.
 #[must_use]
 pub fn product_tests(definition: &Definition, path: &TokenStream) -> TokenStream {
+    let context = Context::new(definition);
+    let is_exact =
+        |kind: &TypeDefinition| kind.is_readable() && needs(&context, kind) <= Needs::Field;
+    let are_exact: Vec<bool> = definition.types.iter().map(is_exact).collect();
     let tests = definition
         .products
         .iter()
         .filter(|product| {
             let mut kinds = product.operands.iter().chain(&product.result);
-            kinds.all(|index| definition.types[*index].is_readable())
+            kinds.all(|index| are_exact[*index])
         })
         .map(|product| product_test(definition, path, product));
     let types = definition
         .types
         .iter()
-        .filter(|kind| !kind.is_constant() && kind.is_readable())
-        .map(|kind| type_test(definition, path, kind));
+        .zip(&are_exact)
+        .filter(|(kind, is_exact)| !kind.is_constant() && **is_exact)
+        .map(|(kind, _)| type_test(definition, path, kind));
     quote! { #(#tests)* #(#types)* }
 }
 

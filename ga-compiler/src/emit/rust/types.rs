@@ -225,13 +225,20 @@ fn coefficient_body(
     (quote! { #statements #output }, body.needs)
 }
 
-/// What the coefficients of the type require of the scalar. Readings divide.
+/// What the coefficients of the type require of the scalar, and its readings, which divide.
 pub(super) fn needs(context: &Context<'_>, kind: &TypeDefinition) -> Needs {
     if kind.parameters.is_some() {
-        let operand = [(kind, receiver())];
         let hull = context.hull(kind);
-        let (_, needs) = context.compile(&operand, &Expression::Operand(0), Some(hull));
-        return needs.max(Needs::Field);
+        let of = |from, to| {
+            let (_, needs) =
+                context.compile(&[(from, receiver())], &Expression::Operand(0), Some(to));
+            needs
+        };
+        let read = match kind.is_readable() {
+            true => of(hull, kind),
+            false => Needs::Ring,
+        };
+        return of(kind, hull).max(read).max(Needs::Field);
     }
     let each = kind.coefficients.iter().map(|c| match &c.role {
         Role::Constant(value) if !value.is_integer() => Needs::Field,
