@@ -6,10 +6,12 @@ use ga_runtime::cga3::{
 };
 use ga_runtime::geometry::ray::{Hit, Ray, Side};
 use ga_runtime::geometry::relation::Primitive;
+use ga_runtime::scalar::Lanes;
 use nullcone_tests::plain::{
     Vector, along, cross, dot, length, minus, near, near_vector, on_circle, plane, plus, point,
     rotated, sphere, times, unit, unit_of, vector,
 };
+use nullcone_tests::random::SplitMix64;
 use proptest::prelude::*;
 
 /// A weight of either sign.
@@ -259,6 +261,56 @@ proptest! {
         // By array, vector or direction.
         prop_assert_eq!(Ray::new(point(o), Direction::from_vector(d)), Ray::new(point(o), d));
     }
+}
+
+#[test]
+fn rays_in_lanes_go_as_each_of_them_does() {
+    let mut random = SplitMix64(21);
+    let mut hits = 0;
+    for _ in 0..2_000 {
+        let single: [_; 4] = std::array::from_fn(|_| {
+            let (o, d) = (random.vector(4.0), random.axis());
+            let (c, r) = (random.vector(3.0), 2.0 * random.unit());
+            let wall = plane(random.vector(3.0), random.axis());
+            (ray(o, d), sphere(c, r) * -2.0, wall)
+        });
+        let of =
+            |read: &dyn Fn(usize) -> f64| Lanes::<f64, 4>::from_array(std::array::from_fn(read));
+        let vector = |read: &dyn Fn(usize) -> Vector| [0, 1, 2].map(|k| of(&|lane| read(lane)[k]));
+        let rays = Ray::new_unchecked(
+            Point::from(vector(&|lane| single[lane].0.origin().coordinates())),
+            Direction::from_vector(vector(&|lane| single[lane].0.direction().vector())),
+        );
+        let ball = Sphere::new(
+            of(&|lane| single[lane].1.weight),
+            Point::from(vector(&|lane| single[lane].1.centre.coordinates())),
+            of(&|lane| single[lane].1.radius_squared),
+        );
+        let wall = Plane::new(
+            of(&|lane| single[lane].2.e123i),
+            of(&|lane| single[lane].2.e12oi),
+            of(&|lane| single[lane].2.e13oi),
+            of(&|lane| single[lane].2.e23oi),
+        );
+        let (is_hit, ends) = rays.sphere_distances(ball);
+        let (crosses, distance) = rays.plane_distance(wall);
+        for (lane, (ray, ball, wall)) in single.into_iter().enumerate() {
+            let both = ray.entry_and_exit(ball);
+            assert_eq!(is_hit.to_array()[lane], both.is_some());
+            let expected = both.map_or([0.0; 2], |both| both.map(|hit| hit.distance));
+            for k in 0..2 {
+                near(ends[k].to_array()[lane], expected[k], 1e-6);
+            }
+            hits += usize::from(both.is_some());
+            assert!(crosses.to_array()[lane]);
+            let found = distance.to_array()[lane];
+            match ray.first_hit(wall) {
+                Some(hit) => near(found / hit.distance, 1.0, 1e-13),
+                None => assert!(found <= 0.0),
+            }
+        }
+    }
+    assert!(hits > 500, "{hits}");
 }
 
 #[test]

@@ -333,6 +333,7 @@ fn spheres_of_radius_zero_are_not_hit() {
                     assert_eq!(ray.first_hit(point), None);
                     assert_eq!(ray.first_hit(point.dual()), None);
                     assert_eq!(ray.entry_and_exit(point), None);
+                    assert_eq!(ray.sphere_distances(point), (false, [0.0; 2]));
                     // A sphere whose radius is above the rounding is.
                     assert!(ray.first_hit(small).is_some() && ray.entry_and_exit(small).is_some());
                 }

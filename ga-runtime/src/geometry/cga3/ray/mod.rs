@@ -101,6 +101,7 @@
 //! assert_eq!(inside.first_hit(ball).unwrap().side(), Side::Back);
 //! ```
 
+mod distances;
 mod hit;
 mod motion;
 mod round;
