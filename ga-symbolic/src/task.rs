@@ -113,7 +113,7 @@ impl<'a> Task<'a> {
     /// program, of which none is compiled by itself. That would take half of the time of an
     /// algebra's declaration, and makes none of cga3's products cheaper.
     #[must_use]
-    pub fn as_one_operation(mut self) -> Self {
+    pub(crate) fn taken_as_one(mut self) -> Self {
         self.is_one_operation = true;
         self
     }

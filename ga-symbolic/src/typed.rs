@@ -80,7 +80,7 @@ pub fn compile(
     let task = Task::of_program(algebra, &builder.program, outputs)
         .with_witness(&builder.witness)
         .with_types(&definition.types)
-        .as_one_operation();
+        .taken_as_one();
     Ok(task.compile())
 }
 
