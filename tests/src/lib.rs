@@ -5,7 +5,7 @@ pub mod limits;
 pub mod oracle;
 pub mod plain;
 pub mod random;
-pub mod twofold;
+mod twofold;
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

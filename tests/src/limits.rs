@@ -267,6 +267,12 @@ impl<S: Precision> Scene<S> {
         let unit = self.distance + self.size() * condition;
         self.resolves(self.size()).then_some((error, unit))
     }
+
+    /// The same for the figure through some points, of which the height can be expressed too.
+    fn measured_of_points(&self, error: f64, condition: f64) -> Measured {
+        let is_flat = !self.resolves(self.size() / condition / 32.0);
+        self.measured(error, condition).filter(|_| !is_flat)
+    }
 }
 
 /// An error, and the length ε times of which it is compared with.
@@ -327,10 +333,7 @@ fn circle_through<S: Precision>(scene: &mut Scene<S>) -> Measured {
         off(circle.radius(), norm(to_centre)),
         scene.away(circle.centre(), plus(p, to_centre)),
     ]);
-    if !scene.resolves(scene.size() / condition / 32.0) {
-        return None;
-    }
-    scene.measured(error, condition)
+    scene.measured_of_points(error, condition)
 }
 
 fn sphere_through<S: Precision>(scene: &mut Scene<S>) -> Measured {
@@ -346,10 +349,7 @@ fn sphere_through<S: Precision>(scene: &mut Scene<S>) -> Measured {
         off(sphere.radius(), norm(to_centre)),
         scene.away(sphere.centre(), plus(p, to_centre)),
     ]);
-    if !scene.resolves(scene.size() / condition / 32.0) {
-        return None;
-    }
-    scene.measured(error, condition)
+    scene.measured_of_points(error, condition)
 }
 
 /// A smaller and a larger sphere, of the radius that is the size.

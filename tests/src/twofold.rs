@@ -4,26 +4,23 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// The sum of two numbers, of which the second is within the rounding of the first (Dekker 1971).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Twofold(f64, f64);
+pub(crate) struct Twofold(f64, f64);
 
 impl Twofold {
     /// A sum of two numbers of any sizes (Knuth's two-sum).
-    #[must_use]
-    pub fn sum(a: f64, b: f64) -> Self {
+    pub(crate) fn sum(a: f64, b: f64) -> Self {
         let sum = a + b;
         let part = sum - a;
         Self(sum, (a - (sum - part)) + (b - part))
     }
 
     /// The number in double precision.
-    #[must_use]
-    pub fn rounded(self) -> f64 {
+    pub(crate) fn rounded(self) -> f64 {
         self.0
     }
 
     /// The square root.
-    #[must_use]
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         let root = Self::from(self.0.sqrt());
         if root.0 > 0.0 {
             root + (self - root * root) / (root + root)
@@ -67,9 +64,11 @@ impl Mul for Twofold {
 impl Div for Twofold {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        let quotient = Self::from(self.0 / other.0);
-        let rest = self - quotient * other;
-        quotient + Self::from(rest.0 / other.0)
+        let first = self.0 / other.0;
+        let rest = self - Self::from(first) * other;
+        let second = rest.0 / other.0;
+        let rest = rest - Self::from(second) * other;
+        Self::sum(first, second) + Self::from(rest.0 / other.0)
     }
 }
 

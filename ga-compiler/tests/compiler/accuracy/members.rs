@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use ga_compiler::algebra::{Algebra, Blade, Product, Unary};
 use ga_compiler::define::TypeDefinition;
 
-use super::twofold::{Number, Twofold};
+use super::number::Number;
+use super::twofold::Twofold;
 
 /// A multivector.
 type Numbers = BTreeMap<Blade, Twofold>;
@@ -264,6 +265,6 @@ fn norm(place: [f64; 3]) -> Twofold {
 fn rounded(value: Numbers) -> Numbers {
     value
         .into_iter()
-        .map(|(blade, number)| (blade, Twofold::of(number.high)))
+        .map(|(blade, number)| (blade, Twofold::of(number.rounded())))
         .collect()
 }

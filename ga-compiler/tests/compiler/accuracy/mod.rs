@@ -5,6 +5,8 @@
 //! last place of the largest value, for each coefficient of the result.
 
 mod members;
+mod number;
+#[path = "../../../../tests/src/twofold.rs"]
 mod twofold;
 
 use ga_compiler::define::Definition;
@@ -20,7 +22,8 @@ use ga_compiler::task::Task;
 
 use crate::algebras::cga3;
 use members::{Family, Source};
-use twofold::{Number, Twofold};
+use number::Number;
+use twofold::Twofold;
 
 /// How much worse than the plain form a rule may be.
 const MOST: f64 = 8.0;
@@ -433,12 +436,12 @@ impl<'a> Case<'a> {
 fn errors(kernel: &Kernel, samples: &[Sample], exact: &[Vec<Twofold>]) -> Vec<f64> {
     let mut errors = vec![f64::MIN_POSITIVE; kernel.outputs.len()];
     for (sample, exact) in samples.iter().zip(exact) {
-        let rounded: Vec<f64> = sample.iter().map(|number| number.high).collect();
+        let rounded: Vec<f64> = sample.iter().map(|number| number.rounded()).collect();
         let found = evaluate(kernel, &rounded);
         for ((error, found), exact) in errors.iter_mut().zip(found).zip(exact) {
             let difference = Twofold::of(found).sum(exact.product(Twofold::of(-1.0)));
-            let unit = f64::EPSILON * exact.high.abs();
-            *error = error.max(difference.high.abs()).max(unit);
+            let unit = f64::EPSILON * exact.rounded().abs();
+            *error = error.max(difference.rounded().abs()).max(unit);
         }
     }
     errors
