@@ -12,12 +12,12 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use ga_image::plane::Plane;
 use ga_image::y4m::Sampling;
 use ga_image::ycbcr::YCbCr;
-use ga_vision::comfort::asynchrony::AsynchronyMeter;
-use ga_vision::comfort::monitor::{Monitor, Options};
-use ga_vision::comfort::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
-use ga_vision::comfort::{FrameMeter, Viewing};
+use ga_video::comfort::asynchrony::AsynchronyMeter;
+use ga_video::comfort::monitor::{Monitor, Options};
+use ga_video::comfort::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
+use ga_video::comfort::{FrameMeter, Viewing};
+use ga_video::{Frame, Planes, Properties, Samples};
 use ga_vision::feature::{ViewOptions, match_views};
-use ga_vision::video::{Frame, Planes, Properties, Samples};
 use nullcone_benches::comparison;
 
 const SIZE: [usize; 2] = [1920, 1080];
@@ -124,7 +124,7 @@ fn shots(criterion: &mut Criterion) {
                     monitor.finish(&mut |record| count(record.stereoscopy));
                     // Otherwise the order of the eyes was examined more than once.
                     assert_eq!(known, SHOT, "frames with a known order of the eyes");
-                    Ok::<_, ga_vision::comfort::ComfortError>(known)
+                    Ok::<_, ga_video::comfort::ComfortError>(known)
                 },
                 BatchSize::PerIteration,
             );

@@ -9,14 +9,14 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics};
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
-use ga_vision::camera::{Camera, Intrinsics};
 use ga_vision::contour::snake::{Flow, Potential, SnakeOptions, circle, settle};
 use ga_vision::contour::space_curve::{SpaceCurveOptions, space_curve};
-use ga_vision::rig::StereoRig;
 use nullcone_benches::comparison;
 use nullcone_shared_data::shared;
 

@@ -7,7 +7,7 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use ga_image::plane::Plane;
 use ga_image::quality::{MutualInformation, Ssim};
-use ga_vision::attention::Attention;
+use ga_video::attention::Attention;
 use nullcone_benches::comparison;
 
 const WIDTH: usize = 1920;

@@ -3,13 +3,13 @@
 use std::error::Error;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use ga_runtime::cga3::Point;
-use ga_vision::camera::Intrinsics;
-use ga_vision::observation::observe;
-use ga_vision::rig::StereoRig;
-use ga_vision::triangulation::{
+use ga_camera::Intrinsics;
+use ga_camera::observation::observe;
+use ga_camera::rig::StereoRig;
+use ga_camera::triangulation::{
     CovarianceColumns, Method, PixelColumns, PointColumns, TwoViews, triangulate_views,
 };
+use ga_runtime::cga3::Point;
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use nullcone_benches::comparison;
 use std::hint::black_box;

@@ -7,8 +7,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use ga_image::plane::Plane;
 use ga_image::quality::MutualInformation;
 use ga_image::ycbcr::YCbCr;
-use ga_vision::keyframe::{Analyser, Options, signature};
-use ga_vision::video::{Frame, Planes, Samples};
+use ga_video::keyframe::{Analyser, Options, signature};
+use ga_video::{Frame, Planes, Samples};
 use nullcone_benches::comparison;
 
 /// Frames of a texture under a slowly moving camera, with noise.

@@ -2,11 +2,11 @@
 
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
+use ga_body::pose_error::mean_per_joint_position_error;
+use ga_camera::observation::observe;
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::Point;
-use ga_vision::camera::{Camera, Intrinsics};
-use ga_vision::observation::observe;
-use ga_vision::pose_error::mean_per_joint_position_error;
-use ga_vision::rig::StereoRig;
 use serde::Serialize;
 
 use crate::figure::Figure;

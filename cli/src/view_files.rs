@@ -13,7 +13,7 @@ use crate::camera_file::CameraFile;
 use crate::output;
 
 /// The name of the file with the cameras.
-const NAME: &str = ga_vision::format::views::FILE_NAME;
+const NAME: &str = ga_camera::format::views::FILE_NAME;
 
 /// Pictures, and a file with their cameras, in one folder.
 pub(crate) struct ViewFiles<'a> {

@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use clap::builder::RangedI64ValueParser;
+use ga_camera::format::views;
 use ga_mesh::format::{self, Format, Loaded};
-use ga_vision::format::views;
 use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 

@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use ga_camera::format::rig::RigFile;
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_image::file;
 use ga_image::plane::Plane;
 use ga_mesh::obj;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor, Translator};
-use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
-use ga_vision::format::rig::RigFile;
-use ga_vision::rig::StereoRig;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 

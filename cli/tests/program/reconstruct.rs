@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
+use ga_camera::format::rig::RigFile;
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_image::colour::{LinearColour, SrgbEncoder};
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::format;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor, Translator};
 use ga_runtime::geometry::ray::Ray;
-use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
-use ga_vision::format::rig::RigFile;
-use ga_vision::rig::StereoRig;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 

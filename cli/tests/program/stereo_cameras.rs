@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use ga_camera::format::rig::RigFile;
 use ga_image::plane::Plane;
-use ga_vision::format::rig::RigFile;
 use nullcone_shared_data::shared;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
@@ -167,7 +167,7 @@ fn a_pinhole_has_no_distortion_to_remove() {
     assert_eq!(old, new);
     let [old, new] = ["k.yml", "new.yml"].map(|name| {
         let path = folder.path().join(name);
-        ga_vision::format::camera::CameraFile::read(path).unwrap()
+        ga_camera::format::camera::CameraFile::read(path).unwrap()
     });
     assert_eq!(old, new);
 

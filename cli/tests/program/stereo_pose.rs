@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use ga_camera::{Intrinsics, RadialTangential};
 use ga_image::file;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
-use ga_vision::camera::{Intrinsics, RadialTangential};
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 

@@ -4,8 +4,8 @@ use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 
 use super::lens_terms::parameter_name;
-use crate::camera::{FrameProjection, Intrinsics, by_twist};
-use crate::least_squares::{Columns, Equations, Problem};
+use ga_camera::{FrameProjection, Intrinsics, by_twist};
+use ga_numerics::least_squares::{Columns, Equations, Problem};
 
 /// The unknowns of a twist: the angular velocity and the velocity of the origin.
 pub(super) const TWIST: usize = 6;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
+use ga_camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 
 /// The kind of a lens, and the coefficients of its distortion that a calibration determines. The
 /// others stay as they are at the start, which is 0 where no camera is given.

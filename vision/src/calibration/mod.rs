@@ -9,7 +9,7 @@
 //! ```
 //! use ga_runtime::cga3::{Rotor, Translator};
 //! use ga_vision::calibration::{CameraSettings, calibrate_camera};
-//! use ga_vision::camera::{Camera, Intrinsics};
+//! use ga_camera::{Camera, Intrinsics};
 //! use ga_vision::chessboard::BoardSize;
 //!
 //! // A camera sees four boards, rotated about different axes.
@@ -41,8 +41,8 @@ pub use stereo::{JointIntrinsics, Outlier, StereoCalibration, StereoSettings, ca
 
 use ga_runtime::cga3::Point;
 
-use crate::camera::CameraError;
-use crate::least_squares::LeastSquaresError;
+use ga_camera::CameraError;
+use ga_numerics::least_squares::LeastSquaresError;
 
 /// The least number of boards from which a camera is calibrated.
 pub const LEAST_VIEWS: usize = 3;

@@ -6,10 +6,10 @@ use ga_runtime::vga3::Vector;
 use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
 use super::{CalibrationError, check};
-use crate::camera::{CameraError, Intrinsics};
-use crate::frame::{Board, CameraFrame, Pose};
 use crate::homography::{Homography, in_plane};
-use crate::least_squares::{Covariance, Loss, Minimum, Settings, minimise};
+use ga_camera::frame::{Board, CameraFrame, Pose};
+use ga_camera::{CameraError, Intrinsics};
+use ga_numerics::least_squares::{Covariance, Loss, Minimum, Settings, minimise};
 
 /// Where the intrinsic parameters of a camera come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! The edges of the squares of boards, measured in space.
 
 use crate::chessboard::BoardSize;
-use crate::rig::{RigError, StereoRig};
+use ga_camera::rig::{RigError, StereoRig};
 
 /// The lengths of the edges of squares, between triangulated corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,9 +26,9 @@ pub struct SquareEdges {
 /// ```
 /// use ga_runtime::cga3::{Point, Translator};
 /// use ga_vision::calibration::square_edges;
-/// use ga_vision::camera::Intrinsics;
+/// use ga_camera::Intrinsics;
 /// use ga_vision::chessboard::BoardSize;
-/// use ga_vision::rig::StereoRig;
+/// use ga_camera::rig::StereoRig;
 ///
 /// let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
 /// let parallel = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -10,10 +10,10 @@ use super::one_camera::{
     CameraCalibration, CameraSettings, calibrate_camera, covariance, deviations,
 };
 use super::{CalibrationError, LEAST_VIEWS};
-use crate::camera::{Camera, Intrinsics};
-use crate::frame::{Board, Frame, LeftCamera, Pose};
-use crate::least_squares::{Covariance, Loss, Settings, minimise};
-use crate::rig::StereoRig;
+use ga_camera::frame::{Board, Frame, LeftCamera, Pose};
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics};
+use ga_numerics::least_squares::{Covariance, Loss, Settings, minimise};
 
 /// What becomes of the intrinsic parameters when both cameras are calibrated together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -123,7 +123,7 @@ pub struct StereoCalibration {
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
 /// use ga_vision::calibration::{StereoSettings, calibrate_stereo};
-/// use ga_vision::camera::{Camera, Intrinsics};
+/// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::chessboard::BoardSize;
 ///
 /// // Two equal cameras, the right one 12 cm to the right, see four boards.

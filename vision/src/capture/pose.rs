@@ -5,8 +5,8 @@ use ga_runtime::geometry::motion::FitError;
 use ga_runtime::vga3::Vector;
 
 use super::error::{NEEDED, PointSet, PoseError};
-pub use crate::ransac::PoseOptions;
-use crate::ransac::{Consensus, Search};
+pub use ga_numerics::ransac::PoseOptions;
+use ga_numerics::ransac::{Consensus, Search};
 
 /// Where a rigid body is.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct RigidPose {
 ///
 /// is least, over all points or, with a [threshold](PoseOptions::threshold) in the unit of the
 /// points, over those that agree.
-/// The points that agree are found by random samples of three points ([`ransac`](crate::ransac)),
+/// The points that agree are found by random samples of three points ([`ransac`](ga_numerics::ransac)),
 /// and the motor is fitted to all of them ([`Motor::from_point_pairs`]) until they do not change
 /// any more.
 ///

@@ -33,10 +33,10 @@
 //! # Ok::<(), ga_vision::diagnosis::DiagnosisError>(())
 //! ```
 
-pub(crate) mod row_model;
+pub mod row_model;
 
 use crate::feature::PixelPair;
-use crate::ransac::Search;
+use ga_numerics::ransac::Search;
 use row_model::{RowModel, Rows};
 
 /// The vertical disparity, in pixels, that nearly all points of rectified views stay below.

@@ -4,7 +4,7 @@ use nalgebra_035::{Matrix3, Vector3};
 
 use super::DiagnosisError;
 use crate::feature::PixelPair;
-use crate::ransac::Consensus;
+use ga_numerics::ransac::Consensus;
 
 /// Points count as lying on one line where the smallest eigenvalue of their moments is below this
 /// part of the largest.
@@ -12,7 +12,7 @@ const ON_ONE_LINE: f64 = 1e-10;
 
 /// `v_left = a u_right + b v_right + c`, in pixels from the middle of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct RowModel {
+pub struct RowModel {
     a: f64,
     b: f64,
     c: f64,
@@ -20,30 +20,36 @@ pub(crate) struct RowModel {
 
 impl RowModel {
     /// The number of pairs that determine it.
-    pub(crate) const NEEDED: usize = 3;
+    pub const NEEDED: usize = 3;
 
     /// Two views of one scene do not have rows that run backwards, or that are squeezed to a small
     /// part of the picture.
-    pub(crate) fn is_plausible(&self) -> bool {
+    #[must_use]
+    pub fn is_plausible(&self) -> bool {
         self.b > 0.1 && (0.2..5.0).contains(&self.zoom())
     }
 
-    pub(crate) fn rotation(&self) -> f64 {
+    /// The rotation of the right camera about its axis in radians.
+    #[must_use]
+    pub fn rotation(&self) -> f64 {
         (-self.a).atan2(self.b)
     }
 
-    pub(crate) fn zoom(&self) -> f64 {
+    /// How much larger things are in the right view.
+    #[must_use]
+    pub fn zoom(&self) -> f64 {
         1.0 / self.a.hypot(self.b)
     }
 
     /// The row in the right view, in its middle column, of the middle row of the left view.
-    pub(crate) fn vertical_offset(&self) -> f64 {
+    #[must_use]
+    pub fn vertical_offset(&self) -> f64 {
         -self.c / self.b
     }
 }
 
 /// Pairs of points from the middle of the picture.
-pub(crate) struct Rows {
+pub struct Rows {
     /// `[u_right, v_right, v_left]`.
     pairs: Vec<[f64; 3]>,
     /// Half of the longer side, by which coordinates are divided in systems of equations.
@@ -53,7 +59,12 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    pub(crate) fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
+    /// The pairs of views of one size, `[width, height]`.
+    ///
+    /// # Errors
+    /// [`DiagnosisError`] where there are too few pairs, where one is not finite, and where all lie
+    /// on one line.
+    pub fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
         if pairs.len() < RowModel::NEEDED {
             return Err(DiagnosisError::TooFew {
                 found: pairs.len(),
@@ -83,12 +94,13 @@ impl Rows {
     }
 
     /// Lets a pair count for this much in a fit; all count for 1 before.
-    pub(crate) fn set_weight(&mut self, index: usize, weight: f64) {
+    pub fn set_weight(&mut self, index: usize, weight: f64) {
         self.weights[index] = weight;
     }
 
     /// The model that fits some pairs best; `None` where they do not determine one.
-    pub(crate) fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
+    #[must_use]
+    pub fn fitted(&self, chosen: &[usize]) -> Option<RowModel> {
         let (mut moments, mut target) = (Matrix3::zeros(), Vector3::zeros());
         for &index in chosen {
             let [u, v, row] = self.pairs[index].map(|x| x / self.scale);
@@ -112,12 +124,15 @@ impl Rows {
     }
 
     /// How far the model is from the row of a pair, in pixels.
-    pub(crate) fn residual(&self, model: &RowModel, index: usize) -> f64 {
+    #[must_use]
+    pub fn residual(&self, model: &RowModel, index: usize) -> f64 {
         let [u, v, row] = self.pairs[index];
         model.a * u + model.b * v + model.c - row
     }
 
-    pub(crate) fn agreeing(&self, model: &RowModel, threshold: f64) -> Vec<usize> {
+    /// The pairs that a model is nearer to than the threshold in pixels, rising.
+    #[must_use]
+    pub fn agreeing(&self, model: &RowModel, threshold: f64) -> Vec<usize> {
         (0..self.pairs.len())
             .filter(|&index| self.residual(model, index).abs() < threshold)
             .collect()

@@ -13,10 +13,10 @@
 //!
 //! ```
 //! use ga_image::plane::Plane;
-//! use ga_vision::camera::Intrinsics;
+//! use ga_camera::Intrinsics;
 //! use ga_vision::disparity::DisparityMap;
 //! use ga_vision::modelling_points::ModellingPyramid;
-//! use ga_vision::rectification::RectifiedRig;
+//! use ga_camera::rig::RectifiedRig;
 //!
 //! // A floor: the disparity grows by a quarter of a pixel from row to row.
 //! let map = DisparityMap::new(Plane::from_fn(64, 32, |_, row| 8.0 + 0.25 * row as f32));
@@ -42,8 +42,8 @@ use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
 use ga_runtime::cga3::{self, Point};
 
 use crate::disparity::DisparityMap;
-use crate::rectification::RectifiedRig;
 use fit::Fit;
+use ga_camera::rig::RectifiedRig;
 pub use predicted_distance::{DistanceControls, DistanceError, predicted_distance};
 
 /// The greatest slope of the disparity on a surface.

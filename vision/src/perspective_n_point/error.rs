@@ -1,6 +1,6 @@
 //! Why known points do not determine a pose.
 
-use crate::camera::CameraError;
+use ga_camera::CameraError;
 
 /// Why known points and their pixels do not determine where a camera is.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

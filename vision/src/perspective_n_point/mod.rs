@@ -14,10 +14,12 @@ use ga_runtime::vga3::Vector;
 pub use error::PerspectiveError;
 pub use three_points::three_points;
 
-use crate::camera::{Camera, Intrinsics};
-use crate::least_squares::{Columns, Covariance, Equations, Minimum, Problem, Settings, minimise};
-pub use crate::ransac::PoseOptions as Options;
-use crate::ransac::{Consensus, Search};
+use ga_camera::{Camera, Intrinsics};
+use ga_numerics::least_squares::{
+    Columns, Covariance, Equations, Minimum, Problem, Settings, minimise,
+};
+pub use ga_numerics::ransac::PoseOptions as Options;
+use ga_numerics::ransac::{Consensus, Search};
 
 /// Three points have up to four poses; a fourth selects one of them.
 const NEEDED: usize = 4;
@@ -50,7 +52,7 @@ pub struct PerspectivePose {
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-/// use ga_vision::camera::{Camera, Intrinsics};
+/// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::perspective_n_point::{Options, estimate};
 ///
 /// let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;

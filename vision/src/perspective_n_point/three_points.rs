@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
-use crate::polynomial::real_roots;
+use ga_numerics::polynomial::real_roots;
 
 /// Two second radii of which both miss the square of the third side by less than this part of it
 /// belong to two poses, as where the rays and the sides are alike in a mirror. The root is double

@@ -9,19 +9,18 @@
 //! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
 //! [`RectificationOptions`].
 
-mod rectified_rig;
 mod undistortion;
 mod view;
 
-pub use rectified_rig::{RectifiedRig, RectifiedRigError};
 pub use undistortion::{Undistortion, UndistortionError};
 
 use ga_image::warp::Warp;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 
-use crate::camera::{CameraError, Intrinsics};
-use crate::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera};
-use crate::rig::StereoRig;
+use ga_camera::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera};
+use ga_camera::rig::RectifiedRig;
+use ga_camera::rig::StereoRig;
+use ga_camera::{CameraError, Intrinsics};
 use view::View;
 
 /// The greatest number of pixels of a rectified picture, whose map has 16 bytes for each.
@@ -99,9 +98,9 @@ pub struct Rectangle {
 /// The rotations and cameras that rectify the views of a rig.
 ///
 /// ```
-/// use ga_vision::camera::Intrinsics;
+/// use ga_camera::Intrinsics;
 /// use ga_vision::rectification::{Rectification, RectificationOptions};
-/// use ga_vision::rig::StereoRig;
+/// use ga_camera::rig::StereoRig;
 ///
 /// // The right camera looks a little to the left, and stands a little higher.
 /// let camera = Intrinsics::new([500.0, 500.0], [320.0, 240.0])?;

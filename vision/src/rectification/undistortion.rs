@@ -5,12 +5,12 @@ use ga_runtime::cga3::{Motor, Rotor};
 
 use super::view::View;
 use super::{RectificationError, map};
-use crate::camera::{Intrinsics, Lens};
+use ga_camera::{Intrinsics, Lens};
 
 /// A camera and the pinhole at the same place whose pictures replace its own.
 ///
 /// ```
-/// use ga_vision::camera::{Intrinsics, RadialTangential};
+/// use ga_camera::{Intrinsics, RadialTangential};
 /// use ga_vision::rectification::Undistortion;
 /// let lens = RadialTangential::new(&[-0.2, 0.05, 0.0, 0.0])?;
 /// let camera = Intrinsics::new([50.0, 50.0], [31.5, 23.5])?.with_lens(lens);

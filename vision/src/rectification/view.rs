@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Direction, Rotor};
 
 use super::RectificationError;
-use crate::camera::Intrinsics;
+use ga_camera::Intrinsics;
 
 /// The border is sampled at this number of places along each side.
 const SAMPLES: usize = 9;

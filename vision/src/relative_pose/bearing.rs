@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Line, Point};
 use ga_runtime::vga3::Vector;
 
-use crate::camera::{CameraError, Intrinsics};
+use ga_camera::{CameraError, Intrinsics};
 
 /// Directions whose cosine to the optical axis is below this are scaled to length 1.
 const LEAST_DEPTH: f64 = 0.05;
@@ -28,14 +28,14 @@ impl Bearing {
     /// As [`Intrinsics::direction`].
     ///
     /// ```
-    /// use ga_vision::camera::Intrinsics;
+    /// use ga_camera::Intrinsics;
     /// use ga_vision::relative_pose::Bearing;
     ///
     /// let camera = Intrinsics::new([500.0, 400.0], [320.0, 240.0])?;
     /// let bearing = Bearing::of_pixel(&camera, [420.0, 240.0])?;
     /// assert!((bearing.direction.e1 - 0.2).abs() < 1e-15 && bearing.direction.e3 == 1.0);
     /// assert!((bearing.derivatives[0].e1 - 0.002).abs() < 1e-15);
-    /// # Ok::<(), ga_vision::camera::CameraError>(())
+    /// # Ok::<(), ga_camera::CameraError>(())
     /// ```
     pub fn of_pixel(intrinsics: &Intrinsics, pixel: [f64; 2]) -> Result<Self, CameraError> {
         let direction = Vector::from(intrinsics.direction(pixel)?);

@@ -1,6 +1,6 @@
 //! Why pairs of pixels do not determine a motion.
 
-use crate::camera::CameraError;
+use ga_camera::CameraError;
 
 /// One of two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

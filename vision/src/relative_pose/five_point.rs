@@ -4,7 +4,7 @@ use ga_runtime::vga3::Vector;
 use nalgebra_035::SMatrix;
 
 use super::matrix::{EssentialMatrix, null_space};
-use crate::polynomial::real_roots;
+use ga_numerics::polynomial::real_roots;
 
 /// Exponents of x, y and z.
 type Monomial = [u8; 3];

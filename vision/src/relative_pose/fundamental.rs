@@ -7,8 +7,8 @@ use super::error::RelativePoseError;
 use super::matrix::{FundamentalMatrix, null_space};
 use crate::feature::PixelPair;
 use crate::normalisation::Normalisation;
-use crate::polynomial::real_roots;
-use crate::ransac::{Consensus, Search};
+use ga_numerics::polynomial::real_roots;
+use ga_numerics::ransac::{Consensus, Search};
 
 /// How a fundamental matrix is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]

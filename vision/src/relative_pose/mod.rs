@@ -31,11 +31,11 @@ pub use fundamental::{
 pub use matrix::{EssentialMatrix, FundamentalMatrix};
 pub use sampson::BearingPair;
 
-use crate::camera::Intrinsics;
 use crate::feature::PixelPair;
-use crate::frame::{LeftCamera, Pose, RightCamera};
-use crate::least_squares::{Covariance, Minimum, Settings, minimise};
-use crate::ransac::{Consensus, Search};
+use ga_camera::Intrinsics;
+use ga_camera::frame::{LeftCamera, Pose, RightCamera};
+use ga_numerics::least_squares::{Covariance, Minimum, Settings, minimise};
+use ga_numerics::ransac::{Consensus, Search};
 use sampson::{SampsonCost, across_translation};
 
 /// How a relative pose is searched.
@@ -119,7 +119,7 @@ impl RelativePose {
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-/// use ga_vision::camera::{Camera, Intrinsics};
+/// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::feature::PixelPair;
 /// use ga_vision::relative_pose::{Options, estimate};
 ///

@@ -4,7 +4,7 @@ use ga_runtime::cga3::{Direction, Rotor};
 use ga_runtime::vga3::Vector;
 
 use super::sampson::BearingPair;
-use crate::ransac::{Consensus, Search};
+use ga_numerics::ransac::{Consensus, Search};
 
 /// The rotation that explains most pairs.
 pub(super) struct RotationFit {

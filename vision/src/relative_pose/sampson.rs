@@ -5,7 +5,7 @@ use ga_runtime::vga3::Vector;
 
 use super::bearing::Bearing;
 use super::matrix::EssentialMatrix;
-use crate::least_squares::{Columns, Equations, Problem};
+use ga_numerics::least_squares::{Columns, Equations, Problem};
 
 /// The directions in which two cameras see one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,7 +171,7 @@ fn with_unit_translation(motor: Motor<f64>) -> Option<Motor<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::Intrinsics;
+    use ga_camera::Intrinsics;
 
     #[test]
     fn derivatives_by_the_motion_agree_with_central_differences() {

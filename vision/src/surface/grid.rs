@@ -8,7 +8,7 @@ use ga_runtime::vga3::Vector;
 
 use super::SurfaceError;
 use crate::disparity::DisparityMap;
-use crate::rectification::RectifiedRig;
+use ga_camera::rig::RectifiedRig;
 
 /// Which pixels become points, and which points are joined.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,9 +18,9 @@
 //!
 //! ```
 //! use ga_image::plane::Plane;
-//! use ga_vision::camera::Intrinsics;
+//! use ga_camera::Intrinsics;
 //! use ga_vision::disparity::DisparityMap;
-//! use ga_vision::rectification::RectifiedRig;
+//! use ga_camera::rig::RectifiedRig;
 //! use ga_vision::surface::{Surface, SurfaceOptions};
 //!
 //! // A wall at 0.1 · 500/25 = 2 m, with one pixel of something at 1 m before it.
@@ -36,7 +36,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`RectifiedRig`]: crate::rectification::RectifiedRig
+//! [`RectifiedRig`]: ga_camera::rig::RectifiedRig
 
 mod grid;
 mod model;

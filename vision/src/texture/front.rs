@@ -8,7 +8,7 @@ use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::geometry::Placed;
-use crate::camera::{Camera, Intrinsics};
+use ga_camera::{Camera, Intrinsics};
 
 /// How a texel is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

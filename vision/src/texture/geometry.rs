@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::covered::Texel;
 use super::target::Target;
 use super::warp::{TriangleWarp, affine_error};
-use crate::camera::{Camera, Lens};
+use ga_camera::{Camera, Lens};
 
 /// The affine warp of a triangle is used where it is wrong by no more than this, in pixels;
 /// elsewhere every texel is projected by itself.

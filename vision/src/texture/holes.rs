@@ -4,7 +4,7 @@ use super::blend::{Blend, NONE};
 use super::covered::Covered;
 use super::target::{Seam, Target};
 use super::weight::Grade;
-use crate::conjugate_gradient::{self, Settings};
+use ga_numerics::conjugate_gradient::{self, Settings};
 
 /// How strongly a texel at the edge of what is seen keeps its colour, compared with the difference
 /// from one neighbour: it gives way to better ones within about ten texels.

@@ -36,7 +36,7 @@
 //! use ga_image::plane::Plane;
 //! use ga_mesh::obj;
 //! use ga_runtime::cga3::Point;
-//! use ga_vision::camera::{Camera, Intrinsics};
+//! use ga_camera::{Camera, Intrinsics};
 //! use ga_vision::texture::{Options, View, texture_mesh};
 //!
 //! // A square of side 2, seen from the front at a distance of 4: 20 pixels for each unit.

@@ -7,7 +7,7 @@ use ga_image::plane::Plane;
 use ga_runtime::vga3::Vector;
 
 use super::TextureError;
-use crate::camera::Camera;
+use ga_camera::Camera;
 
 /// A picture of the mesh, and the camera that took it.
 #[derive(Clone, Debug)]

@@ -11,7 +11,8 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, Normal, Uniform};
 use serde_json::Value;
 
-use super::{matrix, motor, numbers, rows, vector};
+use super::{motor, vector};
+use nullcone_shared_data::json::{matrix, numbers, rows};
 
 /// `R x + t`, by plain arithmetic.
 fn moved(rotation: [[f64; 3]; 3], t: [f64; 3], x: [f64; 3]) -> [f64; 3] {

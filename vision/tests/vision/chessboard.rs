@@ -289,7 +289,7 @@ pub(crate) fn opencv() -> Value {
 }
 
 pub(crate) fn pixels(value: &Value) -> Vec<[f64; 2]> {
-    super::rows::<2>(value)
+    nullcone_shared_data::json::rows::<2>(value)
 }
 
 /// The corners that are found in the left and in the right views of OpenCV's pairs. `None` where

@@ -1,10 +1,10 @@
 //! Features of views whose relation is known.
 
+use ga_camera::Intrinsics;
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_runtime::vga3::Vector;
-use ga_vision::camera::Intrinsics;
 use ga_vision::feature::{DetectOptions, ViewOptions, detect, match_views};
 use ga_vision::relative_pose::{Options, estimate};
 use proptest::prelude::*;

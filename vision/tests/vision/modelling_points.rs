@@ -1,14 +1,14 @@
 //! Modelling points: against least squares over the pixels of each cell, and against planes.
 
+use ga_camera::Intrinsics;
+use ga_camera::rig::RectifiedRig;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Direction, Point};
-use ga_vision::camera::Intrinsics;
 use ga_vision::disparity::DisparityMap;
 use ga_vision::modelling_points::{
     DistanceControls, DistanceError, ModellingError, ModellingPoint, ModellingPyramid,
     predicted_distance,
 };
-use ga_vision::rectification::RectifiedRig;
 use nalgebra_035::{DMatrix, DVector};
 use proptest::prelude::*;
 

@@ -1,13 +1,14 @@
 //! Poses of cameras that see known points, against the oracle's heads and known scenes.
 
+use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
-use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
 use ga_vision::perspective_n_point::{Options, PerspectiveError, estimate, three_points};
 use proptest::prelude::*;
 use serde_json::Value;
 
-use super::{matrix, motor, numbers, rows, vector};
+use super::{motor, vector};
+use nullcone_shared_data::json::{matrix, numbers, rows};
 
 /// The root mean square distance in pixels, by matrices and without the code under test.
 fn root_mean_square(record: &Value, rotation: [[f64; 3]; 3], t: [f64; 3]) -> f64 {

@@ -1,20 +1,21 @@
 //! Rectification against OpenCV, against its own definition, and against points that are known.
 
+use ga_camera::rig::StereoRig;
+use ga_camera::rig::{RectifiedRig, RectifiedRigError};
+use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
-use ga_vision::camera::{Camera, Fisheye, Intrinsics, RadialTangential};
 use ga_vision::rectification::{
-    Rectification, RectificationError, RectificationOptions, RectifiedRig, RectifiedRigError,
-    Undistortion, UndistortionError,
+    Rectification, RectificationError, RectificationOptions, Undistortion, UndistortionError,
 };
-use ga_vision::rig::StereoRig;
 use proptest::prelude::*;
 use serde_json::Value;
 
-use super::{matrix, motor, numbers, vector};
+use super::{motor, vector};
+use nullcone_shared_data::json::{matrix, numbers};
 
 fn truth() -> Value {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/cameras.json");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/rectification.json");
     let text = std::fs::read_to_string(path).expect("the data is committed");
     serde_json::from_str(&text).expect("JSON")
 }

@@ -1,8 +1,8 @@
 //! Epipolar geometry against the oracle's rigs and against scenes that are known.
 
+use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
-use ga_vision::camera::{Camera, Intrinsics};
 use ga_vision::feature::PixelPair;
 use ga_vision::relative_pose::{
     Bearing, BearingPair, EssentialMatrix, FundamentalMatrix, FundamentalOptions, Options,
@@ -12,7 +12,8 @@ use ga_vision::relative_pose::{
 use proptest::prelude::*;
 use serde_json::Value;
 
-use super::{matrix, motor, numbers, rows, vector};
+use super::{motor, vector};
+use nullcone_shared_data::json::{matrix, numbers, rows};
 
 /// A rig of the oracle, all of its points.
 struct Rig {

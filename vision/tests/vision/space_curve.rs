@@ -3,11 +3,11 @@
 
 use std::f64::consts::TAU;
 
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_runtime::cga3::{Circle, Motor, Point, Rotor, Translator};
-use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::contour::resampled;
 use ga_vision::contour::space_curve::{SpaceCurveError, SpaceCurveOptions, space_curve};
-use ga_vision::rig::StereoRig;
 
 /// Cameras that look at a place 2 m away from different heights, 0.5 m apart, with distorted lenses
 /// and rolled against each other.

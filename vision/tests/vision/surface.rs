@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use ga_camera::Intrinsics;
+use ga_camera::rig::RectifiedRig;
 use ga_image::plane::Plane;
 use ga_mesh::format;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor};
-use ga_vision::camera::Intrinsics;
 use ga_vision::disparity::DisparityMap;
 use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
-use ga_vision::rectification::RectifiedRig;
 use ga_vision::surface::{
     ModelError, Surface, SurfaceError, SurfaceOptions, disparity_range, seen_by_both,
 };

@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
+use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_image::colour::{LinearColour, SrgbEncoder, linear_from_srgb};
 use ga_image::plane::Plane;
 use ga_mesh::atlas::AtlasError;
 use ga_mesh::query::Bvh;
 use ga_mesh::{Faces, Mesh, obj};
 use ga_runtime::cga3::Point;
-use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::texture::{
     Options, TextureError, Textured, TriangleWarp, View, affine_error, texture_mesh,
 };

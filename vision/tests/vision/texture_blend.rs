@@ -1,9 +1,9 @@
 //! How the views are combined: against weights by hand, and colours that continue.
 
+use ga_camera::{Camera, Intrinsics, Lens};
 use ga_image::colour::linear_from_srgb;
 use ga_image::plane::Plane;
 use ga_mesh::{Mesh, obj};
-use ga_vision::camera::{Camera, Intrinsics, Lens};
 use ga_vision::texture::{Options, Textured, View, texture_mesh};
 
 use super::texture::{SIZE, WALL, camera, photograph, samples};

@@ -4,15 +4,15 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use ga_camera::format::calib::Calib;
+use ga_camera::format::rig::RigFile;
+use ga_camera::rig::StereoRig;
 use ga_image::plane::Plane;
 use ga_mesh::{Faces, Mesh, Polylines, obj};
 use ga_runtime::cga3::{self, Motor, Point};
 use ga_vision::contour::space_curve::{
     SpaceCurve, SpaceCurveOptions, SpaceCurvePoint, space_curve,
 };
-use ga_vision::format::calib::Calib;
-use ga_vision::format::rig::RigFile;
-use ga_vision::rig::StereoRig;
 use serde::Serialize;
 
 use super::settling::Settled;

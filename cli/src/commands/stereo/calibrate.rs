@@ -4,16 +4,16 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
+use ga_camera::Intrinsics;
+use ga_camera::format::camera::CameraFile;
+use ga_camera::format::rig::RigFile;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::calibration::{
     CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start, StereoCalibration,
     StereoSettings, calibrate_stereo, square_edges,
 };
-use ga_vision::camera::Intrinsics;
 use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find};
-use ga_vision::format::camera::CameraFile;
-use ga_vision::format::rig::RigFile;
 use serde::Serialize;
 
 use super::{corners, views};

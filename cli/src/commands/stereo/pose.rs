@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::{Context, Error, Result, ensure};
+use ga_camera::Intrinsics;
+use ga_camera::format::camera::CameraFile;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
-use ga_vision::camera::Intrinsics;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
-use ga_vision::format::camera::CameraFile;
 use ga_vision::relative_pose::{Options, RelativePose, RelativePoseError, estimate};
 use serde::Serialize;
 

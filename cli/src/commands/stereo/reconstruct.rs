@@ -7,6 +7,9 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
+use ga_camera::format::calib::Calib;
+use ga_camera::format::rig::RigFile;
+use ga_camera::rig::RectifiedRig;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::png;
@@ -14,10 +17,8 @@ use ga_mesh::Mesh;
 use ga_mesh::format::{self, Format};
 use ga_runtime::cga3::{Motor, Rotor};
 use ga_vision::disparity::DisparityMap;
-use ga_vision::format::calib::Calib;
-use ga_vision::format::rig::RigFile;
 use ga_vision::matcher::{Matcher, MatcherOptions};
-use ga_vision::rectification::{Rectification, RectificationOptions, RectifiedRig};
+use ga_vision::rectification::{Rectification, RectificationOptions};
 use ga_vision::surface::{Surface, SurfaceOptions, disparity_range, seen_by_both};
 use serde::Serialize;
 

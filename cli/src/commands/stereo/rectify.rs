@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
+use ga_camera::format::rig::RigFile;
+use ga_camera::format::yaml::{Matrix, Storage};
 use ga_image::png;
 use ga_runtime::cga3::Motor;
-use ga_vision::format::rig::RigFile;
-use ga_vision::format::yaml::{Matrix, Storage};
 use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
 use serde::Serialize;
 

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
+use ga_camera::format::camera::CameraFile;
 use ga_image::png;
-use ga_vision::format::camera::CameraFile;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 

@@ -6,9 +6,9 @@ use anyhow::{Error, Result};
 use clap::ValueEnum;
 use ga_image::plane::Plane;
 use ga_image::y4m;
-use ga_vision::keyframe::layout::Layout;
-use ga_vision::keyframe::{Analyser, Analysis, Options};
-use ga_vision::video::{self, Frame, Properties};
+use ga_video::keyframe::layout::Layout;
+use ga_video::keyframe::{Analyser, Analysis, Options};
+use ga_video::{Frame, Properties};
 
 use super::spool::Spool;
 use crate::progress::Progress;
@@ -73,7 +73,7 @@ pub(super) fn analyse(
     mut spool: Option<&mut Spool>,
     progress: &Progress,
 ) -> Result<Analysed> {
-    let mut source = video::open(path)?;
+    let mut source = ga_video::open(path)?;
     let properties = *source.properties();
     let mut analyser = Analyser::new(options, properties.colours);
     let mut frame = Frame::default();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use ga_files::Staged;
 use ga_image::png;
-use ga_vision::keyframe::{Options, scenes};
+use ga_video::keyframe::{Options, scenes};
 
 use super::input::{Analysed, Blocks, analyse};
 use super::report::Report;

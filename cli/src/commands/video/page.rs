@@ -6,8 +6,8 @@ use super::input::Analysed;
 use super::plot;
 use super::report::Report;
 use crate::page::Page;
-use ga_vision::keyframe::scenes::timecode;
-use ga_vision::keyframe::statistics::Statistics;
+use ga_video::keyframe::scenes::timecode;
+use ga_video::keyframe::statistics::Statistics;
 
 /// The page: counts, the curves, the shots and the key frames.
 pub(super) fn html(

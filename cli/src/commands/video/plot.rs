@@ -1,7 +1,7 @@
 //! The curves of a video as an SVG picture, in the shape of Cui's fig. 6.
 
 use anyhow::Result;
-use ga_vision::keyframe::Analysis;
+use ga_video::keyframe::Analysis;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use ga_vision::keyframe::fade::{Colour, Direction};
-use ga_vision::keyframe::{Analysis, Reason};
+use ga_video::keyframe::fade::{Colour, Direction};
+use ga_video::keyframe::{Analysis, Reason};
 use serde::Serialize;
 
 /// The report as JSON. Intervals are half-open; a cut is the first frame of the new shot.

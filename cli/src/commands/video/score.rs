@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use ga_vision::keyframe::evaluation::score;
+use ga_video::keyframe::evaluation::score;
 use serde::{Deserialize, Serialize};
 
 use crate::output;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use ga_vision::keyframe::Options;
-use ga_vision::keyframe::statistics::Statistics;
+use ga_video::keyframe::Options;
+use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::input::{Blocks, analyse};

@@ -1,5 +1,8 @@
 //! Finds the test data that is too large for the repository. It is looked for in the folder
-//! `shared` beside the repository, that is in `../shared` seen from its root.
+//! `shared` beside the repository, that is in `../shared` seen from its root. [`json`] reads the
+//! numbers of truths.
+
+pub mod json;
 
 use std::env;
 use std::io::{self, Write};

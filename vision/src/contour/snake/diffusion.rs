@@ -1,7 +1,7 @@
 //! Diffusion with sinks: `(w − μΔ) x = b` on the pixels of a picture.
 
 use super::SnakeError;
-use crate::conjugate_gradient::{self, NotConverged, Settings};
+use ga_numerics::conjugate_gradient::{self, NotConverged, Settings};
 
 /// The equations `wᵢ xᵢ + μ Σⱼ (xᵢ − xⱼ) = bᵢ`, where the pixels j are the two to four neighbours
 /// of the pixel i: nothing flows across the border.

@@ -4,7 +4,7 @@ use ga_runtime::cga3::{Plane, Point};
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
 
-use crate::triangulation::triangulate;
+use ga_camera::triangulation::triangulate;
 
 /// A point of the right contour that may be seen at a point of the left one.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! What does not give a curve in space.
 
-use crate::camera::CameraError;
-use crate::triangulation::TriangulationError;
+use ga_camera::CameraError;
+use ga_camera::triangulation::TriangulationError;
 
 /// Why two contours do not give a closed curve in space.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -13,11 +13,11 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 
 use super::polygon::{distance_to, perimeter, signed_area};
-use crate::camera::{Camera, CameraError};
-use crate::rig::StereoRig;
-use crate::triangulation::{TriangulationError, triangulate};
 use bridge::bridge;
 use candidates::{Candidate, candidates};
+use ga_camera::rig::StereoRig;
+use ga_camera::triangulation::{TriangulationError, triangulate};
+use ga_camera::{Camera, CameraError};
 use order::in_order;
 
 /// How contours are matched.
@@ -93,7 +93,7 @@ impl SpaceCurve {
 /// so that the order along both contours is the same and the right contour is passed through once,
 /// as evenly as possible: with the arc lengths s and t along both contours by their whole lengths,
 /// the sum of `(Δt − Δs)²/Δs` over the chosen pairs is least (dynamic programming). The rays of a
-/// chosen pair are [triangulated](mod@crate::triangulation).
+/// chosen pair are [triangulated](mod@ga_camera::triangulation).
 ///
 /// Where an epipolar line touches the contour, it meets it at an angle near zero or not at all.
 /// These stretches lie on planes that are fitted to the curve on both sides of them, which is exact
@@ -107,9 +107,9 @@ impl SpaceCurve {
 ///
 /// ```
 /// use ga_runtime::cga3::Point;
-/// use ga_vision::camera::Intrinsics;
+/// use ga_camera::Intrinsics;
 /// use ga_vision::contour::space_curve::{SpaceCurveOptions, space_curve};
-/// use ga_vision::rig::StereoRig;
+/// use ga_camera::rig::StereoRig;
 ///
 /// let intrinsics = Intrinsics::new([800.0, 800.0], [320.0, 240.0])?;
 /// let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,11 +1,11 @@
 //! Views from which no calibration follows.
 
+use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::Motor;
 use ga_vision::calibration::{
     CalibrationError, CameraCalibration, CameraSettings, LensTerms, Start, StereoSettings,
     calibrate_camera, calibrate_stereo,
 };
-use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
 
 use super::{SIZE, TILTS, boards, motor, places, views};
 

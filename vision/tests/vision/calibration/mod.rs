@@ -4,13 +4,13 @@ mod errors;
 mod opencv;
 mod outliers;
 
+use ga_camera::frame::In;
+use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_vision::calibration::{
     CameraSettings, LensTerms, Start, StereoSettings, calibrate_camera, calibrate_stereo,
 };
-use ga_vision::camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_vision::chessboard::BoardSize;
-use ga_vision::frame::In;
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

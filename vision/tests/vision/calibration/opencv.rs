@@ -8,7 +8,7 @@ use ga_vision::chessboard::BoardSize;
 
 use super::SIZE;
 use crate::chessboard::{opencv, opencv_boards, pixels};
-use crate::{matrix, numbers, rows};
+use nullcone_shared_data::json::{matrix, numbers, rows};
 
 /// The oracle's corners, with squares of side 1.
 fn opencv_views() -> [Vec<Vec<[f64; 2]>>; 2] {

@@ -1,10 +1,10 @@
 //! Pairs of views that do not fit the others.
 
+use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Translator};
 use ga_vision::calibration::{
     CalibrationError, CameraSettings, LensTerms, StereoSettings, calibrate_stereo,
 };
-use ga_vision::camera::{Camera, Intrinsics, RadialTangential};
 
 use super::{SIZE, TILTS, boards, motor, places, views, with_fixed};
 

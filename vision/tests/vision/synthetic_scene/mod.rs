@@ -4,13 +4,13 @@
 
 mod texture;
 
+use ga_camera::rig::StereoRig;
+use ga_camera::{Camera, Intrinsics};
 use ga_image::plane::Plane as Pixels;
 use ga_runtime::cga3::{Infinity, Point};
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
-use ga_vision::camera::{Camera, Intrinsics};
 use ga_vision::disparity::DisparityMap;
-use ga_vision::rig::StereoRig;
 
 use texture::Texture;
 

@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow};
-use ga_runtime::cga3::Point;
-use ga_vision::body::evaluation::{
+use ga_body::evaluation::{
     Disturbance, Scores, SimulationError, score, simulate, triangulated_points,
 };
-use ga_vision::body::{BodyError, BodyFit, ClipError, FittedPose};
-use ga_vision::observation::ObservationError;
+use ga_body::{BodyError, BodyFit, ClipError, FittedPose};
+use ga_camera::observation::ObservationError;
+use ga_runtime::cga3::Point;
 use serde::Serialize;
 
 use super::scene::{Motion, Stretch};

@@ -3,10 +3,10 @@
 use anyhow::{Context, Result, ensure};
 use ga_anim::bvh::Bvh;
 use ga_anim::recording::Recording;
+use ga_body::BodyModel;
+use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
-use ga_vision::body::BodyModel;
-use ga_vision::camera::{Camera, Intrinsics};
 
 /// From the mean of the body's points to each camera, in metres.
 pub(super) const DISTANCE: f64 = 4.0;

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail, ensure};
+use ga_body::format::JointViews;
+use ga_camera::Camera;
+use ga_camera::format::camera::CameraFile;
+use ga_camera::format::rig::RigFile;
+use ga_camera::format::views::{self, ViewEntry};
 use ga_runtime::cga3::{Motor, Rotor};
-use ga_vision::body::format::JointViews;
-use ga_vision::camera::Camera;
-use ga_vision::format::camera::CameraFile;
-use ga_vision::format::rig::RigFile;
-use ga_vision::format::views::{self, ViewEntry};
 
 /// The file with the cameras.
 #[derive(Clone, Debug, clap::Args)]

@@ -13,12 +13,12 @@ use ga_anim::clip::Clip;
 use ga_anim::gltf::{Rigged, character};
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::Skeleton;
+use ga_body::format::correspondence::correspondence;
+use ga_body::format::{DetectorOptions, JointViews};
+use ga_body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
+use ga_camera::Camera;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
-use ga_vision::body::format::correspondence::correspondence;
-use ga_vision::body::format::{DetectorOptions, JointViews};
-use ga_vision::body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
-use ga_vision::camera::Camera;
 
 use crate::figure::Figure;
 use crate::progress::Progress;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use ga_vision::body::FittedPose;
-use ga_vision::body::format::JointViews;
+use ga_body::FittedPose;
+use ga_body::format::JointViews;
 use serde::Serialize;
 
 use super::{Arguments, Matched};

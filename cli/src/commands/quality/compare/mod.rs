@@ -16,8 +16,8 @@ use ga_image::file::{self, Format};
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
-use ga_vision::quality::{ComparisonError, FrameQuality, VideoComparison};
-use ga_vision::video;
+use ga_video;
+use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
 
 use crate::output;
 use crate::progress::Progress;
@@ -166,8 +166,8 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
 }
 
 fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let reference = video::open(&arguments.reference)?;
-    let distorted = video::open(&arguments.distorted)?;
+    let reference = ga_video::open(&arguments.reference)?;
+    let distorted = ga_video::open(&arguments.distorted)?;
     let size = reference.properties().size;
     let range = f64::from((1u32 << reference.properties().bit_depth) - 1);
     let map = read_map(arguments, size)?;

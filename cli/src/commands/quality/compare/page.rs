@@ -1,7 +1,7 @@
 //! The report as a page.
 
 use anyhow::Result;
-use ga_vision::quality::FrameQuality;
+use ga_video::quality::FrameQuality;
 
 use super::report::{POOLED, PictureReport, Row, VideoReport};
 use super::{Arguments, plot};

@@ -7,7 +7,7 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_image::quality::{Ssim, WeightError, Weights};
 use ga_image::sample::Pixel;
-use ga_vision::quality::{Measures, Meter};
+use ga_video::quality::{Measures, Meter};
 
 /// Compares pictures in luma by BT.601: with 8 bits where both have 8, otherwise as floats from 0
 /// to 1.

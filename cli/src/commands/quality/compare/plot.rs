@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use ga_vision::quality::FrameQuality;
+use ga_video::quality::FrameQuality;
 use plotters::prelude::*;
 
 use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shown_small};

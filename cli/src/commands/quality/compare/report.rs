@@ -1,6 +1,6 @@
 //! What is printed. Infinite numbers are null in JSON.
 
-use ga_vision::quality::{FrameQuality, Measures, Pooled};
+use ga_video::quality::{FrameQuality, Measures, Pooled};
 use serde::Serialize;
 
 /// The measures of a picture, or their means over a video.

@@ -1,7 +1,7 @@
 //! The measures of all frames as CSV.
 
 use anyhow::Result;
-use ga_vision::quality::FrameQuality;
+use ga_video::quality::FrameQuality;
 
 const COLUMNS: [&str; 9] = [
     "frame",

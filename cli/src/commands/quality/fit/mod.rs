@@ -7,9 +7,9 @@ mod table;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use ga_vision::opinion::Scores;
-use ga_vision::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
-use ga_vision::opinion::performance::{self, Bootstrap, Interval};
+use ga_video::opinion::Scores;
+use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
+use ga_video::opinion::performance::{self, Bootstrap, Interval};
 use serde::Serialize;
 
 use crate::output;

@@ -1,9 +1,9 @@
 //! Scores with fitted curves as a picture, in the shape of Cui's fig. 12.
 
 use anyhow::Result;
-use ga_vision::opinion::Scores;
-use ga_vision::opinion::logistic::{Curve, Logistic4, Logistic5};
-use ga_vision::opinion::performance::{Interval, Performance};
+use ga_video::opinion::Scores;
+use ga_video::opinion::logistic::{Curve, Logistic4, Logistic5};
+use ga_video::opinion::performance::{Interval, Performance};
 use plotters::prelude::*;
 
 use crate::chart::{COLOURS, FINE, Mark, draw_legend, shown_small};

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use ga_vision::opinion::ratings::{MeanOpinion, Ratings};
+use ga_video::opinion::ratings::{MeanOpinion, Ratings};
 use serde::Serialize;
 
 use crate::output;

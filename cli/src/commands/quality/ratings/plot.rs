@@ -2,7 +2,7 @@
 //! and how many people gave which rating.
 
 use anyhow::Result;
-use ga_vision::opinion::ratings::Ratings;
+use ga_video::opinion::ratings::Ratings;
 use plotters::prelude::*;
 use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

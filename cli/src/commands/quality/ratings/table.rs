@@ -1,8 +1,8 @@
 //! Ratings as CSV: a row for each rater, a column for each question.
 
 use csv::{ReaderBuilder, Trim};
-use ga_vision::opinion::OpinionError;
-use ga_vision::opinion::ratings::{Rater, Ratings};
+use ga_video::opinion::OpinionError;
+use ga_video::opinion::ratings::{Rater, Ratings};
 
 /// What is wrong with a table.
 #[derive(Debug, thiserror::Error)]

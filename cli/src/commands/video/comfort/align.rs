@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use ga_image::y4m::{Film, Writer};
-use ga_vision::comfort::align::Plan;
-use ga_vision::video::stereo::{Layout, StereoSource, joined};
-use ga_vision::video::{Frame, Samples};
+use ga_video::comfort::align::Plan;
+use ga_video::stereo::{Layout, StereoSource, joined};
+use ga_video::{Frame, Samples};
 
 use super::super::input::mean_rate;
 use super::{LayoutName, input};

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use ga_vision::video::stereo::{Layout, StereoSource};
-use ga_vision::video::{self, VideoError};
+use ga_video::VideoError;
+use ga_video::stereo::{Layout, StereoSource};
 
 use super::LayoutName;
 
@@ -43,10 +43,10 @@ pub(super) fn open(
     right: Option<&Path>,
     layout: LayoutName,
 ) -> Result<StereoSource, VideoError> {
-    let first = video::open_with_stills(first)?;
+    let first = ga_video::open_with_stills(first)?;
     match (halves(layout), right) {
         (Some(layout), _) => StereoSource::halves(first, layout),
-        (None, Some(right)) => StereoSource::pair(first, video::open_with_stills(right)?),
+        (None, Some(right)) => StereoSource::pair(first, ga_video::open_with_stills(right)?),
         (None, None) => StereoSource::halves(first, Layout::SideBySide),
     }
 }

@@ -1,7 +1,7 @@
 //! One line for each frame.
 
 use anyhow::Result;
-use ga_vision::comfort::{Dimension, Record, Row};
+use ga_video::comfort::{Dimension, Record, Row};
 use serde_json::{Map, Value, json};
 
 /// The record of a frame as a line of JSON.

@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, ensure};
 use clap::ValueEnum;
 use ga_files::write_together;
-use ga_vision::comfort::monitor::{Options, observe};
-use ga_vision::comfort::{FrameMeasures, Observer, Record, Summary, Viewing};
-use ga_vision::video::{Frame, Properties};
+use ga_video::comfort::monitor::{Options, observe};
+use ga_video::comfort::{FrameMeasures, Observer, Record, Summary, Viewing};
+use ga_video::{Frame, Properties};
 
 use crate::output;
 use crate::progress::Progress;

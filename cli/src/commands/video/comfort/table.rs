@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ga_vision::comfort::{Dimension, Level, Scale, Score, Summary, Viewing};
+use ga_video::comfort::{Dimension, Level, Scale, Score, Summary, Viewing};
 use serde_json::{Map, Value, json};
 
 /// The mean of each row, how many frames are green, orange and red, and the worst frame.

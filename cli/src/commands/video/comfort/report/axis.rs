@@ -1,6 +1,6 @@
 //! Time to the right, as all charts of the report have it.
 
-use ga_vision::comfort::Timeline;
+use ga_video::comfort::Timeline;
 
 use crate::svg::{Anchor, Svg, ticks};
 

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_vision::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
+use ga_video::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
 
 use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words::number;

@@ -1,6 +1,6 @@
 //! The scores of all rows over time as colours.
 
-use ga_vision::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
+use ga_video::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
 
 use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;

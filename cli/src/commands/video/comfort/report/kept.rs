@@ -3,8 +3,8 @@
 use ga_image::plane::Plane;
 use ga_image::resample::box_means;
 use ga_image::ycbcr::YCbCr;
-use ga_vision::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
-use ga_vision::video::{Frame, Planes, Samples};
+use ga_video::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
+use ga_video::{Frame, Planes, Samples};
 
 /// Views are reduced to at most so many columns.
 const WIDEST: usize = 480;

@@ -12,8 +12,8 @@ mod verdict;
 mod words;
 
 use anyhow::Result;
-use ga_vision::comfort::{FrameMeasures, Record, Summary, Timeline, Viewing};
-use ga_vision::video::{Frame, Properties};
+use ga_video::comfort::{FrameMeasures, Record, Summary, Timeline, Viewing};
+use ga_video::{Frame, Properties};
 
 use crate::commands::video::input::rate;
 use moments::Moments;

@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use ga_vision::comfort::asynchrony::REACH;
-use ga_vision::comfort::{Dimension, FrameMeasures, Level, Record, Viewing};
-use ga_vision::video::Frame;
+use ga_video::Frame;
+use ga_video::comfort::asynchrony::REACH;
+use ga_video::comfort::{Dimension, FrameMeasures, Level, Record, Viewing};
 
 use super::kept::Kept;
 
@@ -133,10 +133,10 @@ impl Moments {
 #[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use ga_image::plane::Plane;
-    use ga_vision::comfort::asynchrony::{Asynchrony, Delay};
-    use ga_vision::comfort::stereoscopy::Stereoscopy;
-    use ga_vision::comfort::{Dimension, FrameMeasures, Missing, Record, Row, Score, Viewing};
-    use ga_vision::video::{Frame, Planes, Samples};
+    use ga_video::comfort::asynchrony::{Asynchrony, Delay};
+    use ga_video::comfort::stereoscopy::Stereoscopy;
+    use ga_video::comfort::{Dimension, FrameMeasures, Missing, Record, Row, Score, Viewing};
+    use ga_video::{Frame, Planes, Samples};
 
     use super::Moments;
 

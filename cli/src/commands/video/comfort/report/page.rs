@@ -1,8 +1,8 @@
 //! The page.
 
 use anyhow::Result;
-use ga_vision::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
-use ga_vision::keyframe::scenes::timecode;
+use ga_video::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
+use ga_video::keyframe::scenes::timecode;
 
 use super::thumbnail::{self, Video};
 use super::verdict::{self, Problem};

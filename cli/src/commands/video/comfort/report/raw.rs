@@ -1,6 +1,6 @@
 //! The measured numbers of one row over time.
 
-use ga_vision::comfort::{Dimension, Scale, Timeline, Viewing};
+use ga_video::comfort::{Dimension, Scale, Timeline, Viewing};
 
 use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;

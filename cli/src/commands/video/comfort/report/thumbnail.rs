@@ -6,8 +6,8 @@ use anyhow::Result;
 use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
 use ga_image::{jpeg, png};
-use ga_vision::comfort::stereoscopy::Stereoscopy;
-use ga_vision::comfort::{Dimension, Match, Viewing};
+use ga_video::comfort::stereoscopy::Stereoscopy;
+use ga_video::comfort::{Dimension, Match, Viewing};
 
 use super::axis::INK;
 use super::kept::Kept;

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use ga_image::plane::Plane;
-use ga_vision::comfort::{Dimension, Match, Record, Scale};
+use ga_video::comfort::{Dimension, Match, Record, Scale};
 
 use super::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
 use crate::commands::video::comfort::report::axis::INK;

@@ -1,0 +1,200 @@
+//! The most likely motion of a stretch of frames, by Gauss–Newton steps of all frames together.
+
+use nalgebra_035::DVector;
+
+use super::super::Observation;
+use super::super::chain::{Chain, State};
+use super::super::likelihood::{Likelihood, Normal};
+use super::band::{Blocks, Couplings};
+use super::differences::{difference, kinds};
+use super::variances::variances;
+
+/// The greatest number of steps.
+const STEPS: usize = 12;
+/// How often a step is halved before the search ends.
+const HALVINGS: usize = 6;
+/// The search ends where a step promises to lower the cost of a frame by no more than this: the
+/// likelihood of a frame then is within some thousandths of the greatest.
+const TOLERANCE: f64 = 1e-3;
+
+/// The most likely states, from states that are near, with variances from those of the frames by
+/// themselves.
+pub(super) fn fit(
+    likelihood: &Likelihood<'_>,
+    observations: &[Observation],
+    mut states: Vec<State>,
+    single: &[State],
+    frames_per_second: f64,
+) -> Vec<State> {
+    if states.len() < 3 {
+        return states;
+    }
+    let chain = &likelihood.chain;
+    let variances = variances(chain, single, frames_per_second);
+    let mut normal = Normal::new(chain.count);
+    for _ in 0..STEPS {
+        let linear = linearise(likelihood, observations, &states, &variances, &mut normal);
+        let Some((couplings, mut step, cost)) = linear else {
+            break;
+        };
+        let gradient = step.clone();
+        let Some(factor) = couplings.factor() else {
+            break;
+        };
+        factor.solve(&mut step);
+        let promise: f64 = gradient.iter().zip(&step).map(|(a, b)| a.dot(b)).sum();
+        let next = (0..HALVINGS).find_map(|halving| {
+            let part = -(0.5_f64.powi(halving as i32));
+            let next = states
+                .iter()
+                .zip(&step)
+                .map(|(state, step)| chain.stepped(state, (step * part).as_slice()));
+            let next = next.collect::<Option<Vec<State>>>()?;
+            let found = total_cost(likelihood, observations, &next, &variances)?;
+            (found <= cost).then_some(next)
+        });
+        let Some(next) = next else {
+            break;
+        };
+        states = next;
+        if promise <= TOLERANCE * states.len() as f64 {
+            break;
+        }
+    }
+    states
+}
+
+/// The second differences around a frame, with their weights.
+fn differences<'s>(
+    chain: &'s Chain<'_>,
+    states: &'s [State],
+    middle: usize,
+    variances: &'s [f64],
+) -> impl Iterator<Item = (super::differences::Difference, f64)> + 's {
+    (0..kinds(chain)).filter_map(move |kind| {
+        let frames = [&states[middle - 1], &states[middle], &states[middle + 1]];
+        Some((difference(chain, frames, kind)?, 1.0 / variances[kind]))
+    })
+}
+
+fn total_cost(
+    likelihood: &Likelihood<'_>,
+    observations: &[Observation],
+    states: &[State],
+    variances: &[f64],
+) -> Option<f64> {
+    let mut cost = 0.0;
+    for (state, observation) in states.iter().zip(observations) {
+        cost += likelihood.cost(state, observation)?;
+    }
+    for middle in 1..states.len() - 1 {
+        for (difference, weight) in differences(&likelihood.chain, states, middle, variances) {
+            cost += weight * difference.squared();
+        }
+    }
+    cost.is_finite().then_some(cost)
+}
+
+/// The normal equations of all frames, half the gradient, and the cost.
+fn linearise(
+    likelihood: &Likelihood<'_>,
+    observations: &[Observation],
+    states: &[State],
+    variances: &[f64],
+    normal: &mut Normal,
+) -> Option<(Couplings, Vec<DVector<f64>>, f64)> {
+    let count = states.len();
+    let mut couplings = Couplings {
+        own: Vec::with_capacity(count),
+        before: vec![Blocks::new(); count],
+        two_before: vec![Blocks::new(); count],
+    };
+    let (mut gradient, mut cost) = (Vec::with_capacity(count), 0.0);
+    for (state, observation) in states.iter().zip(observations) {
+        likelihood.linearise(state, observation, normal)?;
+        cost += normal.cost;
+        gradient.push(normal.gradient.clone());
+        couplings.own.push(normal.matrix.clone());
+    }
+    for middle in 1..count - 1 {
+        for (difference, weight) in differences(&likelihood.chain, states, middle, variances) {
+            cost += weight * difference.squared();
+            for frame in 0..3 {
+                let index = middle + frame - 1;
+                for k in 0..difference.size {
+                    gradient[index][difference.first + k] += difference.gradient(frame, k, weight);
+                }
+                let own = difference.block(frame, frame, weight);
+                couplings.add_own(index, &own);
+                if frame >= 1 {
+                    let block = difference.block(frame, frame - 1, weight);
+                    couplings.add_before(index, &block);
+                }
+            }
+            let block = difference.block(2, 0, weight);
+            couplings.two_before[middle + 1].push(block);
+        }
+    }
+    Some((couplings, gradient, cost))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointPixel;
+    use crate::example;
+    use ga_numerics::least_squares::Loss;
+
+    #[test]
+    fn the_gradient_of_a_clip_is_the_slope_of_its_cost() {
+        const STEP: f64 = 1e-5;
+        let model = example::model();
+        let cameras = [example::camera(0.0), example::camera(0.5)];
+        let likelihood = Likelihood {
+            chain: crate::chain::Chain::new(&model),
+            cameras: &cameras,
+            loss: Loss::Squares,
+            rest: 0.5,
+        };
+        let chain = &likelihood.chain;
+        let states: Vec<State> = (0..4).map(|seed| example::state(chain, seed)).collect();
+        let pixel = |k: usize| JointPixel {
+            position: [300.0 + 10.0 * k as f64, 250.0],
+            deviation: 20.0,
+        };
+        let views = vec![(0..5).map(|k| (k != 3).then(|| pixel(k))).collect(); 2];
+        let observations = vec![Observation { views }; 4];
+        let variances = [0.5_f64, 0.0, 0.7, 0.6, 0.9, 0.8];
+        let variances: Vec<f64> = (0..kinds(chain)).map(|k| variances[k].max(0.4)).collect();
+        let cost =
+            |states: &[State]| total_cost(&likelihood, &observations, states, &variances).unwrap();
+        let mut normal = Normal::new(chain.count);
+        let (_, gradient, found) =
+            linearise(&likelihood, &observations, &states, &variances, &mut normal).unwrap();
+        assert!((found - cost(&states)).abs() < 1e-12 * found);
+        // The second differences alone: the costs of frames do not depend on the variances.
+        let halved: Vec<f64> = variances.iter().map(|v| v / 2.0).collect();
+        let with_halved = total_cost(&likelihood, &observations, &states, &halved).unwrap();
+        let infinite = vec![f64::INFINITY; variances.len()];
+        let frames = total_cost(&likelihood, &observations, &states, &infinite).unwrap();
+        assert!((with_halved - frames - 2.0 * (found - frames)).abs() < 1e-9 * found);
+        let size = gradient.iter().map(|g| g.amax()).fold(0.0, f64::max);
+        for frame in 0..4 {
+            for k in 0..chain.count {
+                let at = |sign: f64| {
+                    let mut step = vec![0.0; chain.count];
+                    step[k] = sign * STEP;
+                    let mut states = states.clone();
+                    states[frame] = chain.stepped(&states[frame], &step).unwrap();
+                    cost(&states)
+                };
+                let slope = (at(1.0) - at(-1.0)) / (2.0 * STEP);
+                let found = 2.0 * gradient[frame][k];
+                assert!(
+                    (found - slope).abs() < 1e-6 * size,
+                    "{frame} {k}: {found} {slope}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Which joint of a skeleton a detector means.
+//!
+//! Names are understood as those of a recording are when it is retargeted
+//! ([`JointMap`]), with these meanings of detectors' own names:
+//!
+//! | COCO | OpenPose | joint of the skeleton |
+//! | --- | --- | --- |
+//! | | `MidHip` | hips |
+//! | | `Neck` | the first joint of the neck |
+//! | `left_shoulder` | `LShoulder` | left upper arm, which begins at the shoulder |
+//! | `left_elbow` | `LElbow` | left lower arm |
+//! | `left_wrist` | `LWrist` | left hand |
+//! | `left_hip` | `LHip` | left upper leg |
+//! | `left_knee` | `LKnee` | left lower leg |
+//! | `left_ankle` | `LAnkle` | left foot |
+//! | `nose`, eyes, ears | `Nose`, eyes, ears, toes, heels | none: they are points of the skin |
+//!
+//! A skeleton whose names do not mean anything is understood by its structure: two chains to the
+//! ground are legs, and so on.
+
+use ga_anim::retarget::{JointMap, Source};
+use ga_anim::skeleton::Skeleton;
+use ga_runtime::cga3::Motor;
+
+/// Names that do not match a skeleton.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CorrespondenceError {
+    /// A name is neither that of a joint nor known.
+    #[error("joint {name:?} ({index}) is not one of the skeleton's, which are {}", .joints.join(", "))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// Its number, from 0.
+        index: usize,
+        /// The names of the skeleton's joints.
+        joints: Vec<String>,
+    },
+    /// Too few names are those of joints.
+    #[error("{found} of the joints are the skeleton's, and a pose needs {needed}")]
+    TooFew {
+        /// How many names match.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+}
+
+/// A pose has a place and an orientation.
+const NEEDED: usize = 3;
+
+/// The points that detectors find and skeletons do not have, without their sides.
+const OF_THE_SKIN: [&str; 6] = ["nose", "eye", "ear", "bigtoe", "smalltoe", "heel"];
+
+/// For each name the index of the joint of the skeleton that it means; `None` for points of the
+/// skin and joints that this skeleton does not have.
+///
+/// # Errors
+/// [`CorrespondenceError`] for a name that is neither that of a joint nor known, and where fewer
+/// than three match.
+///
+/// ```
+/// use ga_anim::skeleton::{Joint, Skeleton};
+/// use ga_body::format::correspondence::correspondence;
+///
+/// let joint = |name: &str, parent, x: f64, y: f64| Joint {
+///     name: name.into(),
+///     parent,
+///     head: [x, y, 0.0],
+///     tail: [x, y - 0.4, 0.0],
+/// };
+/// let skeleton = Skeleton::new(vec![
+///     joint("Hips", None, 0.0, 1.0),
+///     joint("LeftUpLeg", Some(0), 0.1, 0.9),
+///     joint("LeftLeg", Some(1), 0.1, 0.5),
+///     joint("LeftFoot", Some(2), 0.1, 0.1),
+/// ])?;
+/// let names = ["nose", "left_hip", "left_knee", "left_ankle"].map(String::from);
+/// let found = correspondence(&names, &skeleton)?;
+/// assert_eq!(found, [None, Some(1), Some(2), Some(3)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn correspondence(
+    names: &[String],
+    skeleton: &Skeleton,
+) -> Result<Vec<Option<usize>>, CorrespondenceError> {
+    let understood = Names(names.iter().map(|name| alias(name, skeleton)).collect());
+    let map = JointMap::by_names_or_structure(&understood, skeleton);
+    let mut joints = vec![None; names.len()];
+    // Parents come first: of several joints with one meaning, such as those of a neck, the first.
+    for (joint, source) in map.source_of().iter().enumerate().rev() {
+        if let Some(source) = *source {
+            joints[source] = Some(joint);
+        }
+    }
+    for (index, name) in names.iter().enumerate() {
+        if joints[index].is_none() && !is_known(name) {
+            return Err(CorrespondenceError::Unknown {
+                name: name.clone(),
+                index,
+                joints: skeleton.joints().iter().map(|j| j.name.clone()).collect(),
+            });
+        }
+    }
+    let found = joints.iter().flatten().count();
+    if found < NEEDED {
+        let needed = NEEDED;
+        return Err(CorrespondenceError::TooFew { found, needed });
+    }
+    Ok(joints)
+}
+
+/// A detector's own name as skeletons have it.
+fn alias<'a>(name: &'a str, skeleton: &Skeleton) -> &'a str {
+    if name == "MidHip" && skeleton.index(name).is_none() {
+        "Hips"
+    } else {
+        name
+    }
+}
+
+/// Whether a detector has a point of this name.
+fn is_known(name: &str) -> bool {
+    let of_coco = super::coco::JOINTS.iter();
+    let of_openpose = super::openpose::BODY_25.iter();
+    if of_coco.chain(of_openpose).any(|known| *known == name) {
+        return true;
+    }
+    let name = name.to_ascii_lowercase();
+    let bare = name.trim_start_matches("left").trim_start_matches("right");
+    OF_THE_SKIN.contains(&bare.trim_start_matches('_'))
+}
+
+/// Names without a hierarchy and without motion.
+#[derive(Debug)]
+struct Names<'a>(Vec<&'a str>);
+
+impl Source for Names<'_> {
+    fn names(&self) -> Vec<&str> {
+        self.0.clone()
+    }
+
+    fn parents(&self) -> Vec<Option<usize>> {
+        vec![None; self.0.len()]
+    }
+
+    fn rest_positions(&self) -> Vec<[f64; 3]> {
+        vec![[0.0; 3]; self.0.len()]
+    }
+
+    fn frame_count(&self) -> usize {
+        0
+    }
+
+    fn frame_time(&self) -> f64 {
+        1.0
+    }
+
+    fn frames_of_joints(&self, _: usize) -> Option<Vec<Motor<f64>>> {
+        None
+    }
+}

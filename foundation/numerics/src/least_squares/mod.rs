@@ -1,0 +1,262 @@
+//! Nonlinear least squares by the method of Levenberg and Marquardt.
+//!
+//! A [`Problem`] says how its residuals depend on its unknowns; [`minimise`] makes the sum of their
+//! squares, or of a [`Loss`] of them, least. The unknowns need not be numbers: a state may hold
+//! motors, and a step is a change of it in coordinates of its tangent space.
+//!
+//! The method is that of K. Levenberg, "A method for the solution of certain non-linear problems in
+//! least squares", 1944, and D. W. Marquardt, "An algorithm for least-squares estimation of
+//! nonlinear parameters", 1963, with the damping of H. B. Nielsen, "Damping parameter in
+//! Marquardt's method", 1999.
+
+mod covariance;
+mod equations;
+mod loss;
+
+pub use covariance::Covariance;
+pub use equations::{Columns, Equations};
+pub use loss::Loss;
+
+/// A sum of squares to make least.
+pub trait Problem {
+    /// A place where the residuals can be evaluated: numbers, motors, or both.
+    type State: Clone;
+
+    /// The unknowns of a step.
+    fn columns(&self) -> Columns;
+
+    /// Adds all residuals at a state, with their derivatives by the unknowns of a step at the step
+    /// 0, in the same order at every call. `None` where a residual does not exist, as for a point
+    /// behind a camera: a step to such a state is refused.
+    fn evaluate(&self, state: &Self::State, equations: &mut Equations) -> Option<()>;
+
+    /// The state after a step, which has one number for each column. `None` where there is no such
+    /// state.
+    fn stepped(&self, state: &Self::State, step: &[f64]) -> Option<Self::State>;
+}
+
+/// How a minimum is searched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The greatest number of steps that are tried.
+    pub steps: usize,
+    /// The search ends with a step that changes the residuals by no more than this part of their
+    /// root mean square, as it would be without damping…
+    pub relative_tolerance: f64,
+    /// …or whose change of the residuals has no greater root mean square than this.
+    pub absolute_tolerance: f64,
+    /// How residuals count.
+    pub loss: Loss,
+}
+
+impl Default for Settings {
+    /// 100 steps, 1e-9, 1e-11, and squares.
+    fn default() -> Self {
+        Self {
+            steps: 100,
+            relative_tolerance: 1e-9,
+            absolute_tolerance: 1e-11,
+            loss: Loss::Squares,
+        }
+    }
+}
+
+/// A minimum.
+#[derive(Clone, Debug)]
+pub struct Minimum<State> {
+    /// Where it is.
+    pub state: State,
+    /// How many steps were tried.
+    pub steps: usize,
+    /// The sum of the losses there; for [`Loss::Squares`] the sum of the squares of the residuals.
+    pub cost: f64,
+    /// The number of residuals, each component counted.
+    pub residuals: usize,
+    /// The number of unknowns.
+    pub unknowns: usize,
+    equations: Equations,
+}
+
+impl<State> Minimum<State> {
+    /// The root mean square of the components of the residuals: the root of cost over number.
+    #[must_use]
+    pub fn root_mean_square(&self) -> f64 {
+        (self.cost / self.residuals as f64).sqrt()
+    }
+
+    /// The estimated variance of a component of a residual, `cost / (residuals − unknowns)`. `None`
+    /// where there are no more residuals than unknowns.
+    #[must_use]
+    pub fn variance(&self) -> Option<f64> {
+        let redundancy = self.residuals.checked_sub(self.unknowns)?;
+        (redundancy > 0).then(|| self.cost / redundancy as f64)
+    }
+
+    /// The covariance of the unknowns, to first order, for independent errors of the residuals'
+    /// components with a variance: `variance · (JᵀWJ)⁻¹`. `None` where the residuals do not
+    /// determine the unknowns.
+    #[must_use]
+    pub fn covariance(&self, variance: f64) -> Option<Covariance> {
+        self.equations.covariance(variance).ok()
+    }
+
+    /// Where there is no [`covariance`](Self::covariance), an unknown that the residuals do not
+    /// determine beside the others: the first of those that depend on each other, with all groups
+    /// before the shared unknowns, to show a dependence.
+    #[must_use]
+    pub fn undetermined(&self) -> Option<usize> {
+        self.equations.covariance(1.0).err()
+    }
+}
+
+/// Why there is no minimum.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum LeastSquaresError {
+    /// The residuals do not exist, or are not finite, where the search begins.
+    #[error("the residuals do not exist where the search for the least squares begins")]
+    Start,
+    /// There are fewer residuals than unknowns.
+    #[error("{residuals} residuals do not determine {unknowns} unknowns")]
+    TooFewResiduals {
+        /// The components of all residuals.
+        residuals: usize,
+        /// The unknowns.
+        unknowns: usize,
+    },
+    /// The search ended before it came to a minimum.
+    #[error(
+        "the least squares did not converge in {steps} steps: \
+         the root mean square of the residuals is {root_mean_square}"
+    )]
+    NotConverged {
+        /// How many steps were tried.
+        steps: usize,
+        /// The root mean square of the residuals at the end.
+        root_mean_square: f64,
+    },
+}
+
+const FIRST_DAMPING: f64 = 1e-4;
+const LEAST_DAMPING: f64 = 1e-15;
+const GREATEST_DAMPING: f64 = 1e16;
+/// The part of a sum of squares that its rounding errors may reach.
+const ROUNDING: f64 = 1e-12;
+
+/// Searches a minimum from a state on.
+///
+/// Each step δ solves `(JᵀWJ + μ D) δ = −JᵀWr` with the derivatives J, the weights W of the loss, D
+/// the diagonal of `JᵀWJ`, and a damping μ that falls while the steps succeed. The result does not
+/// depend on the units of the unknowns. It is a local minimum: which one depends on the start.
+///
+/// ```
+/// use ga_numerics::least_squares::{Columns, Equations, Problem, Settings, minimise};
+///
+/// /// A circle through points: centre and radius.
+/// struct Circle([[f64; 2]; 4]);
+///
+/// impl Problem for Circle {
+///     type State = [f64; 3];
+///
+///     fn columns(&self) -> Columns {
+///         Columns::dense(3)
+///     }
+///
+///     fn evaluate(&self, [x, y, radius]: &[f64; 3], equations: &mut Equations) -> Option<()> {
+///         for point in self.0 {
+///             let [dx, dy] = [point[0] - x, point[1] - y];
+///             let distance = dx.hypot(dy);
+///             let derivatives = [(0, [-dx / distance]), (1, [-dy / distance]), (2, [-1.0])];
+///             equations.add([distance - radius], &derivatives);
+///         }
+///         Some(())
+///     }
+///
+///     fn stepped(&self, state: &[f64; 3], step: &[f64]) -> Option<[f64; 3]> {
+///         Some([0, 1, 2].map(|k| state[k] + step[k]))
+///     }
+/// }
+///
+/// let circle = Circle([[3.0, 1.0], [1.0, 3.0], [-1.0, 1.0], [1.0, -1.0]]);
+/// let minimum = minimise(&circle, [0.5, 0.0, 1.0], &Settings::default())?;
+/// assert!((minimum.state[0] - 1.0).abs() < 1e-12 && (minimum.state[2] - 2.0).abs() < 1e-12);
+/// # Ok::<(), ga_numerics::least_squares::LeastSquaresError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`LeastSquaresError`]; there is no result that has not converged.
+pub fn minimise<P: Problem>(
+    problem: &P,
+    start: P::State,
+    settings: &Settings,
+) -> Result<Minimum<P::State>, LeastSquaresError> {
+    let mut equations = Equations::new(problem.columns(), settings.loss);
+    let mut trial = equations.clone();
+    let mut state = start;
+    evaluate(problem, &state, &mut equations).ok_or(LeastSquaresError::Start)?;
+    let (residuals, unknowns) = (equations.residuals(), equations.unknowns());
+    if residuals < unknowns {
+        let error = LeastSquaresError::TooFewResiduals {
+            residuals,
+            unknowns,
+        };
+        return Err(error);
+    }
+    let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
+    let (mut steps, mut last_size) = (0, f64::INFINITY);
+    let mut converged = unknowns == 0 || equations.cost() == 0.0;
+    while !converged && steps < settings.steps && damping <= GREATEST_DAMPING {
+        steps += 1;
+        let step = equations.solve(damping);
+        let next = step.as_ref().and_then(|step| {
+            let next = problem.stepped(&state, &step.values)?;
+            evaluate(problem, &next, &mut trial).map(|()| next)
+        });
+        let Some(step) = step else {
+            (damping, growth) = (damping * growth, 2.0 * growth);
+            continue;
+        };
+        let cost = equations.cost();
+        let least_change = (settings.relative_tolerance.powi(2) * cost)
+            .max(settings.absolute_tolerance.powi(2) * residuals as f64);
+        let is_small = step.size * (1.0 + damping).powi(2) <= least_change;
+        let fell = cost - trial.cost();
+        // Near the minimum the change of the cost is lost in rounding, and only the steps show that
+        // the search goes on.
+        let is_lost = step.predicted <= ROUNDING * cost && step.size < last_size;
+        let accepted = next.filter(|_| fell > 0.0 || (is_lost && -fell <= ROUNDING * cost));
+        converged = is_small || (accepted.is_some() && trial.cost() == 0.0);
+        if let Some(next) = accepted {
+            state = next;
+            std::mem::swap(&mut equations, &mut trial);
+            last_size = step.size;
+            let gain = if is_lost { 1.0 } else { fell / step.predicted };
+            damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).clamp(0.1, 2.0);
+            (damping, growth) = (damping.max(LEAST_DAMPING), 2.0);
+        } else {
+            (damping, growth) = (damping * growth, 2.0 * growth);
+        }
+    }
+    let minimum = Minimum {
+        state,
+        steps,
+        cost: equations.cost(),
+        residuals,
+        unknowns,
+        equations,
+    };
+    if converged {
+        return Ok(minimum);
+    }
+    Err(LeastSquaresError::NotConverged {
+        steps,
+        root_mean_square: minimum.root_mean_square(),
+    })
+}
+
+/// The equations at a state, or `None` where its residuals or derivatives are not finite.
+fn evaluate<P: Problem>(problem: &P, state: &P::State, equations: &mut Equations) -> Option<()> {
+    equations.clear();
+    problem.evaluate(state, equations)?;
+    equations.is_finite().then_some(())
+}

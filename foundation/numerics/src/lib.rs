@@ -1,0 +1,11 @@
+//! Numerical methods without geometry of their own.
+//!
+//! - [`least_squares`]: nonlinear least squares over any unknowns, with covariances.
+//! - [`conjugate_gradient`]: linear equations whose matrix is too large to be stored.
+//! - [`ransac`]: models that most observations agree with.
+//! - [`polynomial`]: real roots of polynomials in one unknown.
+
+pub mod conjugate_gradient;
+pub mod least_squares;
+pub mod polynomial;
+pub mod ransac;

@@ -1,0 +1,242 @@
+//! Least squares against certified values, and the elimination of groups against the whole matrix.
+
+use ga_numerics::least_squares::{
+    Columns, Equations, LeastSquaresError, Loss, Problem, Settings, minimise,
+};
+use proptest::prelude::*;
+
+/// Misra1a of the Statistical Reference Datasets of the National Institute of Standards and
+/// Technology: monomolecular adsorption, `y = b1 (1 − exp(−b2 x))`.
+const MISRA1A: [[f64; 2]; 14] = [
+    [10.07, 77.6],
+    [14.73, 114.9],
+    [17.94, 141.1],
+    [23.93, 190.8],
+    [29.61, 239.9],
+    [35.18, 289.0],
+    [40.02, 332.8],
+    [44.82, 378.4],
+    [50.76, 434.8],
+    [55.05, 477.3],
+    [61.01, 536.8],
+    [66.40, 593.1],
+    [75.47, 689.1],
+    [81.78, 760.0],
+];
+
+struct Adsorption;
+
+impl Problem for Adsorption {
+    type State = [f64; 2];
+
+    fn columns(&self) -> Columns {
+        Columns::dense(2)
+    }
+
+    fn evaluate(&self, [b1, b2]: &[f64; 2], equations: &mut Equations) -> Option<()> {
+        for [y, x] in MISRA1A {
+            let decay = (-b2 * x).exp();
+            let derivatives = [(0, [1.0 - decay]), (1, [b1 * x * decay])];
+            equations.add([b1 * (1.0 - decay) - y], &derivatives);
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &[f64; 2], step: &[f64]) -> Option<[f64; 2]> {
+        Some([state[0] + step[0], state[1] + step[1]])
+    }
+}
+
+#[test]
+fn the_certified_values_are_found_from_both_starts() {
+    for start in [[500.0, 0.0001], [250.0, 0.0005]] {
+        let minimum = minimise(&Adsorption, start, &Settings::default()).unwrap();
+        let close = |found: f64, certified: f64| (found / certified - 1.0).abs() < 1e-8;
+        assert!(close(minimum.state[0], 2.3894212918e2), "{minimum:?}");
+        assert!(close(minimum.state[1], 5.5015643181e-4), "{minimum:?}");
+        assert!(close(minimum.cost, 1.2455138894e-1), "{minimum:?}");
+        let variance = minimum.variance().unwrap();
+        assert!(close(variance.sqrt(), 1.0187876330e-1));
+        let covariance = minimum.covariance(variance).unwrap();
+        assert!(close(covariance.standard_deviation(0), 2.7070075241));
+        assert!(close(covariance.standard_deviation(1), 7.2668688436e-6));
+    }
+}
+
+/// Lines `y = a x + b_g + c_g x²` with a slope that all groups share.
+struct Lines {
+    grouped: bool,
+    groups: Vec<Vec<[f64; 2]>>,
+}
+
+impl Problem for Lines {
+    type State = Vec<f64>;
+
+    fn columns(&self) -> Columns {
+        match self.grouped {
+            true => Columns::grouped(1, self.groups.len(), 2),
+            false => Columns::dense(1 + 2 * self.groups.len()),
+        }
+    }
+
+    fn evaluate(&self, state: &Vec<f64>, equations: &mut Equations) -> Option<()> {
+        for (group, points) in self.groups.iter().enumerate() {
+            let (offset, bend) = (1 + 2 * group, 2 + 2 * group);
+            for [x, y] in points {
+                // The exponential makes the problem nonlinear.
+                let model = state[0].exp() * x + state[offset] + state[bend] * x * x;
+                let derivatives = [(bend, [x * x]), (0, [state[0].exp() * x]), (offset, [1.0])];
+                equations.add([model - y], &derivatives);
+            }
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &Vec<f64>, step: &[f64]) -> Option<Vec<f64>> {
+        Some(state.iter().zip(step).map(|(a, b)| a + b).collect())
+    }
+}
+
+proptest! {
+    #[test]
+    fn eliminated_groups_give_the_solution_of_the_whole(
+        groups in prop::collection::vec(
+            prop::collection::vec(prop::array::uniform2(-3.0..3.0), 6),
+            1..4,
+        ),
+    ) {
+        let solve = |grouped| {
+            let groups = groups.clone();
+            let start = vec![0.0; 1 + 2 * groups.len()];
+            minimise(&Lines { grouped, groups }, start, &Settings::default())
+        };
+        let (Ok(a), Ok(b)) = (solve(true), solve(false)) else { return Ok(()) };
+        prop_assert!((a.cost - b.cost).abs() <= 1e-9 * a.cost);
+        let (Some(first), Some(second)) = (a.covariance(1.0), b.covariance(1.0)) else {
+            return Ok(());
+        };
+        prop_assume!(first.shared(0, 0) < 1e3);
+        for (a, b) in a.state.iter().zip(&b.state) {
+            prop_assert!((a - b).abs() < 1e-6 * (1.0 + a.abs()), "{a} {b}");
+        }
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (a.abs() + b.abs()) + 1e-9;
+        prop_assert!(close(first.shared(0, 0), second.shared(0, 0)));
+        for group in 0..groups.len() {
+            for (row, column) in [(0, 0), (1, 0), (1, 1)] {
+                let place = 1 + 2 * group;
+                let whole = second.shared(place + row, place + column);
+                prop_assert!(close(first.group(group, row, column), whole));
+            }
+        }
+    }
+}
+
+/// The mean of numbers.
+struct Mean(Vec<f64>);
+
+impl Problem for Mean {
+    type State = f64;
+
+    fn columns(&self) -> Columns {
+        Columns::dense(1)
+    }
+
+    fn evaluate(&self, state: &f64, equations: &mut Equations) -> Option<()> {
+        for number in &self.0 {
+            equations.add([state - number], &[(0, [1.0])]);
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &f64, step: &[f64]) -> Option<f64> {
+        Some(state + step[0])
+    }
+}
+
+#[test]
+fn an_outlier_counts_less() {
+    let numbers = Mean(vec![-1.0, 0.0, 1.0, 100.0]);
+    let with = |loss| {
+        let settings = Settings {
+            loss,
+            ..Settings::default()
+        };
+        minimise(&numbers, 0.0, &settings).unwrap().state
+    };
+    assert!((with(Loss::Squares) - 25.0).abs() < 1e-9);
+    // Three numbers within the scale h pull by 3 m, the outlier by h.
+    assert!((with(Loss::Huber(1.5)) - 0.5).abs() < 1e-9);
+    assert!(with(Loss::Cauchy(1.0)).abs() < 0.02);
+    // Where Σ ρ′(m − x) vanishes between -0.5 and 0.5, by bisection.
+    let balanced = |pull: fn(f64) -> f64| {
+        let sum = |m: f64| numbers.0.iter().map(|x| pull(m - x)).sum::<f64>();
+        let [mut low, mut high] = [-0.5, 0.5];
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            *(if sum(middle) < 0.0 {
+                &mut low
+            } else {
+                &mut high
+            }) = middle;
+        }
+        low
+    };
+    // With h² = 9: ρ = 9 ln(1 + s²/9), and ρ = 9 s² / (9 + s²).
+    let cauchy = balanced(|s| 18.0 * s / (9.0 + s * s));
+    assert!((with(Loss::Cauchy(3.0)) - cauchy).abs() < 1e-6);
+    let geman_mcclure = balanced(|s| 162.0 * s / (9.0 + s * s).powi(2));
+    assert!((with(Loss::GemanMcClure(3.0)) - geman_mcclure).abs() < 1e-6);
+    assert!(geman_mcclure.abs() < 1e-3 && cauchy > 0.01);
+}
+
+#[test]
+fn what_has_no_minimum_is_an_error() {
+    let few = minimise(&Mean(vec![]), 0.0, &Settings::default());
+    assert!(matches!(
+        few,
+        Err(LeastSquaresError::TooFewResiduals {
+            residuals: 0,
+            unknowns: 1
+        })
+    ));
+    let start = minimise(&Mean(vec![f64::NAN]), 0.0, &Settings::default());
+    assert!(matches!(start, Err(LeastSquaresError::Start)));
+    let hasty = Settings {
+        steps: 2,
+        ..Settings::default()
+    };
+    let found = minimise(&Adsorption, [500.0, 0.0001], &hasty);
+    assert!(matches!(
+        found,
+        Err(LeastSquaresError::NotConverged { steps: 2, .. })
+    ));
+}
+
+/// exp(x) has an infimum and no minimum.
+struct Endless;
+
+impl Problem for Endless {
+    type State = f64;
+
+    fn columns(&self) -> Columns {
+        Columns::dense(1)
+    }
+
+    fn evaluate(&self, state: &f64, equations: &mut Equations) -> Option<()> {
+        // A state below 0 does not exist, so that the search runs into a wall.
+        (*state >= 0.0).then(|| equations.add([state.exp()], &[(0, [state.exp()])]))
+    }
+
+    fn stepped(&self, state: &f64, step: &[f64]) -> Option<f64> {
+        Some(state + step[0])
+    }
+}
+
+#[test]
+fn a_wall_is_not_a_minimum() {
+    let found = minimise(&Endless, 3.0, &Settings::default());
+    assert!(
+        matches!(found, Err(LeastSquaresError::NotConverged { .. })),
+        "{found:?}"
+    );
+}

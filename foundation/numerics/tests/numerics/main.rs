@@ -1,0 +1,6 @@
+//! Numerical methods against closed forms and dense algebra.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod conjugate_gradient;
+mod least_squares;

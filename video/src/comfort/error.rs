@@ -1,0 +1,65 @@
+//! Why a video cannot be analysed, or not further.
+
+use ga_image::plane::SizeError;
+
+use crate::VideoError;
+use ga_vision::matcher::MatchError;
+
+/// Why a stereoscopic video cannot be analysed, or not further. Frames are counted from 0; what was
+/// given before an error remains valid.
+#[derive(Debug, thiserror::Error)]
+pub enum ComfortError {
+    /// The video cannot be read.
+    #[error(transparent)]
+    Video(#[from] VideoError),
+    /// The video shows one view, not two in one frame.
+    #[error(
+        "frame {frame}: the video shows one view: its halves are not alike, and the picture \
+         continues from one to the other"
+    )]
+    Mono {
+        /// The frame.
+        frame: usize,
+    },
+    /// A view has another size than the views before it.
+    #[error("frame {frame}: {source}")]
+    Size {
+        /// The frame.
+        frame: usize,
+        /// The sizes.
+        source: SizeError,
+    },
+    /// The views cannot be matched.
+    #[error("frame {frame}: {source}")]
+    Match {
+        /// The frame.
+        frame: usize,
+        /// Why.
+        source: MatchError,
+    },
+    /// The video has fewer frames than one eye is late.
+    #[error("the video has {frames} frames, and one eye is {delay} frames late")]
+    TooShort {
+        /// The number of frames.
+        frames: usize,
+        /// The delay.
+        delay: u64,
+    },
+    /// The threads could not be started.
+    #[error("the threads of the analysis cannot be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+impl ComfortError {
+    /// The frame at which the analysis ended, where it did at a frame.
+    #[must_use]
+    pub fn frame(&self) -> Option<usize> {
+        match self {
+            Self::Video(error) => error.frame(),
+            Self::Mono { frame } | Self::Size { frame, .. } | Self::Match { frame, .. } => {
+                Some(*frame)
+            }
+            Self::TooShort { .. } | Self::Threads(_) => None,
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! The analysis of a video, frame by frame.
+
+use ga_image::plane::Plane;
+use ga_image::quality::MutualInformation;
+use ga_image::ycbcr::YCbCr;
+
+use super::cut::{CutDetector, threshold};
+use super::difference::{after_motion, at_rest, moments};
+use super::dissolve::{DissolveDetector, REACH, WINDOW};
+use super::fade::{FadeDetector, Level};
+use super::layout::{Layout, Rectangle};
+use super::select::{KeyFrame, Seen, Selector};
+use super::shot::{Shot, Transitions};
+use super::signature;
+use super::window::Window;
+use crate::Frame;
+
+/// The time over which the motion of the background is measured, in seconds.
+const MOTION_SECONDS: f64 = 0.5;
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The blocks into which frames are divided.
+    pub layout: Layout,
+    /// The least frames of a shot.
+    pub minimum_shot: usize,
+    /// The least that is new in a key frame other than the first of its shot, from 0 to 1; see
+    /// [`novelty`](super::select::novelty).
+    pub threshold: f64,
+    /// The most key frames.
+    pub budget: Option<usize>,
+}
+
+impl Default for Options {
+    /// Five blocks, shots of one frame or more, key frames of which 30 % are new, as many as there
+    /// are.
+    fn default() -> Self {
+        Self {
+            layout: Layout::Five,
+            minimum_shot: 1,
+            threshold: 0.3,
+            budget: None,
+        }
+    }
+}
+
+/// What is measured of each frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameMeasures {
+    /// When it is shown, in seconds after the first frame.
+    pub time_seconds: f64,
+    /// Mean and deviation of red.
+    pub level: Level,
+    /// The difference from the frame before it, after the motion of the camera.
+    pub change: f32,
+    /// The difference of the background from the frame before it, at rest.
+    pub background: f32,
+    /// The mutual information of its luma and that of the frame before it, at full resolution, in
+    /// bits; of the first frame its entropy with itself is not computed, and `None` stands there.
+    pub mutual_information_bits: Option<f64>,
+}
+
+/// Why a frame cannot be analysed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum KeyFrameError {
+    /// A frame differs in size from the first, or has no pixels.
+    #[error("frame {frame} has {} × {} pixels, the first has {} × {}", size[0], size[1], first[0], first[1])]
+    Size {
+        /// The frame.
+        frame: usize,
+        /// Its columns and rows.
+        size: [usize; 2],
+        /// Columns and rows of the first frame.
+        first: [usize; 2],
+    },
+}
+
+/// What was found in a video.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysis {
+    /// What was measured of each frame.
+    pub frames: Vec<FrameMeasures>,
+    /// The change that a frame has to exceed in order to begin a shot, for each frame.
+    pub thresholds: Vec<f32>,
+    /// The difference of the background from half a second before, for each frame.
+    pub moving: Vec<f32>,
+    /// Cuts, dissolves and fades.
+    pub transitions: Transitions,
+    /// The shots, which cover all frames.
+    pub shots: Vec<Shot>,
+    /// The key frames, in order.
+    pub key_frames: Vec<KeyFrame>,
+}
+
+/// Analyses a video frame by frame. Its memory is that of three frames, of the signatures of 92
+/// frames, and some numbers for each frame.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_image::ycbcr::YCbCr;
+/// use ga_video::keyframe::{Analyser, Options};
+/// use ga_video::{Frame, Planes, Samples};
+///
+/// // Stripes for 20 frames, then checks.
+/// let mut analyser = Analyser::new(Options::default(), YCbCr::default());
+/// for index in 0..40 {
+///     let luma = Plane::from_fn(128, 72, |column, row| match index < 20 {
+///         true => 60 + 100 * (column as u8 / 16 % 2),
+///         false => 60 + 100 * ((column / 32 + row / 12) as u8 % 2),
+///     });
+///     let samples = Samples::Eight(Planes { luma, ..Planes::default() });
+///     let time_seconds = index as f64 / 25.0;
+///     analyser.push(&Frame { index, time_seconds, samples })?;
+/// }
+/// let found = analyser.finish();
+/// assert_eq!(found.transitions.cuts, [20]);
+/// assert_eq!(found.shots.len(), 2);
+/// assert_eq!(found.key_frames.iter().map(|key| key.index).collect::<Vec<_>>(), [0, 20]);
+/// # Ok::<(), ga_video::keyframe::KeyFrameError>(())
+/// ```
+#[derive(Debug)]
+pub struct Analyser {
+    options: Options,
+    colours: YCbCr,
+    window: Window,
+    cuts: CutDetector,
+    dissolves: DissolveDetector,
+    fades: FadeDetector,
+    selector: Selector,
+    information: MutualInformation,
+    previous: Plane<u8>,
+    frames: Vec<FrameMeasures>,
+    changes: Vec<f32>,
+    moving: Vec<f32>,
+    reach: Vec<usize>,
+}
+
+impl Analyser {
+    /// An analysis of a video with these colours.
+    #[must_use]
+    pub fn new(options: Options, colours: YCbCr) -> Self {
+        Self {
+            options,
+            colours,
+            window: Window::new(WINDOW),
+            cuts: CutDetector::default(),
+            dissolves: DissolveDetector::default(),
+            fades: FadeDetector::default(),
+            selector: Selector::default(),
+            information: MutualInformation::new(),
+            previous: Plane::default(),
+            frames: Vec::new(),
+            changes: Vec::new(),
+            moving: Vec::new(),
+            reach: Vec::new(),
+        }
+    }
+
+    /// Analyses the next frame. Returns whether it may become a key frame, so that its picture has
+    /// to be kept.
+    ///
+    /// # Errors
+    ///
+    /// [`KeyFrameError::Size`] when it differs in size from the first.
+    pub fn push(&mut self, frame: &Frame) -> Result<bool, KeyFrameError> {
+        let index = self.frames.len();
+        let size = frame.samples.size();
+        let first = match index {
+            0 => size,
+            _ => [self.previous.width(), self.previous.height()],
+        };
+        let error = KeyFrameError::Size {
+            frame: index,
+            size,
+            first,
+        };
+        if size != first || size[0] * size[1] == 0 {
+            return Err(error);
+        }
+        let layout = self.options.layout;
+        let eight = frame.samples.eight_bits();
+        let signature = signature::red(&frame.samples, self.colours);
+        let mut measures = FrameMeasures {
+            time_seconds: frame.time_seconds,
+            level: level(&signature),
+            change: 0.0,
+            background: 0.0,
+            mutual_information_bits: None,
+        };
+        let mut at_rest_change = 0.0;
+        if let Some(before) = index
+            .checked_sub(1)
+            .and_then(|before| self.window.get(before))
+        {
+            measures.change = after_motion(before, &signature, layout).typical();
+            let rest = at_rest(before, &signature, layout);
+            measures.background = rest.background(layout);
+            at_rest_change = rest.typical();
+            let information = self.information.compare(&self.previous, &eight.luma);
+            measures.mutual_information_bits = Some(information.map_err(|_| error)?.mutual_bits());
+        }
+        self.frames.push(measures);
+        self.changes.push(measures.change);
+        self.window.push(signature);
+        self.measure_motion(index);
+        let forced = self.detect(index);
+        let Some(signature) = self.window.get(index) else {
+            return Err(error);
+        };
+        let seen = Seen {
+            index,
+            time_seconds: measures.time_seconds,
+            signature,
+            level: measures.level,
+            luma: eight.luma.view(),
+            change: measures.change,
+            change_at_rest: at_rest_change,
+            mutual_bits: measures.mutual_information_bits,
+            forced,
+        };
+        let candidate = self.selector.examine(&seen, layout, &mut self.information);
+        let candidate = candidate.map_err(|_| error)?;
+        match self.previous.is_empty() {
+            true => self.previous = eight.luma.clone(),
+            false => self
+                .previous
+                .values_mut()
+                .copy_from_slice(eight.luma.values()),
+        }
+        Ok(candidate)
+    }
+
+    /// Examines the last frames, and gives what was found.
+    #[must_use]
+    pub fn finish(mut self) -> Analysis {
+        let Options {
+            layout,
+            minimum_shot,
+            threshold: least_new,
+            budget,
+        } = self.options;
+        self.cuts.advance(&self.changes, &self.window, layout, true);
+        let mut transitions = Transitions {
+            cuts: self.cuts.cuts(),
+            dissolves: self.dissolves.finish(&self.window, layout),
+            fades: self.fades.finish(&self.window),
+        };
+        transitions.reconcile(&self.changes);
+        let shots = transitions.shots(&self.moving, &self.reach, minimum_shot);
+        let flashes = self.cuts.flashes();
+        let key_frames = self
+            .selector
+            .finish(&transitions, &shots, flashes, least_new, budget);
+        let thresholds = (0..self.changes.len()).map(|index| threshold(&self.changes, index));
+        Analysis {
+            thresholds: thresholds.collect(),
+            moving: self.moving,
+            frames: self.frames,
+            transitions,
+            shots,
+            key_frames,
+        }
+    }
+
+    /// The difference of the background from half a second before, and how many frames that are.
+    fn measure_motion(&mut self, index: usize) {
+        let time = self.frames[index].time_seconds;
+        let reach = (1..=REACH.min(index))
+            .find(|back| time - self.frames[index - back].time_seconds >= MOTION_SECONDS - 1e-6);
+        let reach = reach.unwrap_or(REACH.min(index));
+        let pair = (self.window.get(index - reach), self.window.get(index));
+        let moving = match pair {
+            (Some(before), Some(now)) if reach > 0 => {
+                at_rest(before, now, self.options.layout).surroundings()
+            }
+            _ => 0.0,
+        };
+        self.moving.push(moving);
+        self.reach.push(reach);
+    }
+
+    /// Looks for transitions in the frames so far; returns whether a new shot has no candidate.
+    fn detect(&mut self, index: usize) -> bool {
+        let layout = self.options.layout;
+        self.cuts
+            .advance(&self.changes, &self.window, layout, false);
+        self.dissolves.advance(&self.window, layout);
+        self.fades.advance(&self.window);
+        let dissolve = self
+            .dissolves
+            .found()
+            .last()
+            .map(|dissolve| dissolve.frames.end);
+        let boundary = self
+            .cuts
+            .last()
+            .max(dissolve)
+            .filter(|start| *start <= index);
+        boundary.is_some_and(|start| self.selector.last().is_some_and(|last| last < start))
+    }
+}
+
+fn level(signature: &Plane<f32>) -> Level {
+    let [mean, deviation] = moments(signature, Rectangle::of(signature));
+    Level { mean, deviation }
+}

@@ -1,0 +1,130 @@
+//! The measures of two frames.
+
+use ga_image::plane::{PlaneView, SizeError};
+use ga_image::quality::{MULTISCALE_LEAST_SIDE, Ssim, WeightError, Weights, mse, weighted_psnr};
+use ga_image::sample::Pixel;
+
+use crate::attention::Attention;
+
+/// How much a frame differs from its reference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measures {
+    /// The mean squared error.
+    pub mse: f64,
+    /// The peak signal-to-noise ratio in decibels; infinite where the frames are equal.
+    pub psnr: f64,
+    /// The structural similarity index.
+    pub ssim: f64,
+    /// The index at several scales, or `None` where a side has less than
+    /// [`MULTISCALE_LEAST_SIDE`] pixels.
+    pub ms_ssim: Option<f64>,
+    /// PSNR in decibels, weighted by attention.
+    pub attention_psnr: f64,
+    /// SSIM, weighted by attention.
+    pub attention_ssim: f64,
+}
+
+/// Measures frames of one size against their references, one after another.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_video::quality::Meter;
+///
+/// let reference = Plane::from_fn(64, 48, |column, row| (column * row % 200) as u8);
+/// let mut meter = Meter::new([64, 48], 255.0)?;
+/// let same = meter.compare(&reference, &reference, &reference)?;
+/// assert_eq!((same.psnr, same.ssim, same.ms_ssim), (f64::INFINITY, 1.0, None));
+/// let noisy = reference.map(|level| level ^ 4);
+/// assert!(meter.compare(&reference, &noisy, &reference)?.attention_ssim < 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Meter {
+    attended: Attended,
+    range: f64,
+    ssim: Ssim,
+}
+
+/// Where the weights come from.
+#[derive(Clone, Debug)]
+enum Attended {
+    Model(Box<Attention>),
+    Map(Weights),
+}
+
+impl Meter {
+    /// Weights by the model of [`Attention`]. `range` is the difference between the greatest and
+    /// the least possible number: 255 for 8 bits, 1023 for 10.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::TooSmall`] when there are no pixels.
+    pub fn new(size: [usize; 2], range: f64) -> Result<Self, SizeError> {
+        let attention = Attention::new(size)?;
+        Ok(Self::with(Attended::Model(Box::new(attention)), range))
+    }
+
+    /// Weights by a given map, the same for all frames.
+    #[must_use]
+    pub fn with_map(map: Weights, range: f64) -> Self {
+        Self::with(Attended::Map(map), range)
+    }
+
+    fn with(attended: Attended, range: f64) -> Self {
+        Self {
+            attended,
+            range,
+            ssim: Ssim::new(range as f32),
+        }
+    }
+
+    /// The difference between the greatest and the least possible number.
+    #[must_use]
+    pub fn range(&self) -> f64 {
+        self.range
+    }
+
+    /// The measures of the next frame. `luma` is the luma of the reference in 8 bits, which the
+    /// model of attention looks at.
+    ///
+    /// # Errors
+    ///
+    /// [`WeightError::Size`] when sizes differ, a side has less than 11 pixels, or the range is not
+    /// positive and finite; [`WeightError::Zero`] when a given map has no weight inside the
+    /// border of 5 pixels that SSIM leaves out.
+    pub fn compare<'a, P: Pixel>(
+        &mut self,
+        reference: impl Into<PlaneView<'a, P>>,
+        distorted: impl Into<PlaneView<'a, P>>,
+        luma: impl Into<PlaneView<'a, u8>>,
+    ) -> Result<Measures, WeightError> {
+        let (reference, distorted) = (reference.into(), distorted.into());
+        let mse = mse(reference, distorted)?;
+        let weights = match &mut self.attended {
+            Attended::Model(attention) => attention.next(luma)?,
+            Attended::Map(map) => map,
+        };
+        let ssim = self.ssim.compare_weighted(reference, distorted, weights)?;
+        let attention_psnr = weighted_psnr(reference, distorted, weights, self.range)?;
+        let least_side = reference.width().min(reference.height());
+        let multiscale = (least_side >= MULTISCALE_LEAST_SIDE)
+            .then(|| {
+                self.ssim
+                    .multiscale_after(ssim.similarity, reference, distorted)
+            })
+            .transpose()?;
+        Ok(Measures {
+            mse,
+            psnr: psnr_of(mse, self.range),
+            ssim: ssim.similarity.ssim,
+            ms_ssim: multiscale.map(|scales| scales.ms_ssim()),
+            attention_psnr,
+            attention_ssim: ssim.weighted_ssim,
+        })
+    }
+}
+
+/// The peak signal-to-noise ratio of a mean squared error, in decibels.
+pub(super) fn psnr_of(mse: f64, range: f64) -> f64 {
+    10.0 * (range * range / mse).log10()
+}

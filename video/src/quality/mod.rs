@@ -1,0 +1,18 @@
+//! The quality of pictures and videos against a reference, with and without attention.
+//!
+//! - [`Meter`]: PSNR, SSIM and MS-SSIM of two frames, and PSNR and SSIM weighted by attention.
+//! - [`VideoComparison`]: the measures of two videos, frame by frame as they are read.
+//! - [`Pooled`]: one number for many frames: mean, harmonic mean, least, percentiles.
+//!
+//! Measures of two planes are in [`ga_image::quality`], the model of attention is in
+//! [`attention`](crate::attention).
+
+mod measures;
+mod pooling;
+mod video;
+
+pub use measures::{Measures, Meter};
+#[cfg(feature = "comfort")]
+pub(crate) use pooling::median;
+pub use pooling::{PERCENTILES, Pooled, percentile};
+pub use video::{ComparisonError, FrameQuality, VideoComparison};

@@ -1,0 +1,340 @@
+//! Videos of two views.
+
+use ga_image::plane::{Plane, SizeError};
+
+use super::{Frame, Planes, Properties, Samples, Source, VideoError};
+
+/// Where the two views lie in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// The left view in the left half, the right one in the right half.
+    SideBySide,
+    /// The left view in the upper half, the right one in the lower half.
+    TopBottom,
+}
+
+/// A video of two views, left and right: halves of the frames of one video, or two videos.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_image::y4m::{self, Film};
+/// use ga_video::stereo::{Layout, StereoSource};
+/// use ga_video::y4m::Y4mSource;
+///
+/// let wide = Plane::from_fn(8, 4, |column, _| [if column < 4 { 0u8 } else { 255 }; 3]);
+/// let bytes = y4m::encode([&wide], Film::default())?;
+/// let video = Y4mSource::new(std::io::Cursor::new(bytes), "wide.y4m")?;
+///
+/// let mut views = StereoSource::halves(Box::new(video), Layout::SideBySide)?;
+/// assert_eq!(views.properties().size, [4, 4]);
+/// let mut frames = Default::default();
+/// assert!(views.read(&mut frames)?);
+/// let levels = frames.map(|frame| frame.samples.eight_bits().luma.get(1, 1));
+/// assert_eq!(levels, [Some(16), Some(235)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct StereoSource {
+    views: Views,
+    properties: Properties,
+    /// The number of the next frame.
+    next: usize,
+    has_ended: bool,
+}
+
+enum Views {
+    Halves(Box<dyn Source + Send>, Layout, Box<Frame>),
+    Pair([Box<dyn Source + Send>; 2]),
+}
+
+/// The greatest difference of the times of two frames that belong together. Containers count time
+/// in milliseconds or finer.
+const SIMULTANEOUS_SECONDS: f64 = 1.5e-3;
+
+impl StereoSource {
+    /// The views in the two halves of each frame. Where a view has an odd number of columns, its
+    /// first colour difference in 4:2:0 and 4:2:2 is that of a pair which both views share; rows
+    /// likewise.
+    ///
+    /// # Errors
+    ///
+    /// [`VideoError::Layout`] when the number of columns, or of rows, is odd.
+    pub fn halves(source: Box<dyn Source + Send>, layout: Layout) -> Result<Self, VideoError> {
+        let mut properties = *source.properties();
+        let (side, name) = match layout {
+            Layout::SideBySide => (&mut properties.size[0], "side by side"),
+            Layout::TopBottom => (&mut properties.size[1], "one above the other"),
+        };
+        if !side.is_multiple_of(2) {
+            return Err(VideoError::Layout {
+                layout: name,
+                size: source.properties().size,
+            });
+        }
+        *side /= 2;
+        let views = Views::Halves(source, layout, Box::default());
+        Ok(Self::new(views, properties))
+    }
+
+    /// The views in two videos.
+    ///
+    /// # Errors
+    ///
+    /// [`VideoError::Views`] when they differ in size, depth, sampling, colours or rate.
+    pub fn pair(
+        left: Box<dyn Source + Send>,
+        right: Box<dyn Source + Send>,
+    ) -> Result<Self, VideoError> {
+        let [a, b] = [*left.properties(), *right.properties()];
+        let size = |p: Properties| format!("{} × {} pixels", p.size[0], p.size[1]);
+        let rate = |p: Properties| match p.frames_per_second {
+            Some([numerator, denominator]) => format!("{numerator}/{denominator} per second"),
+            None => "not constant".into(),
+        };
+        let storage = |p: Properties| format!("{} bits, {:?}", p.bit_depth, p.sampling);
+        let colours = |p: Properties| format!("{:?}", p.colours);
+        let same_rate = match (a.frames_per_second, b.frames_per_second) {
+            (Some([n, d]), Some([m, e])) => {
+                u64::from(n) * u64::from(e) == u64::from(m) * u64::from(d)
+            }
+            // Whether the times agree is seen frame by frame.
+            _ => true,
+        };
+        let same_storage = a.bit_depth == b.bit_depth && a.sampling == b.sampling;
+        let checks = [
+            ("size", a.size == b.size, size(a), size(b)),
+            ("rate of frames", same_rate, rate(a), rate(b)),
+            ("samples", same_storage, storage(a), storage(b)),
+            ("colours", a.colours == b.colours, colours(a), colours(b)),
+        ];
+        for (what, is_same, left, right) in checks {
+            if !is_same {
+                return Err(VideoError::Views { what, left, right });
+            }
+        }
+        Ok(Self::new(Views::Pair([left, right]), a))
+    }
+
+    /// What all frames of each view share.
+    #[must_use]
+    pub fn properties(&self) -> &Properties {
+        &self.properties
+    }
+
+    /// Reads the next frame of the left and of the right view. Returns whether there was one; after
+    /// an error there are no more.
+    ///
+    /// # Errors
+    ///
+    /// Those of the sources; for two videos [`VideoError::Length`] when one ends before the other,
+    /// and [`VideoError::Time`] when two frames are not shown at the same time.
+    pub fn read(&mut self, frames: &mut [Frame; 2]) -> Result<bool, VideoError> {
+        if self.has_ended {
+            return Ok(false);
+        }
+        self.has_ended = true;
+        let has_frame = match &mut self.views {
+            Views::Halves(source, layout, whole) => {
+                let has_frame = source.read(whole)?;
+                if has_frame {
+                    split(whole, *layout, self.properties.size, frames);
+                }
+                has_frame
+            }
+            Views::Pair(sources) => read_pair(sources, frames, self.next)?,
+        };
+        self.next += 1;
+        self.has_ended = !has_frame;
+        Ok(has_frame)
+    }
+
+    fn new(views: Views, properties: Properties) -> Self {
+        Self {
+            views,
+            properties,
+            next: 0,
+            has_ended: false,
+        }
+    }
+}
+
+fn read_pair(
+    [left, right]: &mut [Box<dyn Source + Send>; 2],
+    [left_frame, right_frame]: &mut [Frame; 2],
+    frame: usize,
+) -> Result<bool, VideoError> {
+    match (left.read(left_frame)?, right.read(right_frame)?) {
+        (true, true) => {}
+        (false, false) => return Ok(false),
+        (false, true) => {
+            return Err(VideoError::Length {
+                frame,
+                side: "left",
+            });
+        }
+        (true, false) => {
+            return Err(VideoError::Length {
+                frame,
+                side: "right",
+            });
+        }
+    }
+    let times = [left_frame.time_seconds, right_frame.time_seconds];
+    if (times[0] - times[1]).abs() > SIMULTANEOUS_SECONDS {
+        return Err(VideoError::Time {
+            frame,
+            left_seconds: times[0],
+            right_seconds: times[1],
+        });
+    }
+    Ok(true)
+}
+
+/// Copies the halves of a frame, which are of `size`.
+fn split(whole: &Frame, layout: Layout, size: [usize; 2], halves: &mut [Frame; 2]) {
+    for (side, half) in halves.iter_mut().enumerate() {
+        half.index = whole.index;
+        half.time_seconds = whole.time_seconds;
+        let start = match layout {
+            Layout::SideBySide => [side * size[0], 0],
+            Layout::TopBottom => [0, side * size[1]],
+        };
+        half.samples = match &whole.samples {
+            Samples::Eight(planes) => {
+                Samples::Eight(part(planes, start, size, half.samples.take_eight()))
+            }
+            Samples::Ten(planes) => {
+                Samples::Ten(part(planes, start, size, half.samples.take_ten()))
+            }
+        };
+    }
+}
+
+/// Both views in one frame: the inverse of [`StereoSource::halves`]. Where both views store a
+/// colour difference for one pair of pixels, as at an odd number of columns in 4:2:0, it is that of
+/// the left view.
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_video::stereo::{Layout, joined};
+/// use ga_video::{Planes, Samples};
+///
+/// let view = |code: u8| {
+///     let luma = Plane::filled(3, 2, code);
+///     Samples::Eight(Planes { luma, ..Planes::default() })
+/// };
+/// let whole = joined([&view(40), &view(90)], Layout::SideBySide)?;
+/// assert_eq!(whole.size(), [6, 2]);
+/// assert_eq!(whole.eight_bits().luma.row(1), [40, 40, 40, 90, 90, 90]);
+/// # Ok::<(), ga_image::plane::SizeError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`SizeError::Differs`] where the views differ in size; also where they differ in depth, with
+/// equal sizes.
+pub fn joined(views: [&Samples; 2], layout: Layout) -> Result<Samples, SizeError> {
+    let [first, second] = views.map(Samples::size);
+    match views {
+        _ if first != second => Err(SizeError::Differs { first, second }),
+        [Samples::Eight(left), Samples::Eight(right)] => {
+            Ok(Samples::Eight(joined_planes([left, right], layout)))
+        }
+        [Samples::Ten(left), Samples::Ten(right)] => {
+            Ok(Samples::Ten(joined_planes([left, right], layout)))
+        }
+        _ => Err(SizeError::Differs { first, second }),
+    }
+}
+
+fn joined_planes<T: Copy + Default>(views: [&Planes<T>; 2], layout: Layout) -> Planes<T> {
+    let lumas = views.map(|view| &view.luma);
+    let size = [lumas[0].width(), lumas[0].height()];
+    let differences = [0, 1].map(|channel| {
+        let planes = views.map(|view| &view.differences[channel]);
+        if planes.iter().any(|plane| plane.is_empty()) {
+            return Plane::default();
+        }
+        // 1 or 2 pixels for each stored number.
+        let pixels = [
+            size[0].div_ceil(planes[0].width()),
+            size[1].div_ceil(planes[0].height()),
+        ];
+        let whole = match layout {
+            Layout::SideBySide => (2 * size[0]).div_ceil(pixels[0]),
+            Layout::TopBottom => (2 * size[1]).div_ceil(pixels[1]),
+        };
+        joined_plane(planes, layout, whole)
+    });
+    let whole = match layout {
+        Layout::SideBySide => 2 * size[0],
+        Layout::TopBottom => 2 * size[1],
+    };
+    Planes {
+        luma: joined_plane(lumas, layout, whole),
+        differences,
+    }
+}
+
+/// Two planes beside each other or one above the other, with so many columns or rows in all; the
+/// second one ends with the last of them.
+fn joined_plane<T: Copy + Default>(
+    [first, second]: [&Plane<T>; 2],
+    layout: Layout,
+    whole: usize,
+) -> Plane<T> {
+    let value = |plane: &Plane<T>, column: usize, row: usize| plane.get(column, row);
+    let (width, height) = (first.width(), first.height());
+    match layout {
+        Layout::SideBySide => Plane::from_fn(whole, height, |column, row| {
+            let later = || value(second, (column + second.width()).checked_sub(whole)?, row);
+            value(first, column, row).or_else(later).unwrap_or_default()
+        }),
+        Layout::TopBottom => Plane::from_fn(width, whole, |column, row| {
+            let later = || value(second, column, (row + second.height()).checked_sub(whole)?);
+            value(first, column, row).or_else(later).unwrap_or_default()
+        }),
+    }
+}
+
+/// A rectangle of the planes, in the memory of `target`.
+fn part<T: Copy + Default>(
+    planes: &Planes<T>,
+    start: [usize; 2],
+    size: [usize; 2],
+    mut target: Planes<T>,
+) -> Planes<T> {
+    let luma = &planes.luma;
+    copy(luma, start, size, &mut target.luma);
+    let stored = planes.differences.iter().zip(&mut target.differences);
+    for (difference, target) in stored {
+        // 1 or 2 pixels for each stored number; no pixels in a grey video.
+        let pixels = [
+            luma.width().div_ceil(difference.width().max(1)),
+            luma.height().div_ceil(difference.height().max(1)),
+        ];
+        let (start, size) = match difference.is_empty() {
+            true => ([0, 0], [0, 0]),
+            false => (
+                [start[0] / pixels[0], start[1] / pixels[1]],
+                [size[0].div_ceil(pixels[0]), size[1].div_ceil(pixels[1])],
+            ),
+        };
+        copy(difference, start, size, target);
+    }
+    target
+}
+
+fn copy<T: Copy + Default>(
+    plane: &Plane<T>,
+    [left, top]: [usize; 2],
+    [width, height]: [usize; 2],
+    target: &mut Plane<T>,
+) {
+    let mut values = std::mem::take(target).into_values();
+    values.clear();
+    for row in plane.rows().skip(top).take(height) {
+        values.extend_from_slice(&row[left..left + width]);
+    }
+    // There are that many rows.
+    *target = Plane::from_values(width, height, values).unwrap_or_default();
+}
