@@ -21,7 +21,7 @@
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`gltf`] | plays glTF documents, and makes of clips what [`ga_mesh::gltf::model`] writes |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
-//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
+//! | [`unit`] | the length of a unit of a recording that does not state it |
 //!
 //! # Conventions
 //!
@@ -85,6 +85,7 @@ pub mod rig;
 pub mod skeleton;
 pub mod skin;
 pub mod transform;
+pub mod unit;
 pub mod weights;
 
 /// An alias of [`weights::distance`].

@@ -1,14 +1,17 @@
-//! The least cost near a state, by damped Gauss–Newton steps.
+//! The least cost near a state, by damped Gauss–Newton steps on the equations of a chain.
 
+use ga_numerics::least_squares::{self, Attempt, Damping, Descent};
 use nalgebra_035::{Cholesky, DVector};
 
 use super::branched;
 use super::chain::{Chain, State};
 use super::likelihood::Normal;
 
-const FIRST_DAMPING: f64 = 1e-3;
-const LEAST_DAMPING: f64 = 1e-9;
-const GREATEST_DAMPING: f64 = 1e9;
+const DAMPING: Damping = Damping {
+    first: 1e-3,
+    least: 1e-9,
+    greatest: 1e9,
+};
 
 /// How far a cost is followed.
 #[derive(Clone, Copy, Debug)]
@@ -37,44 +40,66 @@ pub(super) trait Cost {
     fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()>;
 }
 
-/// Descends from a state (K. Levenberg, 1944; D. W. Marquardt, 1963). `None` where the start has no
-/// cost.
-pub(super) fn descend(
-    of: &impl Cost,
+/// Descends from a state. `None` where the start has no cost.
+pub(super) fn descend<C: Cost>(
+    of: &C,
     start: State,
     search: Search,
     normal: &mut Normal,
 ) -> Option<Found> {
     of.linearise(&start, normal)?;
-    let mut best = Found {
+    let mut descent = Descending {
+        of,
+        tolerance: search.tolerance,
         state: start,
-        cost: normal.cost,
+        next: None,
+        normal,
     };
-    let mut damping = FIRST_DAMPING;
-    for _ in 0..search.steps {
-        let step = solve(of.chain(), normal, damping);
-        let promise = step
-            .as_ref()
-            .map_or(f64::INFINITY, |step| -normal.gradient.dot(step));
-        let next = step.and_then(|step| {
-            let state = of.chain().stepped(&best.state, step.as_slice())?;
-            let cost = of.cost(&state)?;
-            Some(Found { state, cost })
-        });
-        match next {
-            Some(next) if next.cost <= best.cost => {
-                best = next;
-                if promise <= search.tolerance {
-                    break;
-                }
-                damping = (damping * 0.1).max(LEAST_DAMPING);
-                of.linearise(&best.state, normal)?;
-            }
-            _ if promise <= search.tolerance || damping >= GREATEST_DAMPING => break,
-            _ => damping *= 10.0,
+    let mut found = least_squares::Search::new(descent.normal.cost, DAMPING);
+    found.run(&mut descent, search.steps);
+    Some(Found {
+        state: descent.state,
+        cost: found.cost(),
+    })
+}
+
+struct Descending<'a, C> {
+    of: &'a C,
+    tolerance: f64,
+    state: State,
+    next: Option<State>,
+    /// The equations at the state.
+    normal: &'a mut Normal,
+}
+
+impl<C: Cost> Descent for Descending<'_, C> {
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        self.next = None;
+        let chain = self.of.chain();
+        let Some(step) = solve(chain, self.normal, damping) else {
+            return Attempt::NONE;
+        };
+        let promise = -self.normal.gradient.dot(&step);
+        let diagonal = self.normal.matrix.diagonal();
+        let damped: f64 = diagonal.iter().zip(&step).map(|(d, x)| d * x * x).sum();
+        self.next = chain.stepped(&self.state, step.as_slice());
+        let cost = self.next.as_ref().and_then(|next| self.of.cost(next));
+        Attempt {
+            size: step.norm(),
+            predicted: promise + damping * damped,
+            is_small: promise <= self.tolerance,
+            cost: cost.unwrap_or(f64::INFINITY),
         }
     }
-    Some(best)
+
+    fn accept(&mut self) {
+        // A state that has a cost has equations.
+        if let Some(next) = self.next.take()
+            && self.of.linearise(&next, self.normal).is_some()
+        {
+            self.state = next;
+        }
+    }
 }
 
 /// The logarithm of the determinant of the equations; 0 where they are singular.

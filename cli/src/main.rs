@@ -25,6 +25,7 @@ mod svg;
 mod two_views;
 mod view;
 mod view_files;
+mod warning;
 
 use std::process::ExitCode;
 

@@ -105,6 +105,13 @@ impl NormalEquations {
         self.step.iter().all(|x| x.is_finite()).then_some(())
     }
 
+    /// By how much the sum of squares falls after the step that was computed last, by the
+    /// equations: `−δᵀJᵀWr + μ δᵀDδ`.
+    pub(super) fn predicted(&self, damping: f64) -> f64 {
+        let mean = self.matrix.trace() / self.matrix.nrows().max(1) as f64;
+        damping * mean * self.step.norm_squared() - self.gradient.dot(&self.step)
+    }
+
     /// The step that was computed last.
     pub(super) fn step(&self) -> &DVector<f64> {
         &self.step

@@ -59,6 +59,7 @@ mod structure;
 
 use std::ops::RangeInclusive;
 
+use ga_numerics::order_statistics::Sorted;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
@@ -206,11 +207,8 @@ impl<'a> Retarget<'a> {
             }
             lowest.push(height);
         }
-        lowest.sort_by(f64::total_cmp);
-        let standing = *lowest
-            .get(lowest.len() / 4)
-            .ok_or(RetargetError::NoFrames)?;
-        retarget.lift = -standing;
+        let lowest = Sorted::new(&mut lowest).ok_or(RetargetError::NoFrames)?;
+        retarget.lift = -lowest.quantile(0.25);
         Ok(retarget)
     }
 

@@ -25,6 +25,7 @@ mod retarget_real;
 mod rig;
 mod skin;
 mod skin_oracle;
+mod unit;
 mod written_motion;
 
 /// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`|

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use ga_image::plane::Plane;
+use ga_numerics::order_statistics::Sorted;
 
 /// Sectors in which the outline of a candidate is compared with an ellipse.
 const SECTORS: usize = 12;
@@ -158,8 +159,7 @@ impl Blob {
         // The chroma of a pixel that is covered whole: that of most, but for those on the edge
         // between the colours, where it is less.
         let mut chromas: Vec<f64> = set.iter().map(|&pixel| chroma(pixel)).collect();
-        chromas.sort_unstable_by(f64::total_cmp);
-        let full = chromas[(chromas.len() * 4 / 5).min(chromas.len() - 1)];
+        let full = Sorted::new(&mut chromas).map_or(0.0, |chromas| chromas.quantile(0.8));
         let is_inside = |pixel: [usize; 2]| around(pixel, 1).all(is_own);
         let full = match shade {
             Shade::Even => Incline::even(full),

@@ -1,5 +1,6 @@
 //! Where a fit begins: at points that are triangulated one by one, or at rest in front of a camera.
 
+use ga_numerics::order_statistics::median;
 use ga_runtime::cga3::{Direction, Point, Rotor};
 use ga_runtime::vga3::Vector;
 use rand_chacha::ChaCha8Rng;
@@ -175,9 +176,7 @@ pub(super) fn size<'o>(
             }
         }
     }
-    let middle = ratios.len() / 2;
-    ratios.sort_by(f64::total_cmp);
-    ratios.get(middle).copied().filter(|ratio| *ratio > 0.0)
+    median(&mut ratios).filter(|ratio| *ratio > 0.0)
 }
 
 /// The body at rest, in the orientations and at the place that best explain the view that sees most

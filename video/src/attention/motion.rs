@@ -1,6 +1,7 @@
 //! What moves otherwise than the whole picture.
 
 use ga_image::plane::Plane;
+use ga_numerics::order_statistics::median_element;
 use ga_runtime::batch::{Batch, Work};
 
 use super::reduction::reduced;
@@ -135,8 +136,7 @@ fn global(blocks: &[Block]) -> [f32; 2] {
     }
     let median = [0, 1].map(|axis| {
         let mut parts: Vec<isize> = motions.iter().map(|motion| motion[axis]).collect();
-        let middle = parts.len() / 2;
-        *parts.select_nth_unstable(middle).1
+        median_element(&mut parts).unwrap_or(0)
     });
     let is_near = |motion: &&Vector| (0..2).all(|axis| motion[axis].abs_diff(median[axis]) <= 1);
     let near = motions.iter().filter(is_near);

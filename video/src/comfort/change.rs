@@ -6,17 +6,10 @@ use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
 
 use crate::Samples;
+use crate::keyframe::cut::{AROUND, exceptional};
 use crate::keyframe::difference::{after_motion, at_rest};
 use crate::keyframe::layout::Layout;
 use crate::keyframe::signature;
-
-/// So many frames before a frame say what change is usual.
-const BEFORE: usize = 8;
-
-/// An abrupt change is so many times the usual one, to which the change of a still picture is
-/// added.
-const RATIO: f32 = 3.0;
-const STILL: f32 = 0.02;
 
 /// The least change that is abrupt, and the least one after the motion of the camera that begins a
 /// shot.
@@ -76,8 +69,9 @@ impl PairDetector {
 
 /// Compares each frame of one view with the frame before it.
 ///
-/// The differences are those by which [key frames](crate::keyframe) are found. In contrast to cuts
-/// found there, no later frames are needed, so that a flash counts as two cuts.
+/// The differences, and the rule by which one of them is exceptional, are those of the
+/// [cuts](crate::keyframe::cut) of key frames. No later frames are needed here, so that a flash
+/// counts as two cuts.
 #[derive(Debug, Default)]
 struct ChangeDetector {
     previous: Option<Plane<f32>>,
@@ -94,19 +88,14 @@ impl ChangeDetector {
         let rest = at_rest(&before, &now, Layout::Five).typical();
         let moved = after_motion(&before, &now, Layout::Five).typical();
         let exceeds = |index: usize, change: f32, least: f32| {
-            let mut usual: Vec<f32> = self.usual.iter().map(|changes| changes[index]).collect();
-            usual.sort_unstable_by(f32::total_cmp);
-            let usual = usual
-                .get(usual.len().saturating_sub(1) / 2)
-                .copied()
-                .unwrap_or(0.0);
-            change > least.max(RATIO * (usual + STILL))
+            let before: Vec<f32> = self.usual.iter().map(|changes| changes[index]).collect();
+            change > least.max(exceptional(&before))
         };
         let change = Change {
             is_abrupt: exceeds(0, rest, LEAST_ABRUPT),
             is_cut: exceeds(1, moved, LEAST_CUT),
         };
-        if self.usual.len() == BEFORE {
+        if self.usual.len() == AROUND {
             self.usual.pop_front();
         }
         self.usual.push_back([rest, moved]);

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::Viewing;
-use crate::quality::median;
+use ga_numerics::order_statistics::median;
 
 /// The frames of a shot whose median is taken: the last ones.
 const FRAMES: usize = 240;
@@ -39,7 +39,7 @@ impl DeviationMeter {
 
     fn median(&self) -> Option<f64> {
         let mut angles: Vec<f64> = self.shot.iter().copied().collect();
-        (!angles.is_empty()).then(|| median(&mut angles))
+        median(&mut angles)
     }
 }
 

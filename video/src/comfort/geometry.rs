@@ -3,7 +3,7 @@
 use nalgebra_035::{SMatrix, SVector};
 
 use super::matching::Match;
-use crate::quality::{median, percentile};
+use ga_numerics::order_statistics::{Sorted, median};
 use ga_numerics::ransac::Search;
 use ga_vision::diagnosis::row_model::{RowModel, Rows};
 use ga_vision::feature::PixelPair;
@@ -92,14 +92,14 @@ pub(super) fn fit(
     if differences.len() < fit.enough {
         return None;
     }
-    differences.sort_unstable_by(f64::total_cmp);
+    let sorted = Sorted::new(&mut differences)?;
     let geometry = Geometry {
         shift_px: model.vertical_offset(),
         // The model counts from the u axis towards the v axis, which points down.
         rotation_degrees: -model.rotation().to_degrees(),
         zoom_percent: 100.0 * (model.zoom() - 1.0),
-        deviation_px: percentile(&differences, 0.95),
-        agreeing: differences.len(),
+        deviation_px: sorted.quantile(0.95),
+        agreeing: sorted.values().len(),
     };
     let numbers = [
         geometry.shift_px,
@@ -220,7 +220,7 @@ impl SecondDegree {
 /// The standard deviation of errors, from the median of their absolute values.
 pub(super) fn median_deviation(mut absolute: Vec<f64>) -> f64 {
     const LEAST: f64 = 0.02;
-    (1.4826 * median(&mut absolute)).max(LEAST)
+    (1.4826 * median(&mut absolute).unwrap_or(0.0)).max(LEAST)
 }
 
 /// The weight of a match: less for uncertain ones, and for those far from the model (S. Geman and

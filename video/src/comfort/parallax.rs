@@ -3,7 +3,7 @@
 use super::geometry::median_deviation;
 use super::matching::Match;
 use super::viewing::Viewing;
-use crate::quality::percentile;
+use ga_numerics::order_statistics::Sorted;
 
 /// The parallax x_R − x_L of points that both views show, in pixels: negative, or crossed, in front
 /// of the screen, positive, or uncrossed, behind it.
@@ -38,15 +38,12 @@ impl Parallax {
         let clear = pairs.filter(|(_, distance)| **distance <= DEVIATIONS * deviation);
         memory.clear();
         memory.extend(clear.map(|(found, _)| found.right[0] - found.left[0]));
-        memory.sort_unstable_by(f64::total_cmp);
-        if memory.is_empty() || width == 0 {
-            return None;
-        }
+        let sorted = Sorted::new(memory).filter(|_| width > 0)?;
         let mut histogram = Histogram::default();
-        for parallax in &*memory {
+        for parallax in sorted.values() {
             histogram.add(100.0 * parallax / width as f64);
         }
-        let [near_px, median_px, far_px] = [0.02, 0.5, 0.98].map(|share| percentile(memory, share));
+        let [near_px, median_px, far_px] = [0.02, 0.5, 0.98].map(|share| sorted.quantile(share));
         Some(Self {
             near_px,
             median_px,

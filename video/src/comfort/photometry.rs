@@ -7,7 +7,7 @@ use ga_image::ycbcr::YCbCr;
 use super::matching::Match;
 use super::tone::{Tone, above_black};
 use crate::Planes;
-use crate::quality::median;
+use ga_numerics::order_statistics::median;
 
 /// Colour differences are averaged over so many pixels on either side of a match.
 const RADIUS: usize = 7;
@@ -110,7 +110,7 @@ impl Colours {
         let pairs = self.uncut(channels);
         self.numbers.clear();
         self.numbers.extend(pairs.into_iter().map(number));
-        median(&mut self.numbers)
+        median(&mut self.numbers).unwrap_or(f64::NAN)
     }
 
     /// Colours of surroundings in the left and in the right view. Those in which pixels may have
@@ -139,8 +139,7 @@ fn luminance_percent(offset_codes: f64) -> f64 {
 
 /// The second of three numbers.
 fn middle(mut numbers: [f64; 3]) -> f64 {
-    numbers.sort_unstable_by(f64::total_cmp);
-    numbers[1]
+    median(&mut numbers).unwrap_or(f64::NAN)
 }
 
 /// a* and b* of CIE 1976 L*a*b* (ISO/CIE 11664-4) of a colour in sRGB, for the white D65.

@@ -6,7 +6,7 @@ use ga_image::plane::{Plane, PlaneView};
 use ga_runtime::batch::{Batch, Work};
 
 use super::matching::Match;
-use crate::quality::median;
+use ga_numerics::order_statistics::median;
 
 /// Slopes are summed over so many pixels on either side of a match.
 const RADIUS: usize = 7;
@@ -36,10 +36,7 @@ pub(super) fn measure(
             memory.push(0.5 * (right / left).log2());
         }
     }
-    if memory.is_empty() {
-        return None;
-    }
-    let slopes = median(memory);
+    let slopes = median(memory)?;
     let [left, right] = [0, 1].map(|side| contrast(matches, side));
     let contrast = (right / left).log2();
     Some(slopes - contrast).filter(|sharpness| sharpness.is_finite())

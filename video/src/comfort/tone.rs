@@ -1,6 +1,6 @@
 //! How the codes of one view follow from those of the other.
 
-use crate::quality::median;
+use ga_numerics::order_statistics::median;
 
 /// The code of the left view that stands for one of the right view, in one channel: a straight
 /// line, left = factor · right + offset, in codes of 255.
@@ -64,7 +64,7 @@ impl Tone {
         }
         let median_of = |number: fn([f64; 2]) -> f64| {
             let mut numbers: Vec<f64> = pairs.iter().map(|pair| number(*pair)).collect();
-            median(&mut numbers)
+            median(&mut numbers).unwrap_or(f64::NAN)
         };
         let offset = Self {
             offset_codes: median_of(|[left, right]| left - right),

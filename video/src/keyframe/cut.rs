@@ -3,6 +3,7 @@
 use super::difference::after_motion;
 use super::layout::Layout;
 use super::window::Window;
+use ga_numerics::order_statistics::median;
 
 /// So many frames before and after a frame say what change is usual there.
 pub const AROUND: usize = 8;
@@ -107,26 +108,26 @@ pub fn threshold(changes: &[f32], index: usize) -> f32 {
     let after = index + 1..(index + AROUND + 1).min(changes.len());
     [before, after]
         .into_iter()
-        .map(|frames| one_sided(changes.get(frames).unwrap_or_default()))
+        .map(|frames| exceptional(changes.get(frames).unwrap_or_default()))
         .fold(LEAST, f32::max)
 }
 
-/// Three times the usual change; where changes are steady, as noise makes them, less is enough.
-fn one_sided(changes: &[f32]) -> f32 {
-    let usual = median(changes.to_vec());
-    let spread = median(
+/// The change that is exceptional beside others: three times the usual one; where changes are
+/// steady, as noise makes them, less is enough.
+pub(crate) fn exceptional(changes: &[f32]) -> f32 {
+    let middle = usual(changes.to_vec());
+    let spread = usual(
         changes
             .iter()
-            .map(|change| (change - usual).abs())
+            .map(|change| (change - middle).abs())
             .collect(),
     );
-    (RATIO * (usual + STILL)).min(usual + SPREADS * spread + STEADY)
+    (RATIO * (middle + STILL)).min(middle + SPREADS * spread + STEADY)
 }
 
-/// The median, the greater of two; 0 of no values.
-pub(super) fn median(mut values: Vec<f32>) -> f32 {
-    values.sort_unstable_by(f32::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+/// The median; 0 of no values.
+pub(super) fn usual(mut values: Vec<f32>) -> f32 {
+    median(&mut values).unwrap_or(0.0)
 }
 
 /// Whether a frame after the change looks like one before it.

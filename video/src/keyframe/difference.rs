@@ -1,6 +1,7 @@
 //! How much two frames differ, block by block.
 
 use ga_image::plane::Plane;
+use ga_numerics::order_statistics::{Sorted, median};
 use ga_runtime::batch::{Batch, Work};
 
 use super::layout::{COLUMN_EDGES, Layout, ROW_EDGES, Rectangle, without_bars};
@@ -31,12 +32,7 @@ impl Difference {
     /// The median over the blocks: two blocks of five may change or stand still without effect.
     #[must_use]
     pub fn typical(&self) -> f32 {
-        let mut sorted = self.blocks.clone();
-        sorted.sort_unstable_by(f32::total_cmp);
-        sorted
-            .get(sorted.len().saturating_sub(1) / 2)
-            .copied()
-            .unwrap_or(0.0)
+        median(&mut self.blocks.clone()).unwrap_or(0.0)
     }
 
     /// The difference of the background: of region 3 of the paper's layout, and the second least
@@ -47,18 +43,17 @@ impl Difference {
             Layout::Paper => self.blocks.get(2).copied().unwrap_or(0.0),
             Layout::Five => {
                 let mut corners = self.blocks.get(1..).unwrap_or_default().to_vec();
-                corners.sort_unstable_by(f32::total_cmp);
-                corners.get(1).copied().unwrap_or(0.0)
+                let sorted = Sorted::new(&mut corners);
+                sorted.map_or(0.0, |corners| corners.quantile(1.0 / 3.0))
             }
         }
     }
 
-    /// The median over the blocks of the background, the greater of two.
+    /// The second greatest difference of the four blocks of the background.
     #[must_use]
     pub fn surroundings(&self) -> f32 {
         let mut blocks = self.blocks.get(1..).unwrap_or_default().to_vec();
-        blocks.sort_unstable_by(f32::total_cmp);
-        blocks.get(blocks.len() / 2).copied().unwrap_or(0.0)
+        Sorted::new(&mut blocks).map_or(0.0, |blocks| blocks.quantile(2.0 / 3.0))
     }
 
     /// The difference of the region of objects.

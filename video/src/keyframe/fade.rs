@@ -4,8 +4,9 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use ga_image::plane::Plane;
+use ga_numerics::order_statistics::Sorted;
 
-use super::cut::median;
+use super::cut::usual;
 use super::difference::moments;
 use super::layout::{CELL_COUNT, Rectangle, cell, without_bars};
 use super::window::Window;
@@ -145,9 +146,7 @@ impl FadeDetector {
         // Means over cells have little noise.
         let cells: [f32; CELL_COUNT] =
             std::array::from_fn(|index| moments(signature, cell(part, index))[0]);
-        let mut means = cells;
-        means.sort_unstable_by(f32::total_cmp);
-        let mean = means[CELL_COUNT / 2];
+        let mean = usual(cells.to_vec());
         let mut apart = cells.map(|other| (other - mean).abs());
         apart.sort_unstable_by(f32::total_cmp);
         let kept = &apart[..MOST];
@@ -185,8 +184,8 @@ impl FadeDetector {
         let level = self.most[flat].mean;
         let contrasts = |frame: usize| {
             let mut apart = self.cells[frame].map(|cell| (f32::from(cell) - level).abs());
-            apart.sort_unstable_by(f32::total_cmp);
-            [apart[CELL_COUNT / 4], apart[2 * CELL_COUNT / 3]]
+            let sorted = Sorted::new(&mut apart);
+            [0.25, 2.0 / 3.0].map(|share| sorted.map_or(f32::NAN, |apart| apart.quantile(share)))
         };
         let [low, high] = contrasts(full);
         let (mut apart, mut count) = (0.0, 0.0);
@@ -251,8 +250,7 @@ fn flat(levels: &[Level]) -> Vec<bool> {
         .chunks(USUAL)
         .map(|chunk| {
             let mut sorted: Vec<f32> = chunk.iter().map(|level| level.deviation).collect();
-            sorted.sort_unstable_by(f32::total_cmp);
-            sorted[sorted.len() * 3 / 4]
+            Sorted::new(&mut sorted).map_or(f32::NAN, |sorted| sorted.quantile(0.75))
         })
         .collect();
     let is_flat = |(index, level): (usize, &Level)| {
@@ -279,7 +277,7 @@ fn smoothed(values: &[f32]) -> Vec<f32> {
     (0..values.len())
         .map(|index| {
             let reach = 2.min(index).min(values.len() - 1 - index);
-            median(values[index - reach..=index + reach].to_vec())
+            usual(values[index - reach..=index + reach].to_vec())
         })
         .collect()
 }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use ga_image::plane::{Plane, PlaneView, SizeError};
 use ga_image::quality::{Information, MutualInformation};
+use ga_numerics::order_statistics::median;
 
 use super::difference::at_rest;
 use super::fade::Level;
@@ -125,8 +126,7 @@ impl Recent {
 
     fn median(&self) -> Option<f64> {
         let mut sorted: Vec<f64> = self.0.iter().copied().collect();
-        sorted.sort_unstable_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied()
+        median(&mut sorted)
     }
 }
 

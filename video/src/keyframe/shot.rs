@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cut::{STILL, median};
+use super::cut::{STILL, usual};
 use super::dissolve::Dissolve;
 use super::fade::{Direction, Fade};
 
@@ -55,14 +55,14 @@ impl Transitions {
         } = self;
         dissolves.retain(|dissolve| {
             let frames = &dissolve.frames;
-            let usual = |cut: usize| {
+            let usual_beside = |cut: usize| {
                 let others = (frames.start..=frames.end).filter(|index| *index != cut);
                 let changes = others.filter_map(|index| changes.get(index).copied());
-                median(changes.collect())
+                usual(changes.collect())
             };
             let stands_out = |cut: &usize| {
                 (frames.start..=frames.end).contains(cut)
-                    && changes[*cut] > ISOLATED * (usual(*cut) + STILL)
+                    && changes[*cut] > ISOLATED * (usual_beside(*cut) + STILL)
             };
             !cuts.iter().any(stands_out) && !fades.iter().any(|fade| overlap(&fade.frames, frames))
         });
@@ -144,7 +144,7 @@ impl Transitions {
             .filter(within)
             .filter(|frame| self.is_clear(*frame) && self.is_clear(*frame - reach[*frame]))
             .map(|frame| moving[frame]);
-        match median(differences.collect()) > MOVING {
+        match usual(differences.collect()) > MOVING {
             true => Background::Dynamic,
             false => Background::Static,
         }

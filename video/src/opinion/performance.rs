@@ -8,7 +8,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
 use super::correlation::{kendall, pearson, spearman};
 use super::logistic::{Curve, Fit};
 use super::{OpinionError, Scores};
-use crate::quality::percentile;
+use ga_numerics::order_statistics::Sorted;
 
 /// How well a measure predicts opinion scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -231,12 +231,9 @@ impl Bootstrap {
     }
 
     fn interval(&self, value: f64, mut drawn: Vec<f64>) -> Interval {
-        drawn.sort_by(f64::total_cmp);
+        let sorted = Sorted::new(&mut drawn);
         let tail = 0.5 * (1.0 - self.confidence);
-        let end = |share| match drawn.is_empty() {
-            true => value,
-            false => percentile(&drawn, share),
-        };
+        let end = |share| sorted.map_or(value, |drawn| drawn.quantile(share));
         Interval {
             value,
             low: end(tail),

@@ -12,7 +12,5 @@ mod pooling;
 mod video;
 
 pub use measures::{Measures, Meter};
-#[cfg(feature = "comfort")]
-pub(crate) use pooling::median;
-pub use pooling::{PERCENTILES, Pooled, percentile};
+pub use pooling::{PERCENTILES, Pooled};
 pub use video::{ComparisonError, FrameQuality, VideoComparison};

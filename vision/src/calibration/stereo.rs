@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
+use ga_numerics::order_statistics::median;
 use ga_runtime::cga3::{Motor, Point};
 
 use super::bundle::{Bundle, BundleState, TWIST};
@@ -231,8 +232,7 @@ fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier
     const NEGLIGIBLE: f64 = 0.1;
     let mut sorted = pair_rms.to_vec();
     sorted.retain(|rms| rms.is_finite());
-    sorted.sort_by(f64::total_cmp);
-    let median = *sorted.get(sorted.len() / 2)?;
+    let median = median(&mut sorted)?;
     let (place, rms) = (pair_rms.iter().enumerate()).max_by(|a, b| a.1.total_cmp(b.1))?;
     let is_outlier = *rms > ratio? * median.max(NEGLIGIBLE) && used.len() > LEAST_VIEWS;
     is_outlier.then(|| Outlier {

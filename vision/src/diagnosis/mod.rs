@@ -36,6 +36,7 @@
 pub mod row_model;
 
 use crate::feature::PixelPair;
+use ga_numerics::order_statistics::{Sorted, median};
 use ga_numerics::ransac::Search;
 use row_model::{RowModel, Rows};
 
@@ -182,9 +183,14 @@ impl Diagnosis {
     fn of(pairs: &[PixelPair], rows: &Rows, model: &RowModel, agreeing: &[usize]) -> Self {
         let chosen = || agreeing.iter().map(|&index| &pairs[index]);
         let vertical = chosen().map(|pair| pair.right[1] - pair.left[1]);
-        let vertical = sorted(vertical.collect());
-        let sizes = sorted(vertical.iter().map(|v| v.abs()).collect());
-        let disparity = sorted(chosen().map(|pair| pair.left[0] - pair.right[0]).collect());
+        let mut vertical: Vec<f64> = vertical.collect();
+        let mut sizes: Vec<f64> = vertical.iter().map(|v| v.abs()).collect();
+        let disparity = chosen().map(|pair| pair.left[0] - pair.right[0]);
+        let mut disparity: Vec<f64> = disparity.collect();
+        let [sizes, disparity] = [&mut sizes, &mut disparity].map(|values| {
+            let sorted = Sorted::new(values);
+            move |share| sorted.map_or(0.0, |sorted| sorted.quantile(share))
+        });
         let residuals = agreeing.iter().map(|&index| rows.residual(model, index));
         Self {
             pairs: pairs.len(),
@@ -193,12 +199,12 @@ impl Diagnosis {
             rotation: model.rotation(),
             zoom: model.zoom(),
             vertical: VerticalDisparity {
-                median: at_part(&vertical, 0.5),
                 rms: root_mean_square(vertical.iter().copied()),
-                most: at_part(&sizes, 0.95),
+                median: median(&mut vertical).unwrap_or(0.0),
+                most: sizes(0.95),
             },
             residual_rms: root_mean_square(residuals),
-            disparity: [0.0, 0.5, 1.0].map(|part| at_part(&disparity, part)),
+            disparity: [0.0, 0.5, 1.0].map(disparity),
         }
     }
 
@@ -214,22 +220,6 @@ impl Diagnosis {
     pub fn is_exchanged(&self) -> bool {
         self.disparity[1] < 0.0
     }
-}
-
-fn sorted(mut values: Vec<f64>) -> Vec<f64> {
-    values.sort_by(f64::total_cmp);
-    values
-}
-
-/// The value at a part of the way through sorted values, interpolated; 0 where there are none.
-fn at_part(sorted: &[f64], part: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else {
-        return 0.0;
-    };
-    let place = part * last as f64;
-    let low = sorted[place.floor() as usize];
-    let high = sorted[(place.ceil() as usize).min(last)];
-    low + (high - low) * place.fract()
 }
 
 fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {

@@ -2,6 +2,7 @@
 
 use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
 use ga_image::pyramid::halved;
+use ga_numerics::order_statistics::Sorted;
 
 use crate::disparity::DisparityMap;
 use crate::matcher::{MatchError, Matcher, MatcherOptions, Mode};
@@ -66,10 +67,8 @@ pub fn disparity_range(
         .filter(|(disparity, confidence)| disparity.is_finite() && **confidence >= CONFIDENCE)
         .map(|(disparity, _)| *disparity)
         .collect();
-    disparities.sort_unstable_by(f32::total_cmp);
-    let index = (disparities.len() as f64 * PART) as usize;
-    let most = disparities.get(index).or(disparities.last());
-    let most = f64::from(*most.unwrap_or(&0.0)) * factor as f64;
+    let most = Sorted::new(&mut disparities).map_or(0.0, |sorted| sorted.quantile(PART));
+    let most = f64::from(most) * factor as f64;
     // One candidate of the small views is several of the large ones.
     let range = (1.1 * most) as usize + 2 * factor;
     Ok(range.next_multiple_of(16).min(width).min(GREATEST_RANGE))

@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::basis::{Basis, SEGMENT, TERMS};
 use super::bits::{BitReader, BitWriter, MOST_PARAMETER, best_parameter, rice_bits};
 use super::piece::{Encoded, LEAST_RANGE, MOST_BITS, MOST_COEFFICIENT, MOST_RANGE, Piece, range};
+use ga_numerics::order_statistics::median_element;
 
 /// How many bits [`Codes::write`] takes.
 const OWN_CODES: u64 = 25 + 5 * TERMS as u64;
@@ -23,8 +24,8 @@ pub(super) struct Codes {
 impl Codes {
     /// The codes for all pieces of a channel.
     pub(super) fn of_pieces<'a>(pieces: impl Iterator<Item = &'a Piece> + Clone) -> Self {
-        let bits = median(pieces.clone().map(|piece| i32::from(piece.bits)).collect());
-        let range = median(pieces.clone().map(|piece| i32::from(piece.range)).collect());
+        let bits = usual(pieces.clone().map(|piece| i32::from(piece.bits)));
+        let range = usual(pieces.clone().map(|piece| i32::from(piece.range)));
         Self {
             bits,
             bits_spread: best_parameter(
@@ -165,9 +166,8 @@ impl Codes {
     }
 }
 
-fn median(mut values: Vec<i32>) -> i32 {
-    values.sort_unstable();
-    values.get(values.len() / 2).copied().unwrap_or(0)
+fn usual(values: impl Iterator<Item = i32>) -> i32 {
+    median_element(&mut values.collect::<Vec<_>>()).unwrap_or(0)
 }
 
 /// A segment whose trends are unpacked and whose residuals are not.

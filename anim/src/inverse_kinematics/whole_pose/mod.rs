@@ -3,6 +3,7 @@
 mod alignment;
 mod levers;
 
+use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
@@ -148,9 +149,11 @@ pub struct PoseFit<'a> {
 
 /// The columns of the translation.
 const TRANSLATION: usize = 3;
-const FIRST_DAMPING: f64 = 1e-3;
-const LEAST_DAMPING: f64 = 1e-11;
-const GREATEST_DAMPING: f64 = 1e12;
+const DAMPING: Damping = Damping {
+    first: 1e-3,
+    least: 1e-11,
+    greatest: 1e12,
+};
 /// The angle in radians from which on a rotation is beyond a joint's limits.
 const BEYOND: f64 = 1e-12;
 
@@ -246,28 +249,17 @@ impl<'a> PoseFit<'a> {
                 (best, cost) = (aligned, found);
             }
         }
-        let (mut damping, mut iterations, mut converged) = (FIRST_DAMPING, 0, false);
-        let mut is_linear = false;
-        while iterations < settings.iterations && !converged {
-            if !is_linear {
-                self.linearise(&best, targets, settings.root_motion);
-                is_linear = true;
-            }
-            iterations += 1;
-            let (size, found) = self.search(&best, targets, damping);
-            let is_small = size <= settings.tolerance;
-            if found < cost {
-                cost = found;
-                best.root = self.candidate.root;
-                best.joints.copy_from_slice(&self.candidate.joints);
-                damping = (damping * 0.1).max(LEAST_DAMPING);
-                is_linear = false;
-                converged = is_small;
-            } else {
-                damping *= 10.0;
-                converged = is_small || damping > GREATEST_DAMPING;
-            }
-        }
+        self.linearise(&best, targets, settings.root_motion);
+        let mut descent = Descending {
+            fit: self,
+            targets,
+            settings,
+            best,
+        };
+        let mut search = Search::new(cost, DAMPING);
+        let found = search.run(&mut descent, settings.iterations);
+        let (best, iterations) = (descent.best, found.steps);
+        let converged = found.has_converged || search.is_exhausted();
         let report = self.report(&best, targets, iterations, converged);
         *pose = best;
         Ok(report)
@@ -384,30 +376,31 @@ impl<'a> PoseFit<'a> {
     /// The candidate: the best of a few trial poses, each after a step that leaves out what took
     /// joints beyond their limits in the steps before. The size of the first step, and the cost of
     /// the candidate.
-    fn search(&mut self, pose: &Pose, targets: &[Target], damping: f64) -> (f64, f64) {
+    fn search(&mut self, pose: &Pose, targets: &[Target], damping: f64) -> Attempt {
         const ROUNDS: usize = 4;
         self.blocked.clear();
-        let (mut size, mut least) = (f64::INFINITY, f64::INFINITY);
+        let mut attempt = Attempt::NONE;
         for round in 0..ROUNDS {
             let known = self.blocked.len();
             let Some(found) = self.step(pose, damping) else {
                 break;
             };
             if round == 0 {
-                size = found;
+                attempt.size = found;
             }
+            let predicted = self.equations.predicted(damping);
             let trial = std::mem::replace(&mut self.trial, Pose::rest(0));
             let cost = self.cost(&trial, targets);
             self.trial = trial;
-            if cost < least {
-                least = cost;
+            if cost < attempt.cost {
+                (attempt.cost, attempt.predicted) = (cost, predicted);
                 std::mem::swap(&mut self.trial, &mut self.candidate);
             }
             if self.blocked.len() == known {
                 break;
             }
         }
-        (size, least)
+        attempt
     }
 
     /// The trial pose: a pose after a step with this damping, without blocked directions. The size
@@ -498,5 +491,30 @@ impl<'a> PoseFit<'a> {
             root_mean_square_error: (sum / total).sqrt(),
             greatest_error,
         }
+    }
+}
+
+/// A pose on its way to the least sum.
+struct Descending<'f, 'a> {
+    fit: &'f mut PoseFit<'a>,
+    targets: &'f [Target],
+    settings: &'f PoseFitSettings,
+    best: Pose,
+}
+
+impl Descent for Descending<'_, '_> {
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        let attempt = self.fit.search(&self.best, self.targets, damping);
+        Attempt {
+            is_small: attempt.size <= self.settings.tolerance,
+            ..attempt
+        }
+    }
+
+    fn accept(&mut self) {
+        self.best.root = self.fit.candidate.root;
+        self.best.joints.copy_from_slice(&self.fit.candidate.joints);
+        self.fit
+            .linearise(&self.best, self.targets, self.settings.root_motion);
     }
 }

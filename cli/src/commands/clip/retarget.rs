@@ -11,6 +11,7 @@ use ga_anim::gltf::{Rigged, character};
 use ga_anim::recording::Recording;
 use ga_anim::retarget::{Alignment, Contact, FootLocking, JointMap, Retarget, Soles};
 use ga_anim::skeleton::Skeleton;
+use ga_anim::unit::likely_unit;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -18,6 +19,7 @@ use super::input::{Kind, MotionArguments};
 use crate::figure_file::stem;
 use crate::output;
 use crate::progress::Progress;
+use crate::warning::{self, Warning};
 
 /// Transfer a motion to another skeleton.
 ///
@@ -108,15 +110,21 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let skeleton = &target.skeleton;
     let retarget = Retarget::with_alignment(&source, skeleton, &target.soles, &map, alignment)
         .with_context(onto)?;
-    let leg = retarget.source_leg_length();
+    let mut warnings = Vec::new();
     let source_unit = match (arguments.motion.kind()?, arguments.motion.given_unit()) {
-        (Kind::Bvh, None) => likely_unit(leg),
+        (Kind::Bvh, None) => likely_metres(&source, &file, &mut warnings)?,
         // A recording in metres.
         _ => 1.0,
     };
     let target_unit = match arguments.target_metres_per_unit {
-        None if target.bvh.is_some() => likely_unit(leg * retarget.scale()),
-        unit => unit.unwrap_or(1.0),
+        None => match &target.bvh {
+            Some(bvh) => {
+                let file = arguments.target.display().to_string();
+                likely_metres(&Recording::from_bvh(bvh, 1.0)?, &file, &mut warnings)?
+            }
+            None => 1.0,
+        },
+        Some(unit) => unit,
     };
     let locked = retarget
         .with_foot_locking(&FootLocking::new(source_unit))
@@ -143,6 +151,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         joints_without_counterpart: retarget.unmatched().map(ToOwned::to_owned).collect(),
         foot_locking: arguments.foot_locking,
         feet: Vec::new(),
+        warnings,
         slide_metres: 0.0,
         slide_free_metres: 0.0,
         short_by_metres: 0.0,
@@ -152,7 +161,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     write(arguments, kind, &target, &clip, &progress)?;
     drop(progress);
     if !quiet && !arguments.json {
-        report.warn();
+        warning::print(&report.warnings);
     }
     report.print(arguments.json, quiet)
 }
@@ -177,15 +186,18 @@ fn map(
     Ok((map, by))
 }
 
-/// The length of a unit in metres where it is not given, by the length of a leg: 1 where that is
-/// the length of a leg in metres, else so that the leg is as long as that of an adult.
-fn likely_unit(leg: f64) -> f64 {
-    const ADULT: f64 = 0.85;
-    if (0.25..=1.5).contains(&leg) {
-        1.0
-    } else {
-        ADULT / leg
+/// The length of a unit in metres where it is not given.
+fn likely_metres(body: &Recording, file: &str, warnings: &mut Vec<Warning>) -> Result<f64> {
+    let unit = likely_unit(body).with_context(|| format!("{file}: the body has no bones"))?;
+    if !unit.is_clear {
+        let message = format!(
+            "the length of a unit is not clear: {:.6} m is taken, with which the body is as large \
+             as an adult",
+            unit.metres
+        );
+        warnings.push(Warning::new("unclear_unit", message).in_file(file));
     }
+    Ok(unit.metres)
 }
 
 /// A skeleton from a file, and what is needed to write motions of it.
@@ -339,6 +351,7 @@ struct Report {
     slide_free_metres: f64,
     short_by_metres: f64,
     feet: Vec<FootReport>,
+    warnings: Vec<Warning>,
 }
 
 /// A foot while it stands.
@@ -356,6 +369,26 @@ struct FootReport {
     /// How far it is at most from where it should stand, and the first frame of that contact.
     short_by_metres: f64,
     short_in_frame: Option<usize>,
+}
+
+impl FootReport {
+    /// Where the leg is too short.
+    fn warning(&self) -> Option<Warning> {
+        const NOTABLE: f64 = 0.005;
+        let short = |_: &usize| self.short_by_metres > NOTABLE;
+        let frame = self.short_in_frame.filter(short)?;
+        let message = format!(
+            "the leg above {} is too short: from frame {frame} on, the foot stands {:.1} cm from \
+             its place",
+            self.joint,
+            100.0 * self.short_by_metres
+        );
+        Some(Warning {
+            joint: Some(self.joint.clone()),
+            frame: Some(frame),
+            ..Warning::new("leg_too_short", message)
+        })
+    }
 }
 
 impl Report {
@@ -393,25 +426,9 @@ impl Report {
         self.slide_metres = greatest(|foot| foot.slide_metres);
         self.slide_free_metres = greatest(|foot| foot.slide_free_metres);
         self.short_by_metres = greatest(|foot| foot.short_by_metres);
+        self.warnings
+            .extend(self.feet.iter().filter_map(FootReport::warning));
         self
-    }
-
-    /// Says where a leg is too short.
-    fn warn(&self) {
-        const NOTABLE: f64 = 0.005;
-        for foot in &self.feet {
-            if let Some(frame) = foot
-                .short_in_frame
-                .filter(|_| foot.short_by_metres > NOTABLE)
-            {
-                eprintln!(
-                    "warning: the leg above {} is too short: from frame {frame} on, the foot stands \
-                     {:.1} cm from its place",
-                    foot.joint,
-                    100.0 * foot.short_by_metres
-                );
-            }
-        }
     }
 
     fn print(&self, json: bool, quiet: bool) -> Result<()> {

@@ -15,6 +15,7 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Format};
+use ga_numerics::order_statistics::Sorted;
 use ga_runtime::cga3::{Motor, Rotor};
 use ga_vision::disparity::DisparityMap;
 use ga_vision::matcher::{Matcher, MatcherOptions};
@@ -168,7 +169,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         format!("{left} and {right} with {}", arguments.rig.display())
     })?;
     let mut depths: Vec<f64> = surface.points().iter().map(|point| point.e3()).collect();
-    depths.sort_unstable_by(f64::total_cmp);
+    let depths = Sorted::new(&mut depths).context("the surface has no points")?;
     let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
     let mesh = kind.mesh(&surface, &pair.views[0])?;
     progress.step("writing");
@@ -184,10 +185,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         mode: arguments.mode,
         points: mesh.vertex_count(),
         triangles: mesh.faces().len(),
-        density: 100.0 * depths.len() as f64 / grid as f64,
-        nearest_metres: depths[0],
-        median_metres: depths[depths.len() / 2],
-        farthest_metres: depths[depths.len() - 1],
+        density: 100.0 * depths.values().len() as f64 / grid as f64,
+        nearest_metres: depths.quantile(0.0),
+        median_metres: depths.median(),
+        farthest_metres: depths.quantile(1.0),
         bounds_metres: surface.bounds(),
         baseline_metres: pair.rig.baseline(),
         focal_px: pair.rig.left().focal()[0],

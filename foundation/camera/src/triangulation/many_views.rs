@@ -1,5 +1,6 @@
 //! A point that any number of cameras see.
 
+use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
 use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
@@ -29,6 +30,11 @@ pub struct ManyViewsPoint {
 
 /// The largest number of steps; each at least halves what is left in practice.
 const STEPS: usize = 100;
+const DAMPING: Damping = Damping {
+    first: 1e-6,
+    least: 1e-15,
+    greatest: 1e6,
+};
 /// The sine of an angle below which rays count as parallel.
 const PARALLEL: f64 = 32.0 * f64::EPSILON;
 
@@ -180,6 +186,7 @@ fn column(vector: Vector<f64>) -> Vector3<f64> {
 }
 
 /// The normal equations of the errors in all pictures at a point.
+#[derive(Clone, Copy)]
 struct Normal {
     /// The sum of the squared errors in square pixels.
     cost: f64,
@@ -220,32 +227,64 @@ fn descend(
     size: f64,
     normal_at: impl Fn(Vector<f64>) -> Result<Normal, TriangulationError>,
 ) -> Result<(Vector<f64>, Normal), TriangulationError> {
-    let mut point = start;
-    let mut normal = normal_at(point)?;
-    let mut damping = 0.0;
-    for _ in 0..STEPS {
-        let damped = normal.matrix + Matrix3::from_diagonal(&normal.matrix.diagonal()) * damping;
+    let normal = normal_at(start)?;
+    let mut search = Search::new(normal.cost, DAMPING);
+    let mut descent = Descending {
+        normal_at,
+        size,
+        place: (start, normal),
+        next: Err(TriangulationError::NotFinite),
+    };
+    match search.run(&mut descent, STEPS).has_converged {
+        true => Ok(descent.place),
+        // What refused the last steps, such as a camera that does not see the point.
+        false => match descent.next {
+            Err(error) => Err(error),
+            Ok(_) => Err(TriangulationError::NotConverged { steps: STEPS }),
+        },
+    }
+}
+
+struct Descending<F> {
+    normal_at: F,
+    size: f64,
+    place: (Vector<f64>, Normal),
+    next: Result<(Vector<f64>, Normal), TriangulationError>,
+}
+
+impl<F: Fn(Vector<f64>) -> Result<Normal, TriangulationError>> Descent for Descending<F> {
+    #[inline]
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        let (point, normal) = &self.place;
+        let diagonal = normal.matrix.diagonal();
+        let damped = normal.matrix + Matrix3::from_diagonal(&(diagonal * damping));
         let Some(factors) = damped.cholesky() else {
-            return Err(TriangulationError::NotFinite);
+            self.next = Err(TriangulationError::NotFinite);
+            return Attempt::NONE;
         };
         let step = factors.solve(&normal.gradient);
-        let next = point - Vector::new(step.x, step.y, step.z);
-        // What the linear equations still promise to gain, against the rounding of the sum.
+        let next = *point - Vector::new(step.x, step.y, step.z);
         let promise = normal.gradient.dot(&step);
-        let is_small = step.norm() <= 4.0 * f64::EPSILON * size;
-        match normal_at(next) {
-            Ok(found) if found.cost <= normal.cost => {
-                let settled = is_small || promise <= 1e-3 * f64::EPSILON * normal.cost;
-                (point, normal) = (next, found);
-                if settled {
-                    return Ok((point, normal));
-                }
-                damping = if damping < 1e-6 { 0.0 } else { damping * 0.1 };
-            }
-            _ if is_small || promise <= f64::EPSILON * normal.cost => return Ok((point, normal)),
-            Err(behind) if damping > 1e6 => return Err(behind),
-            _ => damping = (damping * 10.0).max(1e-4),
+        let is_small =
+            step.norm() <= 4.0 * f64::EPSILON * self.size || promise <= f64::EPSILON * normal.cost;
+        let attempt = Attempt {
+            size: step.norm(),
+            predicted: promise + damping * diagonal.dot(&step.component_mul(&step)),
+            is_small,
+            cost: f64::INFINITY,
+        };
+        self.next = (self.normal_at)(next).map(|found| (next, found));
+        let cost = self
+            .next
+            .as_ref()
+            .map_or(f64::INFINITY, |(_, found)| found.cost);
+        Attempt { cost, ..attempt }
+    }
+
+    #[inline]
+    fn accept(&mut self) {
+        if let Ok(next) = self.next {
+            self.place = next;
         }
     }
-    Err(TriangulationError::NotConverged { steps: STEPS })
 }

@@ -7,13 +7,16 @@
 //! The method is that of K. Levenberg, "A method for the solution of certain non-linear problems in
 //! least squares", 1944, and D. W. Marquardt, "An algorithm for least-squares estimation of
 //! nonlinear parameters", 1963, with the damping of H. B. Nielsen, "Damping parameter in
-//! Marquardt's method", 1999.
+//! Marquardt's method", 1999. Where equations have a form of their own, [`Search`] takes the same
+//! damped steps with any solver, a [`Descent`].
 
 mod covariance;
+mod descent;
 mod equations;
 mod loss;
 
 pub use covariance::Covariance;
+pub use descent::{Attempt, Damping, Descended, Descent, Outcome, Search};
 pub use equations::{Columns, Equations};
 pub use loss::Loss;
 
@@ -136,11 +139,11 @@ pub enum LeastSquaresError {
     },
 }
 
-const FIRST_DAMPING: f64 = 1e-4;
-const LEAST_DAMPING: f64 = 1e-15;
-const GREATEST_DAMPING: f64 = 1e16;
-/// The part of a sum of squares that its rounding errors may reach.
-const ROUNDING: f64 = 1e-12;
+const DAMPING: Damping = Damping {
+    first: 1e-4,
+    least: 1e-15,
+    greatest: 1e16,
+};
 
 /// Searches a minimum from a state on.
 ///
@@ -191,9 +194,7 @@ pub fn minimise<P: Problem>(
     settings: &Settings,
 ) -> Result<Minimum<P::State>, LeastSquaresError> {
     let mut equations = Equations::new(problem.columns(), settings.loss);
-    let mut trial = equations.clone();
-    let mut state = start;
-    evaluate(problem, &state, &mut equations).ok_or(LeastSquaresError::Start)?;
+    evaluate(problem, &start, &mut equations).ok_or(LeastSquaresError::Start)?;
     let (residuals, unknowns) = (equations.residuals(), equations.unknowns());
     if residuals < unknowns {
         let error = LeastSquaresError::TooFewResiduals {
@@ -202,56 +203,80 @@ pub fn minimise<P: Problem>(
         };
         return Err(error);
     }
-    let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
-    let (mut steps, mut last_size) = (0, f64::INFINITY);
-    let mut converged = unknowns == 0 || equations.cost() == 0.0;
-    while !converged && steps < settings.steps && damping <= GREATEST_DAMPING {
-        steps += 1;
-        let step = equations.solve(damping);
-        let next = step.as_ref().and_then(|step| {
-            let next = problem.stepped(&state, &step.values)?;
-            evaluate(problem, &next, &mut trial).map(|()| next)
-        });
-        let Some(step) = step else {
-            (damping, growth) = (damping * growth, 2.0 * growth);
-            continue;
-        };
-        let cost = equations.cost();
-        let least_change = (settings.relative_tolerance.powi(2) * cost)
-            .max(settings.absolute_tolerance.powi(2) * residuals as f64);
-        let is_small = step.size * (1.0 + damping).powi(2) <= least_change;
-        let fell = cost - trial.cost();
-        // Near the minimum the change of the cost is lost in rounding, and only the steps show that
-        // the search goes on.
-        let is_lost = step.predicted <= ROUNDING * cost && step.size < last_size;
-        let accepted = next.filter(|_| fell > 0.0 || (is_lost && -fell <= ROUNDING * cost));
-        converged = is_small || (accepted.is_some() && trial.cost() == 0.0);
-        if let Some(next) = accepted {
-            state = next;
-            std::mem::swap(&mut equations, &mut trial);
-            last_size = step.size;
-            let gain = if is_lost { 1.0 } else { fell / step.predicted };
-            damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).clamp(0.1, 2.0);
-            (damping, growth) = (damping.max(LEAST_DAMPING), 2.0);
-        } else {
-            (damping, growth) = (damping * growth, 2.0 * growth);
-        }
-    }
-    let minimum = Minimum {
-        state,
-        steps,
-        cost: equations.cost(),
-        residuals,
-        unknowns,
+    let cost = equations.cost();
+    let mut descent = Minimising {
+        problem,
+        settings,
+        state: start,
+        next: None,
+        trial: equations.clone(),
         equations,
     };
-    if converged {
+    let found = match unknowns == 0 || cost == 0.0 {
+        true => Descended {
+            steps: 0,
+            has_converged: true,
+        },
+        false => Search::new(cost, DAMPING).run(&mut descent, settings.steps),
+    };
+    let minimum = Minimum {
+        state: descent.state,
+        steps: found.steps,
+        cost: descent.equations.cost(),
+        residuals,
+        unknowns,
+        equations: descent.equations,
+    };
+    if found.has_converged {
         return Ok(minimum);
     }
     Err(LeastSquaresError::NotConverged {
-        steps,
+        steps: found.steps,
         root_mean_square: minimum.root_mean_square(),
     })
+}
+
+/// The descent of a problem with its own equations.
+struct Minimising<'a, P: Problem> {
+    problem: &'a P,
+    settings: &'a Settings,
+    state: P::State,
+    next: Option<P::State>,
+    equations: Equations,
+    trial: Equations,
+}
+
+impl<P: Problem> Descent for Minimising<'_, P> {
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        self.next = None;
+        let Some(step) = self.equations.solve(damping) else {
+            return Attempt::NONE;
+        };
+        self.next = self
+            .problem
+            .stepped(&self.state, &step.values)
+            .filter(|next| evaluate(self.problem, next, &mut self.trial).is_some());
+        let cost = match self.next {
+            Some(_) => self.trial.cost(),
+            None => f64::INFINITY,
+        };
+        let residuals = self.equations.residuals() as f64;
+        let least_change = (self.settings.relative_tolerance.powi(2) * self.equations.cost())
+            .max(self.settings.absolute_tolerance.powi(2) * residuals);
+        Attempt {
+            size: step.size,
+            predicted: step.predicted,
+            is_small: cost == 0.0 || step.size * (1.0 + damping).powi(2) <= least_change,
+            cost,
+        }
+    }
+
+    fn accept(&mut self) {
+        if let Some(next) = self.next.take() {
+            self.state = next;
+            std::mem::swap(&mut self.equations, &mut self.trial);
+        }
+    }
 }
 
 /// The equations at a state, or `None` where its residuals or derivatives are not finite.

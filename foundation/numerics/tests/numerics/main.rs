@@ -4,3 +4,4 @@
 
 mod conjugate_gradient;
 mod least_squares;
+mod order_statistics;

@@ -1,6 +1,6 @@
 //! The delay of one eye in the whole of a video.
 
-use crate::quality::percentile;
+use ga_numerics::order_statistics::median;
 
 /// The delay of the right eye that most frames of a video show.
 ///
@@ -35,13 +35,12 @@ impl CommonDelay {
     #[must_use]
     pub fn of(delays: impl IntoIterator<Item = f64>) -> Self {
         let mut delays: Vec<f64> = delays.into_iter().collect();
-        delays.sort_unstable_by(f64::total_cmp);
         let measured = delays.len();
-        // The median is one of a majority that agrees, if there is one.
-        let Some(&median) = delays.get(measured / 2) else {
+        // The median is among a majority that agrees, if there is one.
+        let Some(middle) = median(&mut delays) else {
             return Self::default();
         };
-        delays.retain(|delay| (delay - median).abs() <= WITHIN);
+        delays.retain(|delay| (delay - middle).abs() <= WITHIN);
         let agreeing = delays.len();
         if 2 * agreeing <= measured {
             return Self {
@@ -49,7 +48,7 @@ impl CommonDelay {
                 ..Self::default()
             };
         }
-        let common = percentile(&delays, 0.5);
+        let common = median(&mut delays).unwrap_or(0.0);
         Self {
             // A cast from float saturates.
             frames: common.round() as i64,

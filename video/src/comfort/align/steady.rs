@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::quality::median;
+use ga_numerics::order_statistics::median;
 
 /// Frames on either side of a place at which a step may be, by whose medians it is seen; at least
 /// the second number.
@@ -69,7 +69,8 @@ fn steps<const N: usize>(
     let limits: [f64; N] = std::array::from_fn(|axis| {
         let change = |pair: &[(usize, [f64; N])]| (pair[1].1[axis] - pair[0].1[axis]).abs();
         // The median of absolute differences of two normal errors is 0.954 standard deviations.
-        let noise = median(&mut known.windows(2).map(change).collect::<Vec<_>>()) / 0.954;
+        let changes = median(&mut known.windows(2).map(change).collect::<Vec<_>>());
+        let noise = changes.unwrap_or(0.0) / 0.954;
         (OVER_TOLERANCE * tolerance).max(OVER_NOISE * noise)
     });
     let mut candidates = Vec::new();
@@ -79,7 +80,7 @@ fn steps<const N: usize>(
         let size = |axis: usize| {
             let middle = |part: &[(usize, [f64; N])]| {
                 let mut values: Vec<f64> = part.iter().map(|(_, numbers)| numbers[axis]).collect();
-                median(&mut values)
+                median(&mut values).unwrap_or(f64::NAN)
             };
             let step = (middle(after) - middle(before)).abs();
             let at_once = (known[index].1[axis] - known[index - 1].1[axis]).abs();
@@ -118,8 +119,9 @@ fn of_part<const N: usize>(measured: &[Option<[f64; N]>], tolerance: f64) -> Vec
             let known = measured[range].iter().flatten();
             known.map(|numbers| numbers[axis]).collect()
         };
-        let usual = median(&mut values(0..count));
-        let mut medians: Vec<f64> = (0..count).map(|f| median(&mut values(around(f)))).collect();
+        let middle = |range| median(&mut values(range)).unwrap_or(f64::NAN);
+        let usual = middle(0..count);
+        let mut medians: Vec<f64> = (0..count).map(|frame| middle(around(frame))).collect();
         fill(&mut medians);
         let means = (0..count).map(|frame| {
             let near = &medians[around(frame)];

@@ -6,6 +6,7 @@ use std::ops::{Range, RangeInclusive};
 use super::super::jackknife::standard_error;
 use super::products::{BLOCKS, Explained, Products};
 use super::{Asynchrony, Delay, LAGS, REACH};
+use ga_numerics::order_statistics::Sorted;
 
 /// The least part of the changes of the right eye that the left one must explain.
 const LEAST_EXPLAINED: f64 = 0.3;
@@ -66,8 +67,7 @@ impl<'a, I: Iterator<Item = (usize, &'a Row)> + Clone> Window<'a, I> {
     fn factor(&self, eye: usize) -> impl Fn(usize) -> Option<f32> {
         let energies = self.rows.clone().map(|(frame, _)| self.energy(frame, eye));
         let mut sorted: Vec<f32> = energies.flatten().collect();
-        sorted.sort_unstable_by(f32::total_cmp);
-        let quartile = sorted.get(3 * sorted.len() / 4).copied().unwrap_or(0.0);
+        let quartile = Sorted::new(&mut sorted).map_or(0.0, |sorted| sorted.quantile(0.75));
         move |frame| {
             let energy = self
                 .energy(frame, eye)

@@ -1,6 +1,7 @@
 //! The disparities of reduced views, in both directions and with either sign.
 
 use ga_image::plane::Plane;
+use ga_numerics::order_statistics::Sorted;
 
 use super::view::{View, shrunk};
 use ga_vision::matcher::{MatchError, Matcher, MatcherOptions, Mode};
@@ -70,11 +71,11 @@ pub(super) fn correspond(left: &View, right: &View) -> Result<Option<Corresponde
             }
         }
     }
-    seen.sort_unstable_by(f32::total_cmp);
     let most = (REACH * left.width() as f64) as f32;
-    let quantile = |part: f64| {
-        let index = (part * seen.len().saturating_sub(1) as f64) as usize;
-        seen.get(index).copied().unwrap_or(0.0).clamp(-most, most)
+    let sorted = Sorted::new(&mut seen);
+    let quantile = |share: f64| {
+        let disparity = sorted.map_or(0.0, |sorted| sorted.quantile(share));
+        disparity.clamp(-most, most)
     };
     let range = [
         (quantile(0.01) - MARGIN).floor() as i32,

@@ -19,6 +19,7 @@ mod strips;
 mod view;
 
 use correspondence::{Correspondence, correspond};
+use ga_numerics::order_statistics::Sorted;
 use strips::{Cues, REGION_COUNT, collect};
 
 use super::geometry::Geometry;
@@ -330,12 +331,8 @@ impl Correspondence {
     fn is_identical(&self) -> bool {
         let mut known: Vec<f32> = self.left.values().to_vec();
         known.retain(|value| !value.is_nan());
-        known.sort_unstable_by(f32::total_cmp);
         let most = (IDENTICAL * self.left.width() as f64) as f32;
-        let at = |part: f64| known.get((part * known.len() as f64) as usize).copied();
-        let (Some(low), Some(high)) = (at(0.02), at(0.98)) else {
-            return false;
-        };
-        low.abs() < most && high.abs() < most
+        Sorted::new(&mut known)
+            .is_some_and(|known| [0.02, 0.98].iter().all(|p| known.quantile(*p).abs() < most))
     }
 }

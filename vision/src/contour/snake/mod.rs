@@ -11,6 +11,7 @@ pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};
 use super::ring::Ring;
+use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
 
 /// How a snake moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,10 +106,10 @@ pub struct Settled {
 /// is the semi-implicit step of Kass, Witkin and Terzopoulos, which crawls along edges; with it,
 /// the last steps are those of Newton's method. γ is chosen so that the matrix is positive
 /// definite, that no point moves farther than it may, and that the energy falls by at least a tenth
-/// of what the step promises (D. Marquardt, 1963).
+/// of what the step predicts ([`ga_numerics::least_squares::Search`]).
 ///
-/// The snake has settled when no point moves farther than the tolerance in two steps, between which
-/// γ is lowered: one short step may be that of a large γ.
+/// The snake has settled when no point moves farther than the tolerance in two steps: one short step
+/// may be that of a large γ.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -145,20 +146,21 @@ pub fn settle(
     error::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
     motion.check_energy()?;
+    let mut search = motion.search();
     let mut has_converged = false;
     let [mut number, mut short_steps] = [0; 2];
     each_step(&motion.state(0, 0.0));
     while number < options.steps && !has_converged {
         number += 1;
-        let mut greatest_move = motion.step()?;
+        let mut greatest_move = motion.step(&mut search)?;
         if options
             .resampled_every
             .is_some_and(|every| number % every == 0)
         {
             greatest_move = greatest_move.max(motion.resample());
+            search.continue_from(motion.energy);
         }
         short_steps = if greatest_move <= options.tolerance {
-            motion.damping = motion.least_damping.max(0.1 * motion.damping);
             short_steps + 1
         } else {
             0
@@ -209,15 +211,14 @@ struct Motion<'a> {
     curvatures: Vec<[f64; 3]>,
     /// E/h.
     energy: f64,
-    /// γ, and the least that it may be.
-    damping: f64,
-    least_damping: f64,
     /// The same at the end of a step that may not be taken.
     next: Vec<[f64; 2]>,
     next_slopes: Vec<[f64; 2]>,
     next_curvatures: Vec<[f64; 3]>,
-    /// The step.
+    /// The step, the greatest distance in it, and the energy after it.
     moves: Vec<[f64; 2]>,
+    greatest_move: f64,
+    next_energy: f64,
     matrix: Ring,
 }
 
@@ -237,22 +238,30 @@ impl<'a> Motion<'a> {
             slopes: vec![[0.0; 2]; count],
             curvatures: vec![[0.0; 3]; count],
             energy: 0.0,
-            damping: 0.0,
-            least_damping: 0.0,
             next: start.to_vec(),
             next_slopes: vec![[0.0; 2]; count],
             next_curvatures: vec![[0.0; 3]; count],
             moves: vec![[0.0; 2]; count],
+            greatest_move: 0.0,
+            next_energy: 0.0,
             matrix: Ring::default(),
         };
         let energy = motion.evaluate();
-        motion.accept(energy);
-        // Without the other terms of the matrix, the first step would be as long as it may be.
-        let steepest = motion.slopes.iter().map(|[x, y]| x.hypot(*y));
-        let damping = steepest.fold(0.0, f64::max) / options.greatest_move;
-        motion.damping = damping.max(f64::MIN_POSITIVE);
-        motion.least_damping = 1e-4 * motion.damping;
+        motion.take(energy);
         motion
+    }
+
+    /// A search whose first step would be as long as it may be, if the matrix had only the damping.
+    fn search(&self) -> Search {
+        let steepest = self.slopes.iter().map(|[x, y]| x.hypot(*y));
+        let first = steepest.fold(0.0, f64::max) / self.options.greatest_move;
+        let first = first.max(f64::MIN_POSITIVE);
+        let damping = Damping {
+            first,
+            least: 1e-4 * first,
+            greatest: f64::MAX,
+        };
+        Search::new(self.energy, damping)
     }
 
     fn state(&self, number: usize, greatest_move: f64) -> SnakeStep<'_> {
@@ -281,54 +290,25 @@ impl<'a> Motion<'a> {
 
     /// Moves the points, and gives the greatest distance. It is 0 where the energy cannot fall by
     /// more than its rounding errors.
-    fn step(&mut self) -> Result<f64, SnakeError> {
-        /// Part of the energy that its rounding errors may reach.
-        const ROUNDING: f64 = 1e-14;
-        while self.damping.is_finite() {
-            let Some([greatest, along]) = self.solve() else {
-                self.damping *= 2.0;
-                continue;
-            };
-            let longest = self.options.greatest_move;
-            if greatest.is_nan() || greatest > longest {
-                self.damping *= (greatest / longest).clamp(1.5, 4.0);
-                continue;
+    fn step(&mut self, search: &mut Search) -> Result<f64, SnakeError> {
+        while !search.is_exhausted() {
+            let outcome = search.step(self);
+            if outcome.is_accepted {
+                error::check_inside(&self.points, self.potential.size())?;
+                return Ok(self.greatest_move);
             }
-            let moves = self.moves.as_flattened();
-            let square: f64 = moves.iter().map(|x| x * x).sum();
-            let predicted = (self.damping * square - along) / 2.0;
-            if predicted <= ROUNDING * self.energy.abs() {
+            if outcome.has_converged {
                 return Ok(0.0);
             }
-            for (next, (point, step)) in self
-                .next
-                .iter_mut()
-                .zip(self.points.iter().zip(&self.moves))
-            {
-                *next = [point[0] + step[0], point[1] + step[1]];
-            }
-            let energy = self.evaluate();
-            let gain = (self.energy - energy) / predicted;
-            if gain > 0.1 {
-                error::check_inside(&self.next, self.potential.size())?;
-                self.accept(energy);
-                if gain > 0.7 {
-                    self.damping = (0.5 * self.damping).max(self.least_damping);
-                } else if gain < 0.3 {
-                    self.damping *= 2.0;
-                }
-                return Ok(greatest);
-            }
-            self.damping *= 3.0;
         }
         Err(self.energy_not_finite())
     }
 
     /// Solves the equations of a step. Gives the greatest distance of it and the slope of the
     /// energy along it; `None` where the energy has no minimum with this damping.
-    fn solve(&mut self) -> Option<[f64; 2]> {
+    fn solve(&mut self, damping: f64) -> Option<[f64; 2]> {
         let [tension, rigidity] = self.stiffness;
-        let diagonal = self.damping + 2.0 * tension + 6.0 * rigidity;
+        let diagonal = damping + 2.0 * tension + 6.0 * rigidity;
         let neighbours = [-tension - 4.0 * rigidity, rigidity];
         self.matrix
             .factorise(&self.curvatures, diagonal, neighbours)?;
@@ -356,14 +336,15 @@ impl<'a> Motion<'a> {
         if energy.is_nan() || energy > self.energy {
             return 0.0;
         }
-        self.accept(energy);
+        self.take(energy);
         // What was accepted has changed places with what was before.
         let ways = self.points.iter().zip(&self.next);
         ways.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
             .fold(0.0, f64::max)
     }
 
-    fn accept(&mut self, energy: f64) {
+    /// Goes to the next points, whose energy is this.
+    fn take(&mut self, energy: f64) {
         self.energy = energy;
         std::mem::swap(&mut self.points, &mut self.next);
         std::mem::swap(&mut self.slopes, &mut self.next_slopes);
@@ -398,5 +379,46 @@ impl<'a> Motion<'a> {
             }
         }
         (tension * stretching + rigidity * bending) / 2.0 + outer
+    }
+}
+
+impl Descent for Motion<'_> {
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        /// Part of the energy that its rounding errors may reach.
+        const ROUNDING: f64 = 1e-14;
+        /// The energy falls by at least this part of what a step predicts.
+        const LEAST_GAIN: f64 = 0.1;
+        let Some([greatest, along]) = self.solve(damping) else {
+            return Attempt::NONE;
+        };
+        if greatest.is_nan() || greatest > self.options.greatest_move {
+            return Attempt::NONE;
+        }
+        let square: f64 = self.moves.as_flattened().iter().map(|x| x * x).sum();
+        let predicted = (damping * square - along) / 2.0;
+        if predicted <= ROUNDING * self.energy.abs() {
+            return Attempt {
+                is_small: true,
+                predicted,
+                ..Attempt::NONE
+            };
+        }
+        let ends = self.points.iter().zip(&self.moves);
+        for (next, (point, step)) in self.next.iter_mut().zip(ends) {
+            *next = [point[0] + step[0], point[1] + step[1]];
+        }
+        let energy = self.evaluate();
+        (self.greatest_move, self.next_energy) = (greatest, energy);
+        let is_enough = self.energy - energy > LEAST_GAIN * predicted;
+        Attempt {
+            size: greatest,
+            predicted,
+            is_small: false,
+            cost: if is_enough { energy } else { f64::INFINITY },
+        }
+    }
+
+    fn accept(&mut self) {
+        self.take(self.next_energy);
     }
 }

@@ -126,7 +126,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
     let unit = match arguments.metres_per_unit {
         Some(unit) => Unit::Given(unit),
-        None => Unit::Guessed,
+        None => Unit::Likely,
     };
     let first = usize::from(begins_with_calibration(&recorded));
     let motion = Motion::new(&recorded, unit, first, arguments.every, arguments.frames);

@@ -3,6 +3,7 @@
 use anyhow::{Context, Result, ensure};
 use ga_anim::bvh::Bvh;
 use ga_anim::recording::Recording;
+use ga_anim::unit::likely_unit;
 use ga_body::BodyModel;
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::Point;
@@ -17,17 +18,12 @@ pub(super) const FOCAL_LENGTH: f64 = 1000.0;
 const PRINCIPAL_POINT: [f64; 2] = [959.5, 539.5];
 /// The frames of a stretch: a second of motion capture.
 const STRETCH: usize = 120;
-/// The stature that guesses of a unit go by, in metres.
-const STATURE: f64 = 1.7;
-/// Units in metres: a metre, a decimetre, CMU's, an inch, a centimetre and a millimetre.
-const UNITS: [f64; 6] = [1.0, 0.1, 0.0254 / 0.45, 0.0254, 0.01, 0.001];
-
 /// The length of a unit of the motion.
 pub(super) enum Unit {
     /// This in metres.
     Given(f64),
-    /// That of [`UNITS`] with which the body is most like a person.
-    Guessed,
+    /// The [likely one](ga_anim::unit).
+    Likely,
 }
 
 /// A motion of a body in metres, in stretches.
@@ -62,7 +58,10 @@ impl Motion {
     ) -> Result<Self> {
         let metres_per_unit = match unit {
             Unit::Given(unit) => unit,
-            Unit::Guessed => guessed_unit(recorded).context("the body at rest has no height")?,
+            Unit::Likely => {
+                let body = Recording::from_bvh(recorded, 1.0)?;
+                likely_unit(&body).context("the body has no bones")?.metres
+            }
         };
         let recording = Recording::from_bvh(recorded, metres_per_unit)?;
         let skeleton = recording.to_skeleton()?;
@@ -143,22 +142,6 @@ impl Stretch {
         });
         cameras.collect()
     }
-}
-
-/// The unit with which the body at rest is nearest to the usual stature.
-fn guessed_unit(recorded: &Bvh) -> Option<f64> {
-    let heights = recorded.rest_positions().into_iter().map(|place| place[1]);
-    let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
-        (low.min(y), high.max(y))
-    });
-    let height = high - low;
-    let misses = |unit: &f64| (height * unit / STATURE).ln().abs();
-    (height > 0.0 && height.is_finite())
-        .then(|| {
-            let units = UNITS.into_iter();
-            units.min_by(|a, b| misses(a).total_cmp(&misses(b)))
-        })
-        .flatten()
 }
 
 /// Ranges of `count` frames that are at most `most` together, 0 for all.
