@@ -15,7 +15,7 @@ use ga_runtime::vga3::Vector;
 use nalgebra_035::Matrix3;
 
 use super::super::chain::{Chain, State, TRANSLATION, rotation_vector};
-use super::band::Block;
+use ga_numerics::banded::frames::Block;
 
 /// A second difference and its derivatives by the unknowns of three frames.
 #[derive(Clone, Copy, Debug)]

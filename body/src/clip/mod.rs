@@ -1,6 +1,5 @@
 //! The most likely motion of a clip.
 
-mod band;
 mod differences;
 pub(super) mod tracks;
 mod variances;

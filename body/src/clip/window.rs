@@ -5,9 +5,9 @@ use nalgebra_035::DVector;
 use super::super::Observation;
 use super::super::chain::{Chain, State};
 use super::super::likelihood::{Likelihood, Normal};
-use super::band::{Blocks, Couplings};
 use super::differences::{difference, kinds};
 use super::variances::variances;
+use ga_numerics::banded::frames::{Blocks, Couplings};
 
 /// The greatest number of steps.
 const STEPS: usize = 12;

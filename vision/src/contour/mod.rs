@@ -14,7 +14,6 @@ mod border;
 pub mod fit;
 mod outline;
 mod polygon;
-mod ring;
 pub mod snake;
 pub mod space_curve;
 

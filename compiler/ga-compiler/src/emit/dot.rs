@@ -201,7 +201,7 @@ fn operation(node: &Node) -> String {
         Node::Product(..) => "×".to_owned(),
         Node::Quotient(..) => "÷".to_owned(),
         Node::Function(Function::Absolute, _) => "|x|".to_owned(),
-        Node::Function(function, _) => formula::function_name(*function).to_owned(),
+        Node::Function(function, _) => function.properties().symbol.to_owned(),
     }
 }
 

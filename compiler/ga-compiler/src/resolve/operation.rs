@@ -49,8 +49,9 @@ pub(super) enum Operation {
 /// The operation that takes a number, the grade, beside its operand: `grade(a, 2)`.
 pub(super) const GRADE: &str = "grade";
 
-/// All other operations of multivectors by name; some have two names.
-const NAMES: [(&str, Operation); 41] = [
+/// The other operations of multivectors by name; some have two names. Functions of scalars have the
+/// names of their [properties](crate::ir::Properties).
+const NAMES: [(&str, Operation); 28] = [
     ("reverse", Operation::Unary(Unary::Reverse)),
     ("rev", Operation::Unary(Unary::Reverse)),
     ("involute", Operation::Unary(Unary::Involute)),
@@ -72,22 +73,9 @@ const NAMES: [(&str, Operation); 41] = [
     ("vee", Operation::Product(Product::Vee)),
     ("sandwich", Operation::Sandwich),
     ("transform", Operation::Sandwich),
-    ("sqrt", Operation::Function(Function::SquareRoot)),
-    ("abs", Operation::Function(Function::Absolute)),
-    ("sin", Operation::Function(Function::Sine)),
-    ("cos", Operation::Function(Function::Cosine)),
     ("tan", Operation::Tangent),
     ("asin", Operation::ArcSine),
     ("acos", Operation::ArcCosine),
-    ("sinh", Operation::Function(Function::HyperbolicSine)),
-    ("cosh", Operation::Function(Function::HyperbolicCosine)),
-    ("tanh", Operation::Function(Function::HyperbolicTangent)),
-    ("hypot", Operation::Function(Function::Hypotenuse)),
-    ("recip_or_zero", Operation::Function(Function::Reciprocal)),
-    ("atan2", Operation::Function(Function::ArcTangent)),
-    ("ln", Operation::Function(Function::NaturalLogarithm)),
-    ("min", Operation::Function(Function::Minimum)),
-    ("max", Operation::Function(Function::Maximum)),
     ("clamp", Operation::Clamp),
     ("sign", Operation::Sign),
     ("recip", Operation::Reciprocal),
@@ -100,18 +88,27 @@ const NAMES: [(&str, Operation); 41] = [
     ("inv", Operation::Inverse),
 ];
 
+/// The functions of scalars that have a name in `ga!`.
+fn functions() -> impl Iterator<Item = (&'static str, Function)> {
+    let named = |function: &Function| Some((function.properties().operation?, *function));
+    Function::ALL.iter().filter_map(named)
+}
+
 impl Operation {
     /// All names, those of operations that take something else than multivectors included.
     pub(super) fn names() -> impl Iterator<Item = &'static str> {
         NAMES
             .iter()
             .map(|(name, _)| *name)
+            .chain(functions().map(|(name, _)| name))
             .chain([GRADE, POWER, SELECT, POINT, ENDPOINTS])
     }
 
     /// The operation of that name, with the name.
     pub(super) fn from_name(name: &str) -> Option<(&'static str, Self)> {
-        NAMES.iter().copied().find(|(known, _)| *known == name)
+        let functions = functions().map(|(name, function)| (name, Self::Function(function)));
+        let mut all = NAMES.iter().copied().chain(functions);
+        all.find(|(known, _)| *known == name)
     }
 
     /// How many operands it takes.

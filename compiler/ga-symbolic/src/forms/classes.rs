@@ -433,18 +433,7 @@ impl<'a> Classes<'a> {
             Operation::Quotient(_, divisor) => {
                 (!self.class(*divisor).is_constant).then_some(Limit(None, *divisor, None))
             }
-            Operation::Function(
-                Function::Sine
-                | Function::Cosine
-                | Function::StumpffCosine
-                | Function::StumpffSine
-                | Function::StumpffSineSlope
-                | Function::HyperbolicSine
-                | Function::HyperbolicCosine
-                | Function::HyperbolicTangent
-                | Function::Reciprocal,
-                _,
-            ) => None,
+            Operation::Function(function, _) if function.properties().is_without_limit => None,
             Operation::Function(function, arguments) => {
                 // Functions of other multiples of a number have other limits.
                 let factor = arguments[0].factor;

@@ -74,7 +74,7 @@ pub(super) fn import(
             Step::Coefficient(a, blade) => get(a).and_then(|a| classes.coefficient(a, *blade)),
             Step::Select(..) => return None,
             Step::Function(function, _)
-                if function.is_condition() || function.is_random_choice() =>
+                if function.is_condition() || function.properties().is_random_choice =>
             {
                 return None;
             }

@@ -1,78 +1,245 @@
 //! Functions of scalars beyond arithmetic.
 
-use rustc_hash::FxHashMap;
+/// What is known of a function beside its values, from which whatever reads or writes it follows.
+#[derive(Clone, Copy, Debug)]
+pub struct Properties {
+    /// The number of arguments.
+    pub operands: usize,
+    /// Its name or sign in formulas and graphs.
+    pub symbol: &'static str,
+    /// Its name in `ga!`, where it has one there.
+    pub operation: Option<&'static str>,
+    /// The function of ga-runtime that gives it, or all of its family, below `scalar`.
+    pub rust: &'static str,
+    /// Its name or operator in WGSL: of a built-in function, or the wished name of one of ours.
+    pub wgsl: &'static str,
+    /// Its definition, where textbooks have no name for it.
+    pub explanation: Option<&'static str>,
+    /// Whether the result is a condition, not a number.
+    pub is_condition: bool,
+    /// Whether an identity may hold for stand-ins and not for real numbers, since it depends on
+    /// which of two numbers is positive, or larger.
+    pub depends_on_signs: bool,
+    /// Whether the stand-in makes a random choice between two outcomes.
+    pub is_random_choice: bool,
+    /// Whether it has a value with a bounded derivative, or none that is wrong, for all arguments.
+    pub is_without_limit: bool,
+    /// The functions that come out of one computation with this one, itself among them; none where
+    /// it comes out alone.
+    pub family: &'static [Function],
+}
 
-use super::{Residue, ResidueSequence};
-use crate::algebra::Ratio;
+const PLAIN: Properties = Properties {
+    operands: 1,
+    symbol: "",
+    operation: None,
+    rust: "",
+    wgsl: "",
+    explanation: None,
+    is_condition: false,
+    depends_on_signs: false,
+    is_random_choice: false,
+    is_without_limit: false,
+    family: &[],
+};
 
-/// A function of scalars beyond arithmetic. The graph knows only that equal arguments give equal
-/// results.
-///
-/// Over the prime field each has a stand-in that satisfies the equations on which membership in a
-/// type may depend: squares of roots, `sin² + cos² = 1`, and the like. A function without such an
-/// equation is a random function of its arguments. A condition is 0 or 1 there. A field that wraps
-/// around has no order, so a comparison is a random condition, the same wherever the same numbers
-/// are compared. Constants are compared as they are, and roots and absolute values of them have the
-/// right sign. [`Real`](super::Real) has the functions themselves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Function {
+/// A comparison of two numbers.
+const COMPARISON: Properties = Properties {
+    operands: 2,
+    is_condition: true,
+    depends_on_signs: true,
+    is_random_choice: true,
+    ..PLAIN
+};
+
+/// A condition made of conditions.
+const CONNECTIVE: Properties = Properties {
+    operands: 2,
+    is_condition: true,
+    depends_on_signs: true,
+    ..PLAIN
+};
+
+/// The smaller or the larger of two numbers.
+const CHOICE: Properties = Properties {
+    operands: 2,
+    depends_on_signs: true,
+    is_random_choice: true,
+    ..PLAIN
+};
+
+macro_rules! functions {
+    ($($(#[$doc:meta])* $name:ident: $kind:ident { $($field:ident: $value:expr),* $(,)? })*) => {
+        /// A function of scalars beyond arithmetic. The graph knows only that equal arguments give
+        /// equal results.
+        ///
+        /// Over the prime field each has a stand-in that satisfies the equations on which
+        /// membership in a type may depend: squares of roots, `sin² + cos² = 1`, and the like. A
+        /// function without such an equation is a random function of its arguments. A condition is
+        /// 0 or 1 there. A field that wraps around has no order, so a comparison is a random
+        /// condition, the same wherever the same numbers are compared. Constants are compared as
+        /// they are, and roots and absolute values of them have the right sign.
+        /// [`Real`](super::Real) has the functions themselves.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Function {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Function {
+            /// Every function.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+
+            /// What is known of it.
+            #[must_use]
+            pub const fn properties(self) -> &'static Properties {
+                match self {
+                    $(Self::$name => &const { Properties { $($field: $value,)* ..$kind } },)*
+                }
+            }
+        }
+    };
+}
+
+const VERSOR_EXPONENTIAL: &[Function] = &[
+    Function::StumpffCosine,
+    Function::StumpffSine,
+    Function::StumpffSineSlope,
+];
+const VERSOR_LOGARITHM: &[Function] = &[Function::VersorAngle, Function::VersorAngleSlope];
+const CIRCLE: &[Function] = &[Function::Sine, Function::Cosine];
+
+functions! {
     /// `√x`.
-    SquareRoot,
+    SquareRoot: PLAIN {
+        symbol: "√", operation: Some("sqrt"), rust: "Real::sqrt", wgsl: "sqrt",
+        depends_on_signs: true,
+    }
     /// `|x|`.
-    Absolute,
+    Absolute: PLAIN {
+        symbol: "abs", operation: Some("abs"), rust: "Real::abs", wgsl: "abs",
+        depends_on_signs: true,
+    }
     /// `sin x`.
-    Sine,
+    Sine: PLAIN {
+        symbol: "sin", operation: Some("sin"), rust: "Real::sin_cos", wgsl: "sin",
+        is_without_limit: true, family: CIRCLE,
+    }
     /// `cos x`.
-    Cosine,
+    Cosine: PLAIN {
+        symbol: "cos", operation: Some("cos"), rust: "Real::sin_cos", wgsl: "cos",
+        is_without_limit: true, family: CIRCLE,
+    }
     /// The angle of the point (second argument, first argument).
-    ArcTangent,
+    ArcTangent: PLAIN {
+        operands: 2, symbol: "atan2", operation: Some("atan2"), rust: "Real::atan2",
+        wgsl: "atan2",
+    }
     /// `eˣ`.
-    Exponential,
+    Exponential: PLAIN {
+        symbol: "exp", rust: "Real::exp", wgsl: "exp",
+    }
     /// `ln x`.
-    NaturalLogarithm,
+    NaturalLogarithm: PLAIN {
+        symbol: "ln", operation: Some("ln"), rust: "Real::ln", wgsl: "log",
+    }
     /// The Stumpff function c₀(−x), which is C(x) of `exp B = C(B²) + S(B²) B`: cos √−x, for x > 0
     /// cosh √x.
-    StumpffCosine,
+    StumpffCosine: PLAIN {
+        symbol: "C", rust: "versor_exponential", wgsl: "versor_cosine",
+        explanation: Some("C(x) = cos √(-x), for x > 0 cosh √x"), is_without_limit: true,
+        family: VERSOR_EXPONENTIAL,
+    }
     /// The Stumpff function c₁(−x), which is S(x) of `exp B = C(B²) + S(B²) B`: sin √−x / √−x, for
     /// x > 0 sinh √x / √x.
-    StumpffSine,
+    StumpffSine: PLAIN {
+        symbol: "S", rust: "versor_exponential", wgsl: "versor_sine",
+        explanation: Some("S(x) = sin √(-x) / √(-x), for x > 0 sinh √x / √x"),
+        is_without_limit: true, family: VERSOR_EXPONENTIAL,
+    }
     /// The derivative of S, `(C − S)/(2x)`.
-    StumpffSineSlope,
+    StumpffSineSlope: PLAIN {
+        symbol: "S′", rust: "versor_exponential", wgsl: "versor_sine_slope",
+        explanation: Some("S′(x) = dS/dx"), is_without_limit: true, family: VERSOR_EXPONENTIAL,
+    }
     /// 1/S(B²) from C(B²) and `S(B²)² B²`.
-    VersorAngle,
+    VersorAngle: PLAIN {
+        operands: 2, symbol: "A", rust: "versor_logarithm", wgsl: "versor_angle",
+        explanation: Some("A(C(x), S(x)² x) = 1 / S(x)"), family: VERSOR_LOGARITHM,
+    }
     /// `−2 S′(B²)/S(B²)³` from the same.
-    VersorAngleSlope,
+    VersorAngleSlope: PLAIN {
+        operands: 2, symbol: "A′", rust: "versor_logarithm", wgsl: "versor_angle_slope",
+        explanation: Some("A′(C(x), S(x)² x) = -2 S′(x) / S(x)³"), family: VERSOR_LOGARITHM,
+    }
     /// The smaller of two numbers.
-    Minimum,
+    Minimum: CHOICE {
+        symbol: "min", operation: Some("min"), rust: "Real::min", wgsl: "min",
+    }
     /// The larger of two numbers.
-    Maximum,
+    Maximum: CHOICE {
+        symbol: "max", operation: Some("max"), rust: "Real::max", wgsl: "max",
+    }
     /// The condition `x < y`.
-    Less,
+    Less: COMPARISON {
+        symbol: "<", rust: "Real::less_than", wgsl: "<",
+    }
     /// The condition `x ≤ y`.
-    LessOrEqual,
+    LessOrEqual: COMPARISON {
+        symbol: "≤", rust: "Real::less_or_equal", wgsl: "<=",
+    }
     /// The condition `x = y`.
-    Equal,
+    Equal: COMPARISON {
+        symbol: "=", rust: "Real::equals", wgsl: "==",
+    }
     /// Whether two conditions both hold.
-    And,
+    And: CONNECTIVE {
+        symbol: "and", rust: "&", wgsl: "&&",
+    }
     /// Whether one of two conditions holds, or both.
-    Or,
+    Or: CONNECTIVE {
+        symbol: "or", rust: "|", wgsl: "||",
+    }
     /// Whether a condition does not hold.
-    Not,
+    Not: CONNECTIVE {
+        operands: 1, symbol: "not", rust: "!", wgsl: "!",
+    }
     /// The second argument where the condition that comes first holds, else the third.
-    Select,
+    Select: PLAIN {
+        operands: 3, symbol: "select", rust: "Select::select", wgsl: "select",
+        depends_on_signs: true,
+    }
     /// `sinh x`.
-    HyperbolicSine,
+    HyperbolicSine: PLAIN {
+        symbol: "sinh", operation: Some("sinh"), rust: "Real::sinh", wgsl: "hyperbolic_sine",
+        is_without_limit: true,
+    }
     /// `cosh x`.
-    HyperbolicCosine,
+    HyperbolicCosine: PLAIN {
+        symbol: "cosh", operation: Some("cosh"), rust: "Real::cosh", wgsl: "cosh",
+        is_without_limit: true,
+    }
     /// `tanh x`.
-    HyperbolicTangent,
+    HyperbolicTangent: PLAIN {
+        symbol: "tanh", operation: Some("tanh"), rust: "Real::tanh", wgsl: "hyperbolic_tangent",
+        is_without_limit: true,
+    }
     /// `√(x² + y²)`, without overflow in the squares.
-    Hypotenuse,
+    Hypotenuse: PLAIN {
+        operands: 2, symbol: "hypot", operation: Some("hypot"), rust: "Real::hypot",
+        wgsl: "hypotenuse", depends_on_signs: true,
+    }
     /// `1/x`, and 0 where x is 0. What an identity says where x is 0 does not count, so that
     /// `x · (1/x)` is 1.
-    Reciprocal,
+    Reciprocal: PLAIN {
+        symbol: "recip_or_zero", operation: Some("recip_or_zero"), rust: "Field::recip_or_zero",
+        wgsl: "reciprocal", explanation: Some("recip_or_zero(x) = 1 / x, 0 for x = 0"),
+        is_without_limit: true,
+    }
     /// A divisor x by which every quotient is 0 where x is 0; otherwise it is x.
-    Divisor,
+    Divisor: PLAIN {
+        symbol: "nonzero", rust: "Field::recip_or_zero", wgsl: "divided",
+        explanation: Some("a / nonzero(x) = a / x, 0 for x = 0"),
+    }
 }
 
 /// Earlier names of variants.
@@ -87,382 +254,23 @@ impl Function {
 }
 
 impl Function {
-    /// Every function.
-    pub const ALL: [Self; 27] = [
-        Self::SquareRoot,
-        Self::Absolute,
-        Self::Sine,
-        Self::Cosine,
-        Self::ArcTangent,
-        Self::Exponential,
-        Self::NaturalLogarithm,
-        Self::StumpffCosine,
-        Self::StumpffSine,
-        Self::StumpffSineSlope,
-        Self::VersorAngle,
-        Self::VersorAngleSlope,
-        Self::Minimum,
-        Self::Maximum,
-        Self::Less,
-        Self::LessOrEqual,
-        Self::Equal,
-        Self::And,
-        Self::Or,
-        Self::Not,
-        Self::Select,
-        Self::HyperbolicSine,
-        Self::HyperbolicCosine,
-        Self::HyperbolicTangent,
-        Self::Hypotenuse,
-        Self::Reciprocal,
-        Self::Divisor,
-    ];
-
     /// The number of arguments.
     #[must_use]
     pub const fn arity(self) -> usize {
-        match self {
-            Self::Select => 3,
-            Self::ArcTangent
-            | Self::VersorAngle
-            | Self::VersorAngleSlope
-            | Self::Minimum
-            | Self::Maximum
-            | Self::Less
-            | Self::LessOrEqual
-            | Self::Equal
-            | Self::And
-            | Self::Or
-            | Self::Hypotenuse => 2,
-            Self::SquareRoot
-            | Self::Absolute
-            | Self::Sine
-            | Self::Cosine
-            | Self::Exponential
-            | Self::NaturalLogarithm
-            | Self::StumpffCosine
-            | Self::StumpffSine
-            | Self::StumpffSineSlope
-            | Self::Not
-            | Self::HyperbolicSine
-            | Self::HyperbolicCosine
-            | Self::HyperbolicTangent
-            | Self::Reciprocal
-            | Self::Divisor => 1,
-        }
+        self.properties().operands
     }
 
     /// Whether the result is a condition, not a number.
     #[must_use]
     pub const fn is_condition(self) -> bool {
-        matches!(
-            self,
-            Self::Less | Self::LessOrEqual | Self::Equal | Self::And | Self::Or | Self::Not
-        )
+        self.properties().is_condition
     }
 
-    /// Whether an identity may hold for stand-ins and not for real numbers, since it depends on
-    /// which of two numbers is positive, or larger.
-    #[must_use]
-    pub(crate) const fn depends_on_signs(self) -> bool {
-        matches!(
-            self,
-            Self::SquareRoot | Self::Hypotenuse | Self::Absolute | Self::Select
-        ) || self.is_random_choice()
-            || self.is_condition()
-    }
-
-    /// Whether the stand-in makes a random choice between two outcomes.
-    #[must_use]
-    pub(crate) const fn is_random_choice(self) -> bool {
-        matches!(
-            self,
-            Self::Less | Self::LessOrEqual | Self::Equal | Self::Minimum | Self::Maximum
-        )
-    }
-
-    /// The functions that come out of one computation with this one, itself among them.
+    /// The functions that come out of one computation with this one, where there are others.
     #[must_use]
     pub const fn family(self) -> &'static [Self] {
-        match self {
-            Self::SquareRoot => &[Self::SquareRoot],
-            Self::Absolute => &[Self::Absolute],
-            Self::Sine | Self::Cosine => &[Self::Sine, Self::Cosine],
-            Self::ArcTangent => &[Self::ArcTangent],
-            Self::Exponential => &[Self::Exponential],
-            Self::NaturalLogarithm => &[Self::NaturalLogarithm],
-            Self::StumpffCosine | Self::StumpffSine | Self::StumpffSineSlope => &[
-                Self::StumpffCosine,
-                Self::StumpffSine,
-                Self::StumpffSineSlope,
-            ],
-            Self::VersorAngle | Self::VersorAngleSlope => {
-                &[Self::VersorAngle, Self::VersorAngleSlope]
-            }
-            Self::Minimum => &[Self::Minimum],
-            Self::Maximum => &[Self::Maximum],
-            Self::Less => &[Self::Less],
-            Self::LessOrEqual => &[Self::LessOrEqual],
-            Self::Equal => &[Self::Equal],
-            Self::And => &[Self::And],
-            Self::Or => &[Self::Or],
-            Self::Not => &[Self::Not],
-            Self::Select => &[Self::Select],
-            Self::HyperbolicSine => &[Self::HyperbolicSine],
-            Self::HyperbolicCosine => &[Self::HyperbolicCosine],
-            Self::HyperbolicTangent => &[Self::HyperbolicTangent],
-            Self::Hypotenuse => &[Self::Hypotenuse],
-            Self::Reciprocal => &[Self::Reciprocal],
-            Self::Divisor => &[Self::Divisor],
-        }
+        self.properties().family
     }
-
-    /// The stand-in over the prime field. The root of a residue without a root there is a multiple
-    /// of i = √−1. `None` where such a number has no root, so that another point must be tried.
-    #[must_use]
-    pub fn evaluate(self, arguments: &[Residue]) -> Option<Residue> {
-        let x = arguments[0];
-        let two = Residue::new(2);
-        if let Some(exact) = self.exact_at_residues(arguments) {
-            return Some(Residue::from_ratio(exact));
-        }
-        let random = |of: Self| random(of, arguments);
-        let circle = || {
-            // A point of the unit circle.
-            let t = random(Self::Sine);
-            let scale = (Residue::ONE + t * t).recip();
-            ((Residue::ONE - t * t) * scale, two * t * scale)
-        };
-        let conic = || {
-            // A point of the conic C² − x S² = 1.
-            let t = random(Self::StumpffSine);
-            let scale = (Residue::ONE - x * t * t).recip();
-            ((Residue::ONE + x * t * t) * scale, two * t * scale)
-        };
-        Some(match self {
-            Self::SquareRoot => return x.square_root(),
-            Self::Absolute => x.absolute(),
-            Self::Sine => circle().1,
-            Self::Cosine => circle().0,
-            Self::StumpffCosine => conic().0,
-            Self::StumpffSine => conic().1,
-            Self::StumpffSineSlope => {
-                let (cosine, sine) = conic();
-                (cosine - sine) * (two * x).recip()
-            }
-            Self::ArcTangent
-            | Self::Exponential
-            | Self::NaturalLogarithm
-            | Self::VersorAngle
-            | Self::VersorAngleSlope => random(self),
-            Self::Minimum | Self::Maximum => match random(self).residue() & 1 {
-                0 => x,
-                _ => arguments[1],
-            },
-            Self::Less | Self::LessOrEqual => condition(random(self).residue() & 1 == 1),
-            // The same for both orders of the numbers.
-            Self::Equal => {
-                let difference = x - arguments[1];
-                let state = self::random(self, &[difference * difference]);
-                condition(state.residue() & 1 == 1)
-            }
-            Self::And => x * arguments[1],
-            Self::Or => x + arguments[1] - x * arguments[1],
-            Self::Not => Residue::ONE - x,
-            Self::Select if x == Residue::ZERO => arguments[2],
-            Self::Select => arguments[1],
-            // As C and S at x², of which they are cosh x = C and sinh x = x S.
-            Self::HyperbolicSine => x * Self::StumpffSine.evaluate(&[x * x])?,
-            Self::HyperbolicCosine => Self::StumpffCosine.evaluate(&[x * x])?,
-            Self::HyperbolicTangent => {
-                let cosine = Self::HyperbolicCosine.evaluate(arguments)?;
-                Self::HyperbolicSine.evaluate(arguments)? * cosine.recip()
-            }
-            Self::Hypotenuse => return (x * x + arguments[1] * arguments[1]).square_root(),
-            Self::Reciprocal => x.recip(),
-            Self::Divisor => x,
-        })
-    }
-
-    /// The same, where outcomes are taken for some comparisons.
-    pub(crate) fn evaluate_with(
-        self,
-        arguments: &[Residue],
-        outcomes: &Outcomes,
-    ) -> Option<Residue> {
-        match outcomes.get(self, arguments) {
-            Some(holds) => Some(condition(holds)),
-            None => self.evaluate(arguments),
-        }
-    }
-
-    /// The positive factor of the first argument that stands before the function instead:
-    /// `√(r² x) = r √x` and `|c x| = |c| |x|`, with what is left of it in the argument.
-    pub(crate) fn outer_factor(self, inner: Ratio) -> (Ratio, Ratio) {
-        match self {
-            Self::SquareRoot => {
-                let root = inner.root_factor();
-                (root, inner / (root * root))
-            }
-            Self::Absolute => {
-                let size = inner.abs();
-                if size.is_of_small_primes() {
-                    (size, Ratio::ONE)
-                } else {
-                    (Ratio::ONE, size)
-                }
-            }
-            Self::Reciprocal => match inner.recip() {
-                Some(outer) => (outer, Ratio::ONE),
-                None => (Ratio::ONE, inner),
-            },
-            _ => (Ratio::ONE, inner),
-        }
-    }
-
-    /// The value at residues that stand for constants: it is that of the constants.
-    fn exact_at_residues(self, arguments: &[Residue]) -> Option<Ratio> {
-        let constants: Option<Vec<Ratio>> = if self.is_random_choice() {
-            let each = arguments.iter().map(|x| x.to_ratio(LARGEST_CONSTANT));
-            each.collect()
-        } else if self.arity() == 1 {
-            let simple = [Ratio::ZERO, Ratio::ONE].into_iter();
-            let mut simple = simple.filter(|x| Residue::from_ratio(*x) == arguments[0]);
-            simple.next().map(|x| vec![x])
-        } else {
-            None
-        };
-        self.exact(&constants?)
-    }
-
-    /// The value at fractions where it is a fraction for which the stand-in is the same: a positive
-    /// one that is a square among the residues, or a comparison of constants that are recognised
-    /// there.
-    #[must_use]
-    pub(crate) fn folded(self, arguments: &[Ratio]) -> Option<Ratio> {
-        let value = self.exact(arguments)?;
-        let is_same = match self {
-            Self::SquareRoot | Self::Hypotenuse | Self::Absolute => value.is_of_small_primes(),
-            _ if self.is_random_choice() => {
-                let largest = i128::from(LARGEST_CONSTANT);
-                arguments.iter().all(|x| x.height() <= largest)
-            }
-            _ => true,
-        };
-        is_same.then_some(value)
-    }
-
-    /// The value at fractions, where it is a fraction itself.
-    #[must_use]
-    pub(crate) fn exact(self, arguments: &[Ratio]) -> Option<Ratio> {
-        let x = arguments[0];
-        if arguments.iter().any(|x| x.is_out_of_range()) {
-            return None;
-        }
-        let condition = |holds: bool| Some(if holds { Ratio::ONE } else { Ratio::ZERO });
-        let second = || arguments[1];
-        let difference = || x - second();
-        match self {
-            Self::SquareRoot => x.square_root(),
-            Self::Hypotenuse => (x * x + second() * second()).square_root(),
-            Self::Absolute => Some(x.abs()),
-            Self::Sine | Self::HyperbolicSine | Self::HyperbolicTangent if x.is_zero() => {
-                Some(Ratio::ZERO)
-            }
-            Self::Cosine
-            | Self::Exponential
-            | Self::StumpffCosine
-            | Self::StumpffSine
-            | Self::HyperbolicCosine
-                if x.is_zero() =>
-            {
-                Some(Ratio::ONE)
-            }
-            Self::StumpffSineSlope if x.is_zero() => Ratio::new(1, 6),
-            Self::NaturalLogarithm if x == Ratio::ONE => Some(Ratio::ZERO),
-            Self::Reciprocal => Some(x.recip().unwrap_or(Ratio::ZERO)),
-            Self::Divisor => None,
-            Self::Minimum => Some(if difference().is_negative() {
-                x
-            } else {
-                second()
-            }),
-            Self::Maximum => Some(if difference().is_negative() {
-                second()
-            } else {
-                x
-            }),
-            Self::Less => condition(difference().is_negative()),
-            Self::LessOrEqual => condition(difference().is_negative() || difference().is_zero()),
-            Self::Equal => condition(difference().is_zero()),
-            Self::And => Some(x * second()),
-            Self::Or => condition(!(x.is_zero() && second().is_zero())),
-            Self::Not => Some(Ratio::ONE - x),
-            Self::Select => Some(arguments[if x.is_zero() { 2 } else { 1 }]),
-            Self::Sine
-            | Self::Cosine
-            | Self::ArcTangent
-            | Self::Exponential
-            | Self::NaturalLogarithm
-            | Self::StumpffCosine
-            | Self::StumpffSine
-            | Self::StumpffSineSlope
-            | Self::VersorAngle
-            | Self::VersorAngleSlope
-            | Self::HyperbolicSine
-            | Self::HyperbolicCosine
-            | Self::HyperbolicTangent => None,
-        }
-    }
-}
-
-/// The largest numerator and denominator of a constant that is told from a random residue.
-const LARGEST_CONSTANT: u64 = 1 << 20;
-
-/// Outcomes that are taken for comparisons of some numbers, in place of random ones.
-#[derive(Clone, Debug, Default)]
-pub struct Outcomes(FxHashMap<(Function, Vec<u64>), bool>);
-
-impl Outcomes {
-    /// Takes an outcome for a comparison of two numbers, unless one is taken already or they are
-    /// constants.
-    pub(crate) fn set(&mut self, comparison: Function, numbers: &[Residue], holds: bool) {
-        if comparison.exact_at_residues(numbers).is_none() {
-            self.0.entry(key(comparison, numbers)).or_insert(holds);
-        }
-    }
-
-    fn get(&self, function: Function, arguments: &[Residue]) -> Option<bool> {
-        if self.0.is_empty() || !function.is_condition() {
-            return None;
-        }
-        self.0.get(&key(function, arguments)).copied()
-    }
-}
-
-/// The same for both orders of numbers that are compared for equality.
-fn key(comparison: Function, numbers: &[Residue]) -> (Function, Vec<u64>) {
-    let parts = |number: &Residue| [number.residue(), number.imaginary()];
-    let parts: Vec<u64> = match (comparison, numbers) {
-        (Function::Equal, [a, b]) => parts(&((*a - *b) * (*a - *b))).to_vec(),
-        _ => numbers.iter().flat_map(parts).collect(),
-    };
-    (comparison, parts)
-}
-
-/// A condition as a residue.
-const fn condition(holds: bool) -> Residue {
-    if holds { Residue::ONE } else { Residue::ZERO }
-}
-
-/// A reproducible residue of a function and its arguments.
-fn random(function: Function, arguments: &[Residue]) -> Residue {
-    let start = Residue::new(0x9e37_79b9_7f4a_7c15 ^ function as u64);
-    arguments.iter().fold(start, |state, argument| {
-        let imaginary = argument.imaginary().rotate_left(31);
-        let argument = argument.residue().rotate_left(17) ^ imaginary;
-        ResidueSequence::new(state.residue() ^ argument).next_residue()
-    })
 }
 
 #[cfg(test)]
@@ -470,118 +278,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_lists_every_function() {
-        // Exhaustive, so that a function added later must be given its place.
-        let next = |function: Function| match function {
-            Function::SquareRoot => Some(Function::Absolute),
-            Function::Absolute => Some(Function::Sine),
-            Function::Sine => Some(Function::Cosine),
-            Function::Cosine => Some(Function::ArcTangent),
-            Function::ArcTangent => Some(Function::Exponential),
-            Function::Exponential => Some(Function::NaturalLogarithm),
-            Function::NaturalLogarithm => Some(Function::StumpffCosine),
-            Function::StumpffCosine => Some(Function::StumpffSine),
-            Function::StumpffSine => Some(Function::StumpffSineSlope),
-            Function::StumpffSineSlope => Some(Function::VersorAngle),
-            Function::VersorAngle => Some(Function::VersorAngleSlope),
-            Function::VersorAngleSlope => Some(Function::Minimum),
-            Function::Minimum => Some(Function::Maximum),
-            Function::Maximum => Some(Function::Less),
-            Function::Less => Some(Function::LessOrEqual),
-            Function::LessOrEqual => Some(Function::Equal),
-            Function::Equal => Some(Function::And),
-            Function::And => Some(Function::Or),
-            Function::Or => Some(Function::Not),
-            Function::Not => Some(Function::Select),
-            Function::Select => Some(Function::HyperbolicSine),
-            Function::HyperbolicSine => Some(Function::HyperbolicCosine),
-            Function::HyperbolicCosine => Some(Function::HyperbolicTangent),
-            Function::HyperbolicTangent => Some(Function::Hypotenuse),
-            Function::Hypotenuse => Some(Function::Reciprocal),
-            Function::Reciprocal => Some(Function::Divisor),
-            Function::Divisor => None,
-        };
-        let every = std::iter::successors(Some(Function::SquareRoot), |&function| next(function));
-        assert!(every.eq(Function::ALL));
-    }
-
-    #[test]
-    fn comparisons_are_conditions_that_take_both_values() {
-        let mut sequence = ResidueSequence::new(7);
-        for comparison in [Function::Less, Function::LessOrEqual, Function::Equal] {
-            let mut held = 0;
-            for _ in 0..64 {
-                let (x, y) = (sequence.next_residue(), sequence.next_residue());
-                let holds = comparison.evaluate(&[x, y]).expect("total");
-                assert_eq!(holds * holds, holds, "0 or 1");
-                held += holds.residue();
-                if comparison == Function::Equal {
-                    assert_eq!(comparison.evaluate(&[y, x]), Some(holds));
-                }
-                let chosen = Function::Select.evaluate(&[holds, x, y]);
-                assert_eq!(chosen, Some(if holds == Residue::ONE { x } else { y }));
-            }
-            assert!((16..48).contains(&held), "{comparison:?}: {held}");
-        }
-        let (no, yes) = (Residue::ZERO, Residue::ONE);
-        for (x, y) in [(no, no), (no, yes), (yes, no), (yes, yes)] {
-            let holds = |function: Function| function.evaluate(&[x, y]) == Some(yes);
-            assert_eq!(holds(Function::And), x == yes && y == yes);
-            assert_eq!(holds(Function::Or), x == yes || y == yes);
-            assert_eq!(holds(Function::Not), x == no);
-        }
-    }
-
-    #[test]
-    fn stand_ins_satisfy_their_equations() {
-        let mut sequence = ResidueSequence::new(5);
-        let mut roots = 0;
-        for _ in 0..64 {
-            let x = sequence.next_residue();
-            let value = |function: Function| function.evaluate(&[x]);
-            let root = value(Function::SquareRoot).expect("each residue has a root");
-            assert_eq!(root * root, x);
-            roots += usize::from(root.is_real());
-            let (Some(sine), Some(cosine)) = (value(Function::Sine), value(Function::Cosine))
-            else {
-                panic!("total")
-            };
-            assert_eq!(sine * sine + cosine * cosine, Residue::ONE);
-            let (Some(c), Some(s), Some(slope)) = (
-                value(Function::StumpffCosine),
-                value(Function::StumpffSine),
-                value(Function::StumpffSineSlope),
-            ) else {
-                panic!("total")
-            };
-            assert_eq!(c * c - x * s * s, Residue::ONE);
-            assert_eq!(slope * Residue::new(2) * x, c - s);
-            assert_eq!(
-                value(Function::Absolute),
-                Function::Absolute.evaluate(&[-x])
+    fn properties_agree_with_each_other() {
+        for &function in Function::ALL {
+            let properties = function.properties();
+            assert!(
+                !properties.symbol.is_empty()
+                    && !properties.rust.is_empty()
+                    && !properties.wgsl.is_empty()
             );
-            let (Some(sinh), Some(cosh), Some(tanh)) = (
-                value(Function::HyperbolicSine),
-                value(Function::HyperbolicCosine),
-                value(Function::HyperbolicTangent),
-            ) else {
-                panic!("total")
-            };
-            assert_eq!(cosh * cosh - sinh * sinh, Residue::ONE);
-            assert_eq!(tanh * cosh, sinh);
-            assert_eq!(Function::HyperbolicSine.evaluate(&[-x]), Some(-sinh));
-            assert_eq!(Function::HyperbolicCosine.evaluate(&[-x]), Some(cosh));
-            let y = sequence.next_residue();
-            let length = Function::Hypotenuse.evaluate(&[x, y]).expect("total");
-            assert_eq!(length * length, x * x + y * y);
-            assert_eq!(Function::Hypotenuse.evaluate(&[y, -x]), Some(length));
-            let inverse = Function::Reciprocal.evaluate(&[x]).expect("total");
-            assert_eq!(inverse * x, Residue::ONE);
-            assert_eq!(Function::Divisor.evaluate(&[x]), Some(x));
+            // Each of a family names the same family and the same function of ga-runtime.
+            for other in properties.family {
+                assert_eq!(other.properties().family, properties.family);
+                assert_eq!(other.properties().rust, properties.rust);
+            }
+            assert!(properties.family.is_empty() || properties.family.contains(&function));
+            let same = |other: &&Function| other.properties().symbol == properties.symbol;
+            assert_eq!(
+                Function::ALL.iter().filter(same).count(),
+                1,
+                "{}",
+                properties.symbol
+            );
         }
-        assert!(
-            (16..48).contains(&roots),
-            "half of all residues are squares"
-        );
     }
 }

@@ -18,10 +18,11 @@ mod plucker;
 mod real;
 mod residue;
 mod splice;
+mod stand_in;
 
 pub use arena::{Arena, Node, NodeId, Value};
 pub use facts::Facts;
-pub use function::{Function, Outcomes};
+pub use function::{Function, Properties};
 pub use multivector::Multivector;
 pub(crate) use number::Parts;
 pub use number::{Number, NumberSequence};
@@ -29,3 +30,4 @@ pub use plucker::plucker;
 pub use real::Real;
 pub use residue::{Residue, Residue as Prime};
 pub use residue::{ResidueSequence, ResidueSequence as PrimeSequence};
+pub use stand_in::Outcomes;

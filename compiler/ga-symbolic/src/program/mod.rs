@@ -206,7 +206,7 @@ impl<'a> Program<'a> {
         self.constant.push(is_constant);
         // The root of a square is its absolute value.
         self.has_signs |= match &step {
-            Step::Function(function, _) => function.depends_on_signs(),
+            Step::Function(function, _) => function.properties().depends_on_signs,
             Step::Select(..) => true,
             _ => false,
         };

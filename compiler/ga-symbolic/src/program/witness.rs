@@ -490,7 +490,7 @@ fn start(algebra: &Algebra, program: &Program<'_>, seed: u64, with_reals: bool) 
 }
 
 fn is_comparison(function: Function) -> bool {
-    function.is_condition() && function.is_random_choice()
+    function.is_condition() && function.properties().is_random_choice
 }
 
 fn is_true(point: &Point, id: StepId) -> bool {
@@ -532,7 +532,7 @@ fn has_real_roots(program: &Program<'_>, points: &[Point]) -> bool {
 /// They do so for the comparisons among the first `covered` steps.
 fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
     let random = |(id, step)| match step {
-        &Step::Function(function, ref arguments) if function.is_random_choice() => {
+        &Step::Function(function, ref arguments) if function.properties().is_random_choice => {
             // A comparison gives 0 or 1; the smaller or the larger number is the first or not.
             let reference = (!function.is_condition()).then_some(arguments[0]);
             Some((id, reference))

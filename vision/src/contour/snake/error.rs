@@ -3,8 +3,8 @@
 use ga_image::filter::SigmaError;
 
 use super::super::polygon::perimeter;
-use super::super::ring::Ring;
 use super::{Potential, SnakeOptions};
+use ga_numerics::banded::ring::Ring;
 
 /// Why a snake does not move.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

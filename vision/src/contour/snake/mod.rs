@@ -10,7 +10,7 @@ pub use flow::Flow;
 pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};
-use super::ring::Ring;
+use ga_numerics::banded::ring::Ring;
 use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
 
 /// How a snake moves.

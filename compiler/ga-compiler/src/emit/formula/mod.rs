@@ -20,8 +20,6 @@ use crate::ir::{Arena, Node, NodeId, Value};
 use crate::signature::{Operand, Shape};
 use expand::Expander;
 use polynomial::Polynomial;
-#[cfg(feature = "dot")]
-pub(super) use print::name as function_name;
 use print::{Printer, bare};
 
 /// A function as text: a line for the function, then one for each blade of its result, `e1: …`. The
@@ -100,7 +98,8 @@ fn with_terms(
         let _ = writeln!(text, "{label}: {expression}");
     }
     let explained = std::mem::take(&mut printer.explained);
-    for explanation in explained.into_iter().filter_map(print::explanation) {
+    let explanations = explained.into_iter();
+    for explanation in explanations.filter_map(|function| function.properties().explanation) {
         let _ = writeln!(text, "where {explanation}");
     }
     text

@@ -170,21 +170,27 @@ impl Printer<'_> {
                     })
                     .collect();
                 let text = texts.join(", ");
-                if explanation(*function).is_some() {
+                if function.properties().explanation.is_some() {
                     self.explained.insert(*function);
                 }
                 match function {
                     Function::Not => format!("not ({text})"),
                     Function::And | Function::Or => {
                         let texts: Vec<_> = texts.iter().map(|text| format!("({text})")).collect();
-                        format!("({})", texts.join(&format!(" {} ", name(*function))))
+                        format!(
+                            "({})",
+                            texts.join(&format!(" {} ", function.properties().symbol))
+                        )
                     }
                     Function::Less | Function::LessOrEqual | Function::Equal => {
-                        format!("({})", texts.join(&format!(" {} ", name(*function))))
+                        format!(
+                            "({})",
+                            texts.join(&format!(" {} ", function.properties().symbol))
+                        )
                     }
                     Function::Absolute => format!("|{text}|"),
                     Function::SquareRoot => format!("√({text})"),
-                    other => format!("{}({text})", name(*other)),
+                    other => format!("{}({text})", other.properties().symbol),
                 }
             }
             Node::One | Node::Sum(_) | Node::Product(..) | Node::Quotient(..) => {
@@ -218,72 +224,6 @@ fn superscript(power: u32) -> String {
         .bytes()
         .map(|digit| DIGITS[usize::from(digit - b'0')])
         .collect()
-}
-
-/// The name of a function.
-pub(in crate::emit) fn name(function: Function) -> &'static str {
-    match function {
-        Function::SquareRoot => "√",
-        Function::Absolute => "abs",
-        Function::Sine => "sin",
-        Function::Cosine => "cos",
-        Function::ArcTangent => "atan2",
-        Function::Exponential => "exp",
-        Function::NaturalLogarithm => "ln",
-        Function::StumpffCosine => "C",
-        Function::StumpffSine => "S",
-        Function::StumpffSineSlope => "S′",
-        Function::VersorAngle => "A",
-        Function::VersorAngleSlope => "A′",
-        Function::Minimum => "min",
-        Function::Maximum => "max",
-        Function::Less => "<",
-        Function::LessOrEqual => "≤",
-        Function::Equal => "=",
-        Function::And => "and",
-        Function::Or => "or",
-        Function::Not => "not",
-        Function::Select => "select",
-        Function::HyperbolicSine => "sinh",
-        Function::HyperbolicCosine => "cosh",
-        Function::HyperbolicTangent => "tanh",
-        Function::Hypotenuse => "hypot",
-        Function::Reciprocal => "recip_or_zero",
-        Function::Divisor => "nonzero",
-    }
-}
-
-/// The definition of a function that textbooks have no name for.
-pub(super) fn explanation(function: Function) -> Option<&'static str> {
-    Some(match function {
-        Function::StumpffCosine => "C(x) = cos √(-x), for x > 0 cosh √x",
-        Function::StumpffSine => "S(x) = sin √(-x) / √(-x), for x > 0 sinh √x / √x",
-        Function::StumpffSineSlope => "S′(x) = dS/dx",
-        Function::VersorAngle => "A(C(x), S(x)² x) = 1 / S(x)",
-        Function::VersorAngleSlope => "A′(C(x), S(x)² x) = -2 S′(x) / S(x)³",
-        Function::Reciprocal => "recip_or_zero(x) = 1 / x, 0 for x = 0",
-        Function::Divisor => "a / nonzero(x) = a / x, 0 for x = 0",
-        Function::SquareRoot
-        | Function::Absolute
-        | Function::Sine
-        | Function::Cosine
-        | Function::ArcTangent
-        | Function::Exponential
-        | Function::NaturalLogarithm
-        | Function::Minimum
-        | Function::Maximum
-        | Function::Less
-        | Function::LessOrEqual
-        | Function::Equal
-        | Function::And
-        | Function::Or
-        | Function::Not
-        | Function::Select
-        | Function::HyperbolicSine
-        | Function::HyperbolicCosine
-        | Function::HyperbolicTangent
-        | Function::Hypotenuse => return None,
-    })
 }
 
 /// A text without the parentheses around all of it.

@@ -83,7 +83,7 @@ pub(super) fn stage_body(
     let mut statements = TokenStream::new();
     for id in writer.stage.order.clone() {
         if let Node::Function(function, arguments) = arena.node(id)
-            && function.family().len() > 1
+            && !function.family().is_empty()
         {
             statements.extend(writer.family(*function, arguments));
         } else if writer.stage.uses[id.index()] > 1 {
@@ -201,10 +201,9 @@ impl Writer<'_> {
 
     /// A function of one result.
     fn function(&mut self, function: Function, arguments: &[Value]) -> TokenStream {
-        self.needs = self.needs.max(match function {
-            Function::Reciprocal | Function::Divisor => Needs::Field,
-            _ => Needs::Real,
-        });
+        let of_field = function.properties().rust.starts_with("Field::");
+        let needed = if of_field { Needs::Field } else { Needs::Real };
+        self.needs = self.needs.max(needed);
         let values: Vec<_> = arguments
             .iter()
             .map(|&argument| self.value(argument))
@@ -223,40 +222,17 @@ impl Writer<'_> {
     /// The function of ga-runtime that gives a function, or all of its family.
     fn call(&self, function: Function) -> TokenStream {
         let runtime = self.source.runtime;
-        let method = match function {
-            Function::SquareRoot => quote! { sqrt },
-            Function::Absolute => quote! { abs },
-            Function::ArcTangent => quote! { atan2 },
-            Function::Exponential => quote! { exp },
-            Function::NaturalLogarithm => quote! { ln },
-            Function::Sine | Function::Cosine => quote! { sin_cos },
-            Function::Minimum => quote! { min },
-            Function::Maximum => quote! { max },
-            Function::Less => quote! { less_than },
-            Function::LessOrEqual => quote! { less_or_equal },
-            Function::Equal => quote! { equals },
-            Function::HyperbolicSine => quote! { sinh },
-            Function::HyperbolicCosine => quote! { cosh },
-            Function::HyperbolicTangent => quote! { tanh },
-            Function::Hypotenuse => quote! { hypot },
-            Function::Reciprocal | Function::Divisor => {
-                return quote! { <S as #runtime::scalar::Field>::recip_or_zero };
+        let path = function.properties().rust;
+        match path.split_once("::") {
+            Some((of, method)) => {
+                let [of, method] = [of, method].map(|name| format_ident!("{name}"));
+                quote! { <S as #runtime::scalar::#of>::#method }
             }
-            Function::Select => {
-                return quote! { <S as #runtime::scalar::Select>::select };
+            None => {
+                let path = format_ident!("{path}");
+                quote! { #runtime::scalar::#path }
             }
-            // Operators of masks.
-            Function::And => quote! { bitand },
-            Function::Or => quote! { bitor },
-            Function::Not => quote! { not },
-            Function::StumpffCosine | Function::StumpffSine | Function::StumpffSineSlope => {
-                return quote! { #runtime::scalar::versor_exponential };
-            }
-            Function::VersorAngle | Function::VersorAngleSlope => {
-                return quote! { #runtime::scalar::versor_logarithm };
-            }
-        };
-        quote! { <S as #runtime::scalar::Real>::#method }
+        }
     }
 
     /// A value with its factor.
@@ -405,7 +381,7 @@ impl Writer<'_> {
         }
         match self.arena.node(id) {
             Node::Input(number) => self.source.inputs[*number].clone(),
-            Node::Function(function, _) if function.family().len() > 1 => {
+            Node::Function(function, _) if !function.family().is_empty() => {
                 let name = self.variable(id);
                 quote! { #name }
             }

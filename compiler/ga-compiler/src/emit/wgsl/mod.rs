@@ -66,9 +66,9 @@ pub fn module(definition: &Definition, functions: &[CompiledFunction]) -> String
         }
         writer.shapes.name(&function.result, &mut writer.names);
     }
-    for function in Function::ALL {
+    for &function in Function::ALL {
         if scalar_functions::is_own(function) {
-            let name = writer.names.give(scalar_functions::name(function));
+            let name = writer.names.give(function.properties().wgsl);
             writer.own.insert(function, name);
         }
     }
@@ -198,7 +198,7 @@ impl Writer<'_> {
         let own = &self.own;
         let name = |function: Function| match own.get(&function) {
             Some(name) => name.clone(),
-            None => scalar_functions::name(function).to_owned(),
+            None => function.properties().wgsl.to_owned(),
         };
         let mut body = Body {
             arena: &function.kernel.arena,

@@ -1,73 +1,20 @@
 //! Functions of scalars in WGSL: built-in ones, and our own where WGSL has none.
 
+use std::cell::RefCell;
+
 use crate::ir::Function;
 
-/// The name of a function or its operator; the name of one of our own may still be changed to avoid
-/// a clash.
-pub(super) fn name(function: Function) -> &'static str {
-    match function {
-        Function::SquareRoot => "sqrt",
-        Function::Absolute => "abs",
-        Function::Sine => "sin",
-        Function::Cosine => "cos",
-        Function::ArcTangent => "atan2",
-        Function::Exponential => "exp",
-        Function::NaturalLogarithm => "log",
-        Function::StumpffCosine => "versor_cosine",
-        Function::StumpffSine => "versor_sine",
-        Function::StumpffSineSlope => "versor_sine_slope",
-        Function::VersorAngle => "versor_angle",
-        Function::VersorAngleSlope => "versor_angle_slope",
-        Function::Minimum => "min",
-        Function::Maximum => "max",
-        Function::Less => "<",
-        Function::LessOrEqual => "<=",
-        Function::Equal => "==",
-        Function::And => "&&",
-        Function::Or => "||",
-        Function::Not => "!",
-        Function::Select => "select",
-        Function::HyperbolicSine => "hyperbolic_sine",
-        Function::HyperbolicCosine => "cosh",
-        Function::HyperbolicTangent => "hyperbolic_tangent",
-        Function::Hypotenuse => "hypotenuse",
-        Function::Reciprocal => "reciprocal",
-        Function::Divisor => "divided",
-    }
-}
-
 /// The functions of our own that the declaration of another calls.
-pub(super) fn needs(function: Function) -> &'static [Function] {
-    match function {
-        Function::StumpffSineSlope | Function::HyperbolicTangent => {
-            &[Function::StumpffCosine, Function::StumpffSine]
+pub(super) fn needs(function: Function) -> Vec<Function> {
+    let called = RefCell::new(Vec::new());
+    let note = |other: Function| {
+        if other != function {
+            called.borrow_mut().push(other);
         }
-        Function::HyperbolicSine => &[Function::StumpffSine],
-        Function::VersorAngleSlope => &[Function::VersorAngle],
-        Function::SquareRoot
-        | Function::Absolute
-        | Function::Sine
-        | Function::Cosine
-        | Function::ArcTangent
-        | Function::Exponential
-        | Function::NaturalLogarithm
-        | Function::StumpffCosine
-        | Function::StumpffSine
-        | Function::VersorAngle
-        | Function::Minimum
-        | Function::Maximum
-        | Function::Less
-        | Function::LessOrEqual
-        | Function::Equal
-        | Function::And
-        | Function::Or
-        | Function::Not
-        | Function::Select
-        | Function::HyperbolicCosine
-        | Function::Hypotenuse
-        | Function::Reciprocal
-        | Function::Divisor => &[],
-    }
+        String::new()
+    };
+    declaration(function, &note);
+    called.into_inner()
 }
 
 /// Whether a function is declared by us.
@@ -99,23 +46,7 @@ pub(super) fn declaration(function: Function, name: &dyn Fn(Function) -> String)
         Function::Hypotenuse => Some(hypotenuse(&this)),
         Function::Reciprocal => Some(reciprocal(&this)),
         Function::Divisor => Some(divided(&this)),
-        Function::SquareRoot
-        | Function::Absolute
-        | Function::Sine
-        | Function::Cosine
-        | Function::ArcTangent
-        | Function::Exponential
-        | Function::NaturalLogarithm
-        | Function::Minimum
-        | Function::Maximum
-        | Function::Less
-        | Function::LessOrEqual
-        | Function::Equal
-        | Function::And
-        | Function::Or
-        | Function::Not
-        | Function::Select
-        | Function::HyperbolicCosine => None,
+        _ => None,
     }
 }
 

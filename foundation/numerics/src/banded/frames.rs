@@ -2,33 +2,36 @@
 
 use nalgebra_035::{Cholesky, DMatrix, DVector};
 
-/// The couplings of the frames, of which all but those within a frame are block diagonal: blocks of
+/// The matrix of frames, symmetric: their couplings, of which all but those within a frame are block diagonal: blocks of
 /// 3×3 or of 1×1 for the unknowns of each joint.
 #[derive(Clone, Debug)]
-pub(super) struct Couplings {
+pub struct Couplings {
     /// For each frame, its own matrix, the lower triangle.
-    pub(super) own: Vec<DMatrix<f64>>,
+    pub own: Vec<DMatrix<f64>>,
     /// For each frame, the rows of the frame and the columns of the frame before.
-    pub(super) before: Vec<Blocks>,
+    pub before: Vec<Blocks>,
     /// The columns of the frame before that.
-    pub(super) two_before: Vec<Blocks>,
+    pub two_before: Vec<Blocks>,
 }
 
 /// A block-diagonal matrix: for each block its first row and its entries, of which a block of one
 /// row uses the first.
-pub(super) type Blocks = Vec<Block>;
+pub type Blocks = Vec<Block>;
 
-/// A block on the diagonal.
+/// A block on the diagonal of a block-diagonal matrix.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
-    pub(super) first: usize,
-    pub(super) size: usize,
-    pub(super) entries: [[f64; 3]; 3],
+pub struct Block {
+    /// Its first row and column.
+    pub first: usize,
+    /// How many rows it has, 1 or 3.
+    pub size: usize,
+    /// Its entries, row by row.
+    pub entries: [[f64; 3]; 3],
 }
 
 /// The Cholesky factor, by blocks of frames.
 #[derive(Clone, Debug)]
-pub(super) struct Factor {
+pub struct Factor {
     /// For each frame the inverse of its triangle, L⁻¹.
     inverse: Vec<DMatrix<f64>>,
     before: Vec<DMatrix<f64>>,
@@ -50,7 +53,7 @@ fn times(blocks: &Blocks, matrix: &DMatrix<f64>, product: &mut DMatrix<f64>) {
 
 impl Couplings {
     /// Adds a block to those within a frame.
-    pub(super) fn add_own(&mut self, frame: usize, block: &Block) {
+    pub fn add_own(&mut self, frame: usize, block: &Block) {
         for row in 0..block.size {
             for column in 0..=row {
                 let place = (block.first + row, block.first + column);
@@ -60,7 +63,7 @@ impl Couplings {
     }
 
     /// Adds a block to those with the frame before.
-    pub(super) fn add_before(&mut self, frame: usize, block: &Block) {
+    pub fn add_before(&mut self, frame: usize, block: &Block) {
         let blocks = &mut self.before[frame];
         let Some(found) = blocks.iter_mut().find(|found| found.first == block.first) else {
             blocks.push(*block);
@@ -79,7 +82,25 @@ impl Couplings {
     /// The factor, by elimination frame by frame (A. George, J. Liu, Computer Solution of Large
     /// Sparse Positive Definite Systems, 1981, chapter 4). `None` where the matrix is not positive
     /// definite in floating point.
-    pub(super) fn factor(&self) -> Option<Factor> {
+    ///
+    /// ```
+    /// use ga_numerics::banded::frames::{Block, Couplings};
+    /// use nalgebra_035::{DMatrix, DVector};
+    ///
+    /// // Two frames of one unknown each: 2 x + y = 3 and x + 2 y = 3.
+    /// let coupling = Block { first: 0, size: 1, entries: [[1.0; 3]; 3] };
+    /// let couplings = Couplings {
+    ///     own: vec![DMatrix::from_element(1, 1, 2.0); 2],
+    ///     before: vec![vec![], vec![coupling]],
+    ///     two_before: vec![vec![]; 2],
+    /// };
+    /// let mut values = vec![DVector::from_element(1, 3.0); 2];
+    /// couplings.factor().ok_or("not positive definite")?.solve(&mut values);
+    /// assert!(values.iter().all(|x| (x[0] - 1.0).abs() < 1e-15));
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    pub fn factor(&self) -> Option<Factor> {
         let mut factor = Factor {
             inverse: Vec::with_capacity(self.own.len()),
             before: Vec::with_capacity(self.own.len()),
@@ -135,7 +156,7 @@ fn inverted(lower: &DMatrix<f64>) -> DMatrix<f64> {
 
 impl Factor {
     /// The solution of the equations with a right side, in its place.
-    pub(super) fn solve(&self, right: &mut [DVector<f64>]) {
+    pub fn solve(&self, right: &mut [DVector<f64>]) {
         for frame in 0..right.len() {
             let mut own = std::mem::replace(&mut right[frame], DVector::zeros(0));
             if frame >= 1 {

@@ -10,7 +10,7 @@ use nalgebra_035::{Matrix4, Vector4};
 /// matrix has four diagonals on either side: `T = L D Lᵀ`. The last two points are found from the
 /// Schur complement.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ring {
+pub struct Ring {
     /// The reciprocals of D.
     reciprocals: Vec<f64>,
     /// The four numbers of each row of L before its 1, the nearest first.
@@ -23,13 +23,25 @@ pub(super) struct Ring {
 
 impl Ring {
     /// The least number of points.
-    pub(super) const LEAST: usize = 6;
+    pub const LEAST: usize = 6;
 
     /// Factorises a matrix of at least [`LEAST`](Self::LEAST) points from the blocks
     /// `[xx, xy, yy]`, the number that is added to their diagonals, and `[b, c]`. `None` where the
     /// matrix is not positive definite.
+    ///
+    /// ```
+    /// use ga_numerics::banded::ring::Ring;
+    ///
+    /// // 4 x − x_before − x_after = 2 for all points, and so for both coordinates: x = 1.
+    /// let mut ring = Ring::default();
+    /// ring.factorise(&[[0.0; 3]; 8], 4.0, [-1.0, 0.0]).ok_or("not positive definite")?;
+    /// let mut values = [[2.0, 4.0]; 8];
+    /// ring.solve(&mut values);
+    /// assert!(values.iter().all(|[x, y]| (x - 1.0).abs() < 1e-15 && (y - 2.0).abs() < 1e-15));
+    /// # Ok::<(), &str>(())
+    /// ```
     #[must_use]
-    pub(super) fn factorise(
+    pub fn factorise(
         &mut self,
         blocks: &[[f64; 3]],
         diagonal: f64,
@@ -127,7 +139,7 @@ impl Ring {
     }
 
     /// Replaces right-hand sides by the solutions.
-    pub(super) fn solve(&self, values: &mut [[f64; 2]]) {
+    pub fn solve(&self, values: &mut [[f64; 2]]) {
         let (inner, last) = values.as_flattened_mut().split_at_mut(self.rows.len());
         let mut before = [0.0; 4];
         let mut sums = Vector4::zeros();
