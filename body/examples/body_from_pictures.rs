@@ -194,7 +194,7 @@ fn overlay(
         ..Material::default()
     };
     let body = studio.draw(pose, camera, &orange, Shading::Lit)?;
-    let colours: Plane<[u8; 3]> = Plane::from(&body.colour);
+    let colours: &Plane<[u8; 3]> = &body.colour;
     let width = picture.width();
     Ok(Plane::from_fn(
         2 * width,

@@ -115,7 +115,7 @@ impl Cylinder {
 fn picture(
     cylinder: &Cylinder,
     meshes: &[Vec<[f64; 3]>],
-) -> Result<image::RgbImage, Box<dyn Error>> {
+) -> Result<Plane<[u8; 3]>, Box<dyn Error>> {
     // Eight stripes along the axis, and rings.
     let stripes = Plane::from_fn(512, 512, |column, row| {
         let (stripe, ring) = (column / 32 % 2, row % 64 < 4);

@@ -75,8 +75,8 @@ pub(crate) fn draw(
     .image;
     Ok(Sheet {
         png: png::encode(&image).context("cannot encode the contact sheet")?,
-        width: image.width(),
-        height: image.height(),
+        width: image.width() as u32,
+        height: image.height() as u32,
     })
 }
 
@@ -255,7 +255,7 @@ mod tests {
     use crate::storyboard::{Numbering, spans_of_keys};
 
     /// The pictures of the demo's moments, small and without the soft shadow under the feet.
-    fn pictures(figure: &Figure, storyboard: &Storyboard, shadow: f64) -> Vec<image::RgbImage> {
+    fn pictures(figure: &Figure, storyboard: &Storyboard, shadow: f64) -> Vec<Plane<[u8; 3]>> {
         let usual = options(figure, storyboard).unwrap();
         let options = Options {
             style: Style {
@@ -300,10 +300,12 @@ mod tests {
         let without = pictures(&figure, &storyboard, 1e-9);
         for (moment, (with, without)) in with.iter().zip(&without).enumerate() {
             let mut shadowed = 0;
-            for (x, y, pixel) in with.enumerate_pixels() {
-                if pixel == without.get_pixel(x, y) {
+            let pixels = with.values().iter().zip(without.values()).enumerate();
+            for (index, (with_shadow, without)) in pixels {
+                if with_shadow == without {
                     continue;
                 }
+                let (x, y) = (index % with.width(), index / with.width());
                 shadowed += 1;
                 let inside = (1..119).contains(&x) && (1..159).contains(&y);
                 assert!(inside, "moment {moment}: shadow at ({x}, {y})");

@@ -112,7 +112,7 @@ impl Studio {
             ..Material::default()
         };
         let view = self.draw(pose, camera, &material, shading)?;
-        Ok(Plane::from(&view.colour))
+        Ok(view.colour)
     }
 
     /// The figure of a material.

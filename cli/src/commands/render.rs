@@ -7,7 +7,6 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_image::colour::LinearColour;
 use ga_image::file::EncodeError;
-use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
 use ga_image::{png, y4m};
 use ga_mesh::format::{self, Loaded};
@@ -293,9 +292,7 @@ fn draw(
             Some(_) => None,
         };
         time += begin.elapsed();
-        let picture = picture.map_or_else(Plane::default, |picture| {
-            PictureView::from(&picture.colour).to_rgb()
-        });
+        let picture = picture.map(|picture| picture.colour).unwrap_or_default();
         if let Some(views) = &mut views {
             views.add(&picture, camera);
         }

@@ -295,10 +295,7 @@ fn picture(
         materials,
         ..Scene::default()
     };
-    let drawn = render(&scene, &camera, &style)?.colour;
-    let (width, height) = (drawn.width() as usize, drawn.height() as usize);
-    let pixel = |x: usize, y: usize| drawn.get_pixel(x as u32, y as u32).0;
-    Ok(Plane::from_fn(width, height, pixel))
+    Ok(render(&scene, &camera, &style)?.colour)
 }
 
 /// The mesh with a colour for each chart.

@@ -7,12 +7,13 @@
 use std::error::Error;
 
 use ga_image::colour::LinearColour;
+use ga_image::plane::Plane;
+use ga_image::png;
 use ga_mesh::subdivision::{Cage, Corner, Crease, INFINITELY_SHARP, Rules, Tags};
 use ga_mesh::{Faces, Mesh, obj};
 use ga_render::{Camera, Normals, Polyline, Scene, Style, ViewDirection, Visibility, render};
-use image::{GenericImage, RgbImage};
 
-const SIZE: u32 = 360;
+const SIZE: usize = 360;
 const LEVELS: u32 = 4;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -23,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "the arguments are a triangle mesh as OBJ and the picture to be written".into(),
         );
     };
-    let mut sheet = RgbImage::new(LEVELS * SIZE, 2 * SIZE);
+    let mut sheet = Plane::filled(LEVELS as usize * SIZE, 2 * SIZE, [0; 3]);
 
     let (cube, tags) = cube()?;
     let view = |azimuth: f64, elevation: f64| ViewDirection {
@@ -48,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let camera = Camera::fit(head, view(205.0, 8.0), 0.5, 1.0, 0.3)?;
     row(&mut sheet, 1, &mesh, Rules::LOOP, &Tags::default(), &camera)?;
 
-    sheet.save(out)?;
+    png::write(out, &sheet)?;
     Ok(())
 }
 
@@ -83,7 +84,7 @@ fn cube() -> Result<(Mesh, Tags), Box<dyn Error>> {
 }
 
 fn row(
-    sheet: &mut RgbImage,
+    sheet: &mut Plane<[u8; 3]>,
     row: u32,
     mesh: &Mesh,
     rules: Rules,
@@ -91,8 +92,8 @@ fn row(
     camera: &Camera,
 ) -> Result<(), Box<dyn Error>> {
     let style = Style {
-        width: SIZE,
-        height: SIZE,
+        width: SIZE as u32,
+        height: SIZE as u32,
         supersampling: 4,
         depth_contrast: 1.0,
         ..Style::default()
@@ -123,7 +124,10 @@ fn row(
         scene.objects[0].normals = Normals::Flat;
         scene.lines = &lines;
         let picture = render(&scene, camera, &style)?;
-        sheet.copy_from(&picture.colour, level * SIZE, row * SIZE)?;
+        sheet.view_mut().put(
+            &picture.colour,
+            [level as usize * SIZE, row as usize * SIZE],
+        );
     }
     Ok(())
 }

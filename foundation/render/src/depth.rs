@@ -1,7 +1,6 @@
 //! The depth of the mesh at each pixel.
 
 use ga_image::plane::Plane;
-use image::{GrayImage, Luma};
 
 /// The depth (distance along the viewing direction) of the nearest surface of the mesh at each
 /// pixel.
@@ -87,14 +86,15 @@ impl DepthMap {
     ///
     /// Pictures with the same range can be compared; [`range`](Self::range) is the range of this
     /// picture alone.
-    pub fn to_image(&self, near: f64, far: f64) -> GrayImage {
-        GrayImage::from_fn(self.width, self.height, |column, row| {
+    pub fn to_plane(&self, near: f64, far: f64) -> Plane<u8> {
+        Plane::from_fn(self.width as usize, self.height as usize, |column, row| {
+            let [column, row] = [column as u32, row as u32];
             let brightness = self.get(column, row).map_or(0.0, |depth| {
                 let towards_far =
                     ((depth - near) / (far - near).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
                 self.coverage(column, row) * (1.0 - (1.0 - FAR_BRIGHTNESS) * towards_far)
             });
-            Luma([(255.0 * brightness).round() as u8])
+            (255.0 * brightness).round() as u8
         })
     }
 }

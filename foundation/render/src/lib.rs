@@ -28,7 +28,7 @@
 //! let style = Style { width: 60, height: 80, ..Style::default() };
 //! let camera = Camera::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
 //! let picture = render(&scene, &camera, &style)?;
-//! assert_eq!(picture.colour.dimensions(), (60, 80));
+//! assert_eq!([picture.colour.width(), picture.colour.height()], [60, 80]);
 //! let [column, row, depth] = camera.project([0.3, 0.3, 0.3], 60, 80).unwrap();
 //! assert!(picture.depth.get(column as u32, row as u32).unwrap() < depth);
 //! # Ok::<(), ga_render::RenderError>(())
@@ -65,7 +65,7 @@ pub mod texture;
 mod world;
 
 use ga_image::colour::SrgbEncoder;
-use image::RgbImage;
+use ga_image::plane::Plane;
 use surface::Pass;
 
 pub use buffers::{Buffers, SurfacePoint};
@@ -83,7 +83,7 @@ pub use style::{Shading, Style};
 #[derive(Clone, Debug)]
 pub struct Rendering {
     /// The shaded picture, sRGB.
-    pub colour: RgbImage,
+    pub colour: Plane<[u8; 3]>,
     /// The depth of the mesh at every pixel.
     pub depth: DepthMap,
 }
@@ -110,9 +110,9 @@ pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering
     stroke::draw(&mut light, scene, &world, camera, style, &samples);
 
     let encoder = SrgbEncoder::new();
-    let bytes = light.iter().flat_map(|&c| encoder.encode(c)).collect();
-    let colour = RgbImage::from_vec(style.width, style.height, bytes)
-        .ok_or(RenderError::Style("it is too large"))?;
+    let codes = light.iter().map(|&colour| encoder.encode(colour)).collect();
+    let colour = Plane::from_values(style.width as usize, style.height as usize, codes)
+        .map_err(|_| RenderError::Style("it is too large"))?;
     Ok(Rendering { colour, depth })
 }
 

@@ -1,6 +1,6 @@
 //! Lettering on pictures, in Noto Sans Mono.
 
-use image::{Rgb, RgbImage};
+use ga_image::plane::Plane;
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
 const HEIGHT: RasterHeight = RasterHeight::Size16;
@@ -28,21 +28,21 @@ pub fn width(text: &str, weight: Weight) -> u32 {
 /// picture ends. Letters that the font does not have become question marks.
 ///
 /// ```
+/// use ga_image::plane::Plane;
 /// use ga_render::text::{self, Weight};
-/// use image::{Rgb, RgbImage};
 ///
-/// let mut picture = RgbImage::new(100, text::LINE_HEIGHT);
+/// let mut picture = Plane::filled(100, text::LINE_HEIGHT as usize, [0; 3]);
 /// let width = text::width("depth", Weight::Bold);
-/// text::write(&mut picture, [0, 0], width, "depth", Weight::Bold, Rgb([255; 3]));
-/// assert!(picture.pixels().any(|pixel| pixel.0 == [255; 3]));
+/// text::write(&mut picture, [0, 0], width, "depth", Weight::Bold, [255; 3]);
+/// assert!(picture.values().contains(&[255; 3]));
 /// ```
 pub fn write(
-    image: &mut RgbImage,
+    picture: &mut Plane<[u8; 3]>,
     [x, y]: [u32; 2],
     width: u32,
     text: &str,
     weight: Weight,
-    colour: Rgb<u8>,
+    colour: [u8; 3],
 ) {
     let advance = advance(weight);
     let weight = weight.of_font();
@@ -51,12 +51,11 @@ pub fn write(
         let raster = get_raster(letter, weight, HEIGHT).or_else(|| get_raster('?', weight, HEIGHT));
         let Some(raster) = raster else { continue };
         let left = x + index as u32 * advance;
-        for (row, line) in raster.rows().enumerate() {
-            for (column, &ink) in line.iter().enumerate() {
-                let place = (left + column as u32, y + row as u32);
-                if let Some(pixel) = image.get_pixel_mut_checked(place.0, place.1) {
-                    *pixel = Rgb(std::array::from_fn(|i| blend(pixel.0[i], colour.0[i], ink)));
-                }
+        let mut view = picture.view_mut();
+        let rows = view.rows_mut().skip(y as usize);
+        for (pixels, line) in rows.zip(raster.rows()) {
+            for (pixel, &ink) in pixels.iter_mut().skip(left as usize).zip(line.iter()) {
+                *pixel = std::array::from_fn(|i| blend(pixel[i], colour[i], ink));
             }
         }
     }
@@ -86,20 +85,20 @@ fn blend(below: u8, ink: u8, share: u8) -> u8 {
 mod tests {
     use super::*;
 
-    const WHITE: Rgb<u8> = Rgb([255; 3]);
+    const WHITE: [u8; 3] = [255; 3];
 
-    fn written(text: &str, width: u32) -> RgbImage {
-        let mut image = RgbImage::from_pixel(120, 24, WHITE);
-        write(&mut image, [4, 4], width, text, Weight::Bold, Rgb([0; 3]));
-        image
+    fn written(text: &str, width: u32) -> Plane<[u8; 3]> {
+        let mut picture = Plane::filled(120, 24, WHITE);
+        write(&mut picture, [4, 4], width, text, Weight::Bold, [0; 3]);
+        picture
     }
 
     #[test]
     fn letters_leave_ink_where_they_stand_and_nowhere_else() {
-        let image = written("|", 100);
-        let inked = |x: u32, y: u32| *image.get_pixel(x, y) != WHITE;
-        let columns: Vec<u32> = (0..120).filter(|&x| (0..24).any(|y| inked(x, y))).collect();
-        let rows: Vec<u32> = (0..24).filter(|&y| (0..120).any(|x| inked(x, y))).collect();
+        let picture = written("|", 100);
+        let inked = |x: usize, y: usize| picture.get(x, y) != Some(WHITE);
+        let columns: Vec<usize> = (0..120).filter(|&x| (0..24).any(|y| inked(x, y))).collect();
+        let rows: Vec<usize> = (0..24).filter(|&y| (0..120).any(|x| inked(x, y))).collect();
         assert!(
             (1..=4).contains(&columns.len()) && columns[0] > 4 && columns[0] < 10,
             "{columns:?}"
@@ -119,7 +118,7 @@ mod tests {
     fn letters_beyond_the_image_or_the_font_are_no_trouble() {
         assert_eq!(written("a\u{4e2d}b", 100), written("a?b", 100));
         write(
-            &mut RgbImage::new(5, 5),
+            &mut Plane::filled(5, 5, [0; 3]),
             [3, 3],
             100,
             "wide",

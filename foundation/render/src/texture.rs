@@ -11,15 +11,14 @@ pub use ga_mesh::Wrap;
 /// picture, and the centres of its pixels lie on halves of a pixel.
 ///
 /// ```
+/// use ga_image::plane::Plane;
 /// use ga_render::texture::{Sampler, Texture};
-/// use image::{Rgba, RgbaImage};
 ///
-/// let mut picture = RgbaImage::from_pixel(2, 1, Rgba([0, 0, 0, 255]));
-/// picture.put_pixel(1, 0, Rgba([255, 255, 255, 255]));
+/// let picture = Plane::from_values(2, 1, vec![[0, 0, 0, 255], [255u8; 4]])?;
 /// let texture = Texture::colour(&picture, Sampler::default())?;
 /// assert_eq!(texture.at([0.75, 0.5], 0.0), [1.0; 4]);
 /// assert_eq!(texture.at([0.5, 0.5], 0.0)[0], 0.5);
-/// # Ok::<(), ga_render::texture::TextureError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {

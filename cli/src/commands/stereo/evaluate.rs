@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
+use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::disparity::DisparityMap;
 use ga_vision::disparity::evaluation::ErrorMap;
 use ga_vision::disparity::file;
 use ga_vision::disparity::picture::ColourScale;
-use image::RgbImage;
 use serde::Serialize;
 
 use super::picture::{self, Panel};
@@ -103,7 +103,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 }
 
 /// The map and the truth in the colours of one scale, and the errors.
-fn picture_of(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> RgbImage {
+fn picture_of(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> Plane<[u8; 3]> {
     // A truth of 0 is as unknown as one that is not finite.
     let known = |value: f32| if value == 0.0 { f32::NAN } else { value };
     let truth = DisparityMap::new(truth.plane().map(known));

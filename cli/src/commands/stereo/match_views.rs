@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use clap::ValueEnum;
+use ga_image::plane::Plane;
 use ga_image::png;
 use ga_image::sample::Sample;
 use ga_vision::disparity::picture::ColourScale;
 use ga_vision::disparity::{DisparityMap, file};
 use ga_vision::matcher::{Matcher, MatcherOptions, Mode as MatcherMode};
-use image::RgbImage;
 use serde::Serialize;
 
 use super::picture::{self, Panel};
@@ -185,7 +185,7 @@ fn check_names(arguments: &Arguments) -> Result<()> {
 }
 
 /// The map in the colours of its own range.
-fn picture_of(map: &DisparityMap) -> RgbImage {
+fn picture_of(map: &DisparityMap) -> Plane<[u8; 3]> {
     let range = map.range().unwrap_or_default().map(f64::from);
     let scale = ColourScale::viridis(range);
     picture::beside(&[Panel {

@@ -3,13 +3,12 @@
 use std::path::Path;
 
 use anyhow::{Result, ensure};
-use ga_image::plane::{Plane, PlaneView};
+use ga_image::plane::Plane;
 use ga_render::text::{self, LINE_HEIGHT, Weight};
 use ga_vision::disparity::picture::ColourScale;
-use image::{Rgb, RgbImage};
 
-const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
-const INK: Rgb<u8> = Rgb([44, 52, 64]);
+const PAPER: [u8; 3] = [250, 250, 252];
+const INK: [u8; 3] = [44, 52, 64];
 
 /// Around everything, in pixels.
 const MARGIN: u32 = 10;
@@ -56,7 +55,7 @@ pub(super) fn check_ending(path: &Path) -> Result<()> {
 }
 
 /// The panels beside each other, each with its caption above and its scale below.
-pub(super) fn beside(panels: &[Panel]) -> RgbImage {
+pub(super) fn beside(panels: &[Panel]) -> Plane<[u8; 3]> {
     let width = panels.iter().map(|panel| panel.width() + MARGIN);
     let rows = panels.iter().map(|panel| panel.size()[1]).max();
     let scale_lines = panels
@@ -65,7 +64,8 @@ pub(super) fn beside(panels: &[Panel]) -> RgbImage {
         .max();
     let below = scale_lines.unwrap_or(0) * (LINE_HEIGHT + 4) + BAR;
     let height = 3 * MARGIN + LINE_HEIGHT + rows.unwrap_or(0) + below;
-    let mut sheet = RgbImage::from_pixel(width.sum::<u32>() + MARGIN, height, PAPER);
+    let width = width.sum::<u32>() + MARGIN;
+    let mut sheet = Plane::filled(width as usize, height as usize, PAPER);
     let mut left = MARGIN;
     for panel in panels {
         draw(&mut sheet, left, panel);
@@ -74,14 +74,14 @@ pub(super) fn beside(panels: &[Panel]) -> RgbImage {
     sheet
 }
 
-fn draw(sheet: &mut RgbImage, left: u32, panel: &Panel) {
+fn draw(sheet: &mut Plane<[u8; 3]>, left: u32, panel: &Panel) {
     let width = panel.width();
-    let line = |sheet: &mut RgbImage, [x, y]: [u32; 2], room: u32, words: &str, weight| {
+    let line = |sheet: &mut Plane<[u8; 3]>, [x, y]: [u32; 2], room: u32, words: &str, weight| {
         text::write(sheet, [x, y], room, words, weight, INK);
     };
     line(sheet, [left, MARGIN], width, &panel.caption, Weight::Bold);
     let mut top = MARGIN + LINE_HEIGHT + 4;
-    put(sheet, [left, top], panel.picture.view());
+    put(sheet, [left, top], &panel.picture);
     top += panel.size()[1] + MARGIN;
 
     let [first, last] = panel.scale.range();
@@ -89,7 +89,7 @@ fn draw(sheet: &mut RgbImage, left: u32, panel: &Panel) {
         let share = column as f64 / f64::from(width - 1);
         panel.scale.colour(first + share * (last - first))
     });
-    put(sheet, [left, top], bar.view());
+    put(sheet, [left, top], &bar);
     top += BAR + 4;
     line(
         sheet,
@@ -111,7 +111,7 @@ fn draw(sheet: &mut RgbImage, left: u32, panel: &Panel) {
         let square = Plane::from_fn(BAR as usize, BAR as usize, |column, row| {
             mark([column, row])
         });
-        put(sheet, [left, top], square.view());
+        put(sheet, [left, top], &square);
         let indent = BAR + 6;
         line(
             sheet,
@@ -123,11 +123,8 @@ fn draw(sheet: &mut RgbImage, left: u32, panel: &Panel) {
     }
 }
 
-/// Copies a picture to a place.
-fn put(sheet: &mut RgbImage, [left, top]: [u32; 2], picture: PlaneView<'_, [u8; 3]>) {
-    for (row, pixels) in (top..).zip(picture.rows()) {
-        for (column, pixel) in (left..).zip(pixels) {
-            sheet.put_pixel(column, row, Rgb(*pixel));
-        }
-    }
+fn put(sheet: &mut Plane<[u8; 3]>, place: [u32; 2], picture: &Plane<[u8; 3]>) {
+    sheet
+        .view_mut()
+        .put(picture, place.map(|pixel| pixel as usize));
 }

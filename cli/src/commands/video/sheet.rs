@@ -1,16 +1,15 @@
 //! Key frames side by side.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use ga_image::plane::Plane;
 use ga_image::resample::{Method, resize};
 use ga_render::text::{self, Weight};
-use image::{Rgb, RgbImage};
 
 use super::report::{KeyFrameReport, Report};
 use super::spool::Spool;
 
-const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
-const INK: Rgb<u8> = Rgb([44, 52, 64]);
+const PAPER: [u8; 3] = [250, 250, 252];
+const INK: [u8; 3] = [44, 52, 64];
 
 /// Columns of the sheet, the width of a picture, and the space around it.
 const COLUMNS: usize = 4;
@@ -35,7 +34,7 @@ pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Pl
     let rows = keys.len().div_ceil(columns);
     let width = SPACE + columns * (WIDTH + SPACE);
     let height = TITLE + rows * (picture_height + CAPTION) + SPACE;
-    let mut sheet = RgbImage::from_pixel(width as u32, height as u32, PAPER);
+    let mut sheet = Plane::filled(width, height, PAPER);
     let heading = format!("{title}: {} key frames", report.key_frames.len());
     let place = [SPACE as u32, 12];
     let room = (width - 2 * SPACE) as u32;
@@ -46,11 +45,7 @@ pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Pl
         };
         let left = SPACE + position % columns * (WIDTH + SPACE);
         let top = TITLE + position / columns * (picture_height + CAPTION);
-        for (row, pixels) in picture.rows().enumerate() {
-            for (column, pixel) in pixels.iter().enumerate() {
-                sheet.put_pixel((left + column) as u32, (top + row) as u32, Rgb(*pixel));
-            }
-        }
+        sheet.view_mut().put(&picture, [left, top]);
         let below = (top + picture_height + 4) as u32;
         let first = format!("frame {}, {:.3} s", key.index, key.time);
         let second = format!("{}, score {:.3}", key.reason, key.score);
@@ -73,8 +68,7 @@ pub(super) fn draw(report: &Report, spool: &mut Spool, title: &str) -> Result<Pl
             INK,
         );
     }
-    let pixels = sheet.into_raw().as_chunks::<3>().0.to_vec();
-    Plane::from_values(width, height, pixels).context("cannot make the contact sheet")
+    Ok(sheet)
 }
 
 /// A picture with the width of the sheet's pictures.

@@ -285,6 +285,28 @@ impl<'a, T: Copy> PlaneViewMut<'a, T> {
         }
         Ok(())
     }
+
+    /// Copies the pixels of another view with the upper left corner at a pixel. What reaches
+    /// beyond the edges is left out.
+    ///
+    /// ```
+    /// use ga_image::plane::Plane;
+    ///
+    /// let mut sheet = Plane::filled(4, 3, 0u8);
+    /// sheet.view_mut().put(&Plane::filled(2, 2, 7), [3, 1]);
+    /// assert_eq!(sheet.values(), [0, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 7]);
+    /// ```
+    pub fn put<'b>(&mut self, source: impl Into<PlaneView<'b, T>>, [left, top]: [usize; 2])
+    where
+        T: 'b,
+    {
+        let source = source.into();
+        for (to, from) in self.rows_mut().skip(top).zip(source.rows()) {
+            for (to, from) in to.iter_mut().skip(left).zip(from) {
+                *to = *from;
+            }
+        }
+    }
 }
 
 /// That two views have the same size.

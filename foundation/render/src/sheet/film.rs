@@ -22,7 +22,7 @@ use crate::{Rendering, Style};
 /// }
 /// let shooting = film.shoot(Subject::new(&triangles))?;
 /// let picture = shooting.picture(2, &Frame::new(2, &corners(0.2)))?;
-/// assert_eq!(picture.colour.dimensions(), (240, 320));
+/// assert_eq!([picture.colour.width(), picture.colour.height()], [240, 320]);
 /// # Ok::<(), ga_render::sheet::SheetError>(())
 /// ```
 pub struct Film {

@@ -24,7 +24,7 @@
 //!     .collect();
 //! let sheet = contact_sheet(&frames, &triangles, &Options::default())?;
 //! assert_eq!(sheet.pictures.len(), 3);
-//! sheet.image.save(std::env::temp_dir().join("nullcone-doctest-sheet.png"))?;
+//! ga_image::png::write(std::env::temp_dir().join("nullcone-doctest-sheet.png"), &sheet.image)?;
 //! # std::fs::remove_file(std::env::temp_dir().join("nullcone-doctest-sheet.png"))?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -34,7 +34,7 @@ mod framing;
 mod layout;
 mod paint;
 
-use image::RgbImage;
+use ga_image::plane::Plane;
 use rayon::prelude::*;
 
 use crate::{
@@ -185,7 +185,7 @@ impl Default for Options {
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// The sheet.
-    pub image: RgbImage,
+    pub image: Plane<[u8; 3]>,
     /// The picture of each frame, in the order of the frames.
     pub pictures: Vec<Rendering>,
     /// The least and greatest depth in any picture: the range of all depth pictures on the sheet.

@@ -1,20 +1,20 @@
 //! Pictures, frames around them and captions.
 
-use image::{Rgb, RgbImage, imageops};
+use ga_image::plane::Plane;
 
 use super::layout::{BORDER, CAPTION, Size};
 use super::{Frame, Kind, Options};
 use crate::Rendering;
 use crate::text::{self, Weight};
 
-const PAPER: Rgb<u8> = Rgb([250, 250, 252]);
-const INK: Rgb<u8> = Rgb([44, 52, 64]);
-const KEY: Rgb<u8> = Rgb([210, 84, 12]);
-const IN_BETWEEN: Rgb<u8> = Rgb([86, 110, 142]);
-const IN_BETWEEN_BORDER: Rgb<u8> = Rgb([196, 204, 214]);
+const PAPER: [u8; 3] = [250, 250, 252];
+const INK: [u8; 3] = [44, 52, 64];
+const KEY: [u8; 3] = [210, 84, 12];
+const IN_BETWEEN: [u8; 3] = [86, 110, 142];
+const IN_BETWEEN_BORDER: [u8; 3] = [196, 204, 214];
 
 /// On a depth picture.
-const LABEL: Rgb<u8> = Rgb([150, 158, 168]);
+const LABEL: [u8; 3] = [150, 158, 168];
 const INSET: u32 = 6;
 
 /// Vertical distance of the lines of a caption.
@@ -27,8 +27,8 @@ pub(super) fn sheet(
     size: &Size,
     depth_range: Option<(f64, f64)>,
     options: &Options,
-) -> RgbImage {
-    let mut sheet = RgbImage::from_pixel(size.width, size.height, PAPER);
+) -> Plane<[u8; 3]> {
+    let mut sheet = Plane::filled(size.width as usize, size.height as usize, PAPER);
     let title_width = size.width - 2 * size.title()[0];
     text::write(
         &mut sheet,
@@ -55,10 +55,10 @@ pub(super) fn sheet(
                 options.style.width,
             );
             if options.depth {
-                let depth = pictures[index].depth.to_image(near, far);
-                let depth = RgbImage::from_fn(depth.width(), depth.height(), |x, y| {
-                    Rgb([depth.get_pixel(x, y).0[0]; 3])
-                });
+                let depth = pictures[index]
+                    .depth
+                    .to_plane(near, far)
+                    .map(|grey| [grey; 3]);
                 let corner = size.depth(column, row);
                 place(&mut sheet, &depth, corner, kind);
                 if (row, column) == (0, 0) {
@@ -82,18 +82,21 @@ pub(super) fn sheet(
 }
 
 /// Puts a picture on the sheet with a frame around it.
-fn place(sheet: &mut RgbImage, picture: &RgbImage, [x, y]: [u32; 2], kind: Kind) {
+fn place(sheet: &mut Plane<[u8; 3]>, picture: &Plane<[u8; 3]>, [x, y]: [u32; 2], kind: Kind) {
     let border = match kind {
         Kind::Key => KEY,
         Kind::InBetween { .. } => IN_BETWEEN_BORDER,
     };
-    let (width, height) = (picture.width() + 2 * BORDER, picture.height() + 2 * BORDER);
-    let frame = RgbImage::from_pixel(width, height, border);
-    imageops::replace(sheet, &frame, i64::from(x - BORDER), i64::from(y - BORDER));
-    imageops::replace(sheet, picture, i64::from(x), i64::from(y));
+    let [width, height] =
+        [picture.width(), picture.height()].map(|size| size + 2 * BORDER as usize);
+    let frame = Plane::filled(width, height, border);
+    let corner = |border: u32| [x - border, y - border].map(|place| place as usize);
+    let mut sheet = sheet.view_mut();
+    sheet.put(&frame, corner(BORDER));
+    sheet.put(picture, corner(0));
 }
 
-fn caption(sheet: &mut RgbImage, frame: &Frame, [x, y]: [u32; 2], width: u32) {
+fn caption(sheet: &mut Plane<[u8; 3]>, frame: &Frame, [x, y]: [u32; 2], width: u32) {
     let moment = format!("frame {} · t = {:.2} s", frame.number, frame.time);
     let (part, weight, colour) = match frame.kind {
         Kind::Key => ("key".to_owned(), Weight::Bold, KEY),

@@ -1,11 +1,12 @@
 //! Shadows and occlusion, against what geometry says.
 
+use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
+use ga_image::plane::Plane;
 use ga_render::texture::{Filter, Sampler, Texture, Wrap};
 use ga_render::{
     Attribute, Camera, Ground, Material, MaterialChoice, Object, Scene, Style, render,
 };
-use image::{Rgba, RgbaImage};
 
 use crate::pictures::sphere;
 use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};
@@ -40,7 +41,7 @@ fn a_plate_shadows_the_floor_below_it() {
     let picture = render(&scene, &camera, &style).unwrap().colour;
     let at = |x: f64, z: f64| {
         let [column, row, _] = camera.project([x, 0.0, z], 300, 300).unwrap();
-        picture.get_pixel(column as u32, row as u32).0[0]
+        picture.pixel(column as u32, row as u32)[0]
     };
     // The light falls at 45°.
     let lit = code(0.5f64.sqrt()).round() as u8;
@@ -63,7 +64,7 @@ fn a_plate_shadows_the_floor_below_it() {
     let picture = render(&scene, &camera, &half).unwrap().colour;
     let [column, row, _] = camera.project([-1.0, 0.0, 0.0], 300, 300).unwrap();
     let lit = code(0.5 * 0.5f64.sqrt()).round() as u8;
-    assert_eq!(picture.get_pixel(column as u32, row as u32).0[0], lit);
+    assert_eq!(picture.pixel(column as u32, row as u32)[0], lit);
 }
 
 /// The plate covers x from −0.5 to 0.5; its left half is cut out. The light falls from the right at
@@ -71,8 +72,8 @@ fn a_plate_shadows_the_floor_below_it() {
 #[test]
 fn parts_that_are_cut_out_cast_no_shadow() {
     let (floor, plate) = (plate(4.0, 0.0), plate(0.5, 1.0));
-    let halves = RgbaImage::from_fn(2, 1, |column, _| {
-        Rgba([255, 255, 255, [0, 255][column as usize]])
+    let halves = Plane::from_fn(2, 1, |column, _| {
+        [255u8, 255, 255, [0, 255][column as usize]]
     });
     let sampler = Sampler {
         wrap: [Wrap::ClampToEdge; 2],
@@ -116,7 +117,7 @@ fn parts_that_are_cut_out_cast_no_shadow() {
         let picture = render(&scene, &camera, &style).unwrap().colour;
         let at = |x: f64| {
             let [column, row, _] = camera.project([x, 0.0, 0.2], 300, 300).unwrap();
-            picture.get_pixel(column as u32, row as u32).0[0]
+            picture.pixel(column as u32, row as u32)[0]
         };
         // As far to the right there is no shadow.
         let (dark, cut, lit) = (at(-0.75), at(-1.25), at(1.25));
@@ -139,7 +140,7 @@ fn a_convex_body_has_no_shadow_on_its_lit_side() {
     };
     let (plain, shadowed) = (with(0.0), with(1.0));
     let mut lit = 0;
-    for (column, row, pixel) in plain.colour.enumerate_pixels() {
+    for (column, row, pixel) in enumerated(&plain.colour) {
         let Some(depth) = plain.depth.get(column, row) else {
             continue;
         };
@@ -151,7 +152,7 @@ fn a_convex_body_has_no_shadow_on_its_lit_side() {
         ];
         let facing: f64 = (0..3).map(|i| normal[i] * light[i]).sum();
         if facing > 0.15 {
-            assert_eq!(pixel, shadowed.colour.get_pixel(column, row), "{normal:?}");
+            assert_eq!(pixel, shadowed.colour.pixel(column, row), "{normal:?}");
             lit += 1;
         }
     }
@@ -197,7 +198,7 @@ fn walls_keep_light_from_all_around_away() {
         let lights = (-20..20).map(|step| {
             let point = place(f64::from(step) * 0.05, away);
             let [column, row, _] = camera.project(point, 500, 500).unwrap();
-            let code = picture.get_pixel(column as u32, row as u32).0;
+            let code = picture.pixel(column as u32, row as u32);
             // The share of 0.5.
             LinearColour::from_srgb([code[0]; 3]).red / 0.5
         });

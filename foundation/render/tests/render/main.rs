@@ -15,6 +15,7 @@ mod sheet;
 mod strokes;
 mod transparent;
 
+use ga_image::plane::Plane;
 use ga_render::{Camera, Style};
 
 const FIELD_OF_VIEW: f64 = 0.8;
@@ -37,4 +38,30 @@ fn front(distance: f64) -> Camera {
         0.01,
     )
     .unwrap()
+}
+
+/// Reading pixels at places that a picture has.
+trait Pixels {
+    type Pixel;
+
+    /// The pixel at a column and a row.
+    fn pixel(&self, column: u32, row: u32) -> Self::Pixel;
+}
+
+impl<T: Copy> Pixels for Plane<T> {
+    type Pixel = T;
+
+    fn pixel(&self, column: u32, row: u32) -> T {
+        self.get(column as usize, row as usize).unwrap()
+    }
+}
+
+/// The columns, rows and values of all pixels.
+fn enumerated<T: Copy>(plane: &Plane<T>) -> impl Iterator<Item = (u32, u32, T)> {
+    let rows = (0..).zip(plane.rows());
+    rows.flat_map(|(row, pixels)| {
+        (0..)
+            .zip(pixels)
+            .map(move |(column, pixel)| (column, row, *pixel))
+    })
 }

@@ -1,13 +1,14 @@
 //! Textures, normal maps and reflection, against colours worked out by hand.
 
+use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
+use ga_image::plane::Plane;
 use ga_render::texture::{Filter, Sampler, Texture, TextureError, Wrap};
 use ga_render::{
     Attribute, Camera, Light, Lighting, Material, MaterialChoice, Normals, Object, Scene, Shading,
     Style, render,
 };
 use ga_runtime::cga3::{Motor, Rotor};
-use image::{Rgb, Rgba, RgbaImage};
 use proptest::prelude::*;
 
 use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};
@@ -26,9 +27,9 @@ fn sampler(filter: Filter, wrap: Wrap) -> Sampler {
 }
 
 /// Red counts columns and green rows from the top, in steps of 16.
-fn numbered(size: u32) -> RgbaImage {
-    RgbaImage::from_fn(size, size, |column, row| {
-        Rgba([16 * column as u8, 16 * row as u8, 77, 255])
+fn numbered(size: u32) -> Plane<[u8; 4]> {
+    Plane::from_fn(size as usize, size as usize, |column, row| {
+        [16 * column as u8, 16 * row as u8, 77, 255]
     })
 }
 
@@ -73,9 +74,9 @@ fn each_pixel_shows_the_texel_under_it() {
         let picture = render(&scene, &straight(), &unlit(style(8)))
             .unwrap()
             .colour;
-        for (column, row, pixel) in picture.enumerate_pixels() {
-            let expected = Rgb([16 * column as u8, 16 * row as u8, 77]);
-            assert_eq!(*pixel, expected, "{filter:?} ({column}, {row})");
+        for (column, row, pixel) in enumerated(&picture) {
+            let expected = [16 * column as u8, 16 * row as u8, 77];
+            assert_eq!(pixel, expected, "{filter:?} ({column}, {row})");
         }
     }
 }
@@ -100,10 +101,10 @@ fn textures_go_on_beyond_their_edges() {
             let picture = render(&scene, &straight(), &unlit(style(12)))
                 .unwrap()
                 .colour;
-            for (column, row, pixel) in picture.enumerate_pixels() {
+            for (column, row, pixel) in enumerated(&picture) {
                 let [i, j] = [column, row].map(|place| texel(wrap, place as i32 - 4));
                 let expected = [16 * i as u8, 16 * j as u8, 77];
-                assert_eq!(pixel.0, expected, "{wrap:?} {filter:?} ({column}, {row})");
+                assert_eq!(pixel, expected, "{wrap:?} {filter:?} ({column}, {row})");
             }
         }
     }
@@ -111,8 +112,8 @@ fn textures_go_on_beyond_their_edges() {
 
 #[test]
 fn a_checkerboard_far_away_is_half_bright() {
-    let board = RgbaImage::from_fn(256, 256, |column, row| {
-        Rgba([[0, 0, 0, 255], [255; 4]][((column + row) % 2) as usize])
+    let board = Plane::from_fn(256, 256, |column, row| {
+        [[0u8, 0, 0, 255], [255; 4]][((column + row) % 2) as usize]
     });
     let texture = Texture::colour(&board, Sampler::default()).unwrap();
     let materials = [Material {
@@ -125,7 +126,7 @@ fn a_checkerboard_far_away_is_half_bright() {
         .unwrap()
         .colour;
     // Sixteen texels to a pixel: half the light is sRGB code 188.
-    assert!(picture.pixels().all(|pixel| *pixel == Rgb([188; 3])));
+    assert!(picture.values().iter().all(|pixel| *pixel == [188; 3]));
 }
 
 proptest! {
@@ -150,7 +151,7 @@ proptest! {
 fn textures_need_pixels() {
     let sampler = Sampler::default();
     assert_eq!(
-        Texture::colour(&RgbaImage::new(0, 3), sampler),
+        Texture::colour(&Plane::filled(0, 3, [0u8; 4]), sampler),
         Err(TextureError::Empty {
             width: 0,
             height: 3
@@ -169,7 +170,7 @@ fn textures_need_pixels() {
 /// The middle pixel of a picture.
 fn middle(scene: &Scene, camera: &Camera, style: &Style) -> [u8; 3] {
     let picture = render(scene, camera, style).unwrap().colour;
-    picture.get_pixel(style.width / 2, style.height / 2).0
+    picture.pixel(style.width / 2, style.height / 2)
 }
 
 #[test]
@@ -399,13 +400,13 @@ fn colours_of_vertices_are_factors() {
         ..unlit(style(16))
     };
     let picture = render(&scene, &straight(), &style).unwrap().colour;
-    for (column, row, pixel) in picture.enumerate_pixels() {
+    for (column, row, pixel) in enumerated(&picture) {
         let [u, v] = [
             (f64::from(column) + 0.5) / 16.0,
             1.0 - (f64::from(row) + 0.5) / 16.0,
         ];
         let expected = [code(1.0 - u), code(0.5 * v), code(0.4)];
-        for (found, expected) in pixel.0.into_iter().zip(expected) {
+        for (found, expected) in pixel.into_iter().zip(expected) {
             assert!((f64::from(found) - expected).abs() < 0.51);
         }
     }
@@ -413,8 +414,8 @@ fn colours_of_vertices_are_factors() {
 
 #[test]
 fn what_is_cut_out_is_not_there() {
-    let holes = RgbaImage::from_fn(8, 8, |column, row| {
-        Rgba([200, 100, 50, [255, 0][((column + row) % 2) as usize]])
+    let holes = Plane::from_fn(8, 8, |column, row| {
+        [200u8, 100, 50, [255, 0][((column + row) % 2) as usize]]
     });
     let texture = Texture::colour(&holes, sampler(Filter::Nearest, Wrap::Repeat)).unwrap();
     let front = square(0.0);
@@ -432,9 +433,9 @@ fn what_is_cut_out_is_not_there() {
             ..unlit(style(8))
         };
         let picture = render(&scene, &straight(), &style).unwrap().colour;
-        for (column, row, pixel) in picture.enumerate_pixels() {
+        for (column, row, pixel) in enumerated(&picture) {
             let expected = [200, shown][((column + row) % 2) as usize];
-            assert_eq!(pixel.0[0], expected);
+            assert_eq!(pixel[0], expected);
         }
     }
 }
@@ -460,8 +461,8 @@ fn faces_have_their_own_materials() {
         ..unlit(style(8))
     };
     let picture = render(&scene, &straight(), &style).unwrap().colour;
-    assert_eq!(*picture.get_pixel(6, 6), Rgb([0, 0, 255]));
-    assert_eq!(*picture.get_pixel(1, 1), Rgb([255, 0, 0]));
+    assert_eq!(picture.pixel(6, 6), [0, 0, 255]);
+    assert_eq!(picture.pixel(1, 1), [255, 0, 0]);
 }
 
 #[test]

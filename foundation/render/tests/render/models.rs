@@ -1,5 +1,6 @@
 //! Models from meshes: where textures are placed, and what is drawn in place of what is missing.
 
+use crate::Pixels;
 use std::f64::consts::FRAC_PI_2;
 
 use ga_image::colour::LinearColour;
@@ -184,14 +185,14 @@ fn each_texture_has_its_own_place() {
                 [60 * place(u), 60 * (3 - place(v)), 0]
             };
             let [u, v] = [f64::from(column) + 0.5, 7.5 - f64::from(row)].map(|c| c / 8.0);
-            assert_eq!(base.get_pixel(column, row).0, texel(u, v));
-            assert_eq!(emission.get_pixel(column, row).0, texel(2.0 * v, u));
+            assert_eq!(base.pixel(column, row), texel(u, v));
+            assert_eq!(emission.pixel(column, row), texel(2.0 * v, u));
         }
     }
     // Without a second set, the colour of the emission is that of no texture.
     let one = mesh.texture_coordinates().unwrap().clone();
     model = Model::from_mesh(&mesh.with_texture_coordinates(vec![one]).unwrap(), None).unwrap();
-    assert_eq!(picture(&model, true).get_pixel(2, 2).0, [255; 3]);
+    assert_eq!(picture(&model, true).pixel(2, 2), [255; 3]);
 }
 
 #[test]
@@ -215,9 +216,9 @@ fn lines_and_points_of_a_mesh_are_drawn() {
         ..Style::default()
     };
     let picture = render(&scene, &camera, &style).unwrap().colour;
-    assert_eq!(picture.get_pixel(40, 40).0, [255, 0, 0]);
-    assert_eq!(picture.get_pixel(40, 16).0, [0, 0, 255]);
-    let around = picture.get_pixel(70, 40).0;
+    assert_eq!(picture.pixel(40, 40), [255, 0, 0]);
+    assert_eq!(picture.pixel(40, 16), [0, 0, 255]);
+    let around = picture.pixel(70, 40);
     assert!(around[0] > 150 && around[1] > 150, "{around:?}");
     assert!(Model::default().is_empty());
 }

@@ -1,12 +1,12 @@
 //! Pictures against projections, depths and colours worked out by hand.
 
+use crate::Pixels;
 use ga_image::colour::LinearColour;
 use ga_render::{
     Camera, Ground, Light, Lighting, Polyline, Rendering, Scene, Style, ViewDirection, Visibility,
     render,
 };
 use ga_runtime::vga3::Vector;
-use image::Rgb;
 use proptest::prelude::*;
 
 use crate::camera::point;
@@ -72,8 +72,7 @@ pub(crate) fn sphere(radius: f64, centre: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32;
 fn brightness(picture: &Rendering, column: u32, row: u32) -> u32 {
     picture
         .colour
-        .get_pixel(column, row)
-        .0
+        .pixel(column, row)
         .iter()
         .map(|&c| u32::from(c))
         .sum()
@@ -96,11 +95,11 @@ fn a_sphere_has_the_outline_and_the_depths_of_a_sphere() {
                 let depth = (-b - discriminant.sqrt()) / a;
                 // Two samples per side see up to a quarter pixel beside the middle.
                 assert!((seen.unwrap() - depth).abs() < 0.02, "({column}, {row})");
-                assert_eq!(*picture.colour.get_pixel(column, row), Rgb([255; 3]));
+                assert_eq!(picture.colour.pixel(column, row), [255; 3]);
                 assert_eq!(picture.depth.coverage(column, row), 1.0);
             } else if discriminant < -0.3 {
                 assert_eq!(seen, None);
-                assert_eq!(*picture.colour.get_pixel(column, row), Rgb([0; 3]));
+                assert_eq!(picture.colour.pixel(column, row), [0; 3]);
             }
         }
     }
@@ -204,7 +203,7 @@ fn half_a_pixel_of_white_is_half_the_light() {
     )
     .unwrap();
     assert_eq!(picture.depth.coverage(0, 0), 0.5);
-    assert_eq!(*picture.colour.get_pixel(0, 0), Rgb([188; 3]));
+    assert_eq!(picture.colour.pixel(0, 0), [188; 3]);
 }
 
 #[test]
@@ -356,23 +355,23 @@ fn bones_are_drawn_where_their_ends_are_projected() {
     let picture = render(&scene, &camera, &style).unwrap();
     let at = |point: [f64; 3]| {
         let [column, row, _] = camera.project(point, style.width, style.height).unwrap();
-        *picture.colour.get_pixel(column as u32, row as u32)
+        picture.colour.pixel(column as u32, row as u32)
     };
     let only = |colour| {
         let scene = Style {
             background: [colour; 2],
             ..style
         };
-        *render(&Scene::new(&[], &[]), &camera, &scene)
+        render(&Scene::new(&[], &[]), &camera, &scene)
             .unwrap()
             .colour
-            .get_pixel(0, 0)
+            .pixel(0, 0)
     };
     assert_eq!(at([0.0; 3]), only(style.joint));
     assert_eq!(at([0.5, 0.5, 0.0]), only(style.joint));
     assert_eq!(at([0.25, 0.25, 0.0]), only(style.bone));
     assert_eq!(at([-0.5, -0.5, 0.0]), only(style.joint));
-    assert_eq!(at([0.5, -0.5, 0.0]), Rgb([0; 3]));
+    assert_eq!(at([0.5, -0.5, 0.0]), [0; 3]);
     assert_eq!(picture.depth.range(), None);
 }
 
@@ -385,8 +384,8 @@ fn depth_pictures_are_brighter_where_it_is_nearer() {
         (near - 4.0).abs() < 1e-3 && far > 4.7 && far < 4.9,
         "{near} {far}"
     );
-    let depths = picture.depth.to_image(near, far);
-    let at = |column, row| depths.get_pixel(column, row).0[0];
+    let depths = picture.depth.to_plane(near, far);
+    let at = |column, row| depths.pixel(column, row);
     assert!(at(45, 60) >= 254);
     assert!(at(45, 60) > at(55, 60) && at(55, 60) > at(62, 60) && at(62, 60) > 40);
     assert_eq!(at(2, 2), 0);
@@ -421,10 +420,7 @@ fn sky_and_shadow_colours_follow_srgb() {
             ..small()
         },
     );
-    assert_eq!(
-        *empty.unwrap().colour.get_pixel(30, 30),
-        Rgb([10, 120, 240])
-    );
+    assert_eq!(empty.unwrap().colour.pixel(30, 30), [10, 120, 240]);
 }
 
 #[test]

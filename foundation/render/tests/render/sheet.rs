@@ -1,10 +1,11 @@
 //! Contact sheets, taken apart again.
 
+use crate::{Pixels, enumerated};
+use ga_image::plane::Plane;
 use ga_render::sheet::{
     Film, Frame, Framing, Kind, Layout, Options, Sheet, SheetError, Subject, contact_sheet,
 };
 use ga_render::{RenderError, Style, ViewDirection};
-use image::{Rgb, RgbImage};
 use proptest::prelude::*;
 
 const TRIANGLES: [[u32; 3]; 8] = [
@@ -79,15 +80,16 @@ fn sheet(kinds: &[Kind], positions: &[Vec<[f64; 3]>], options: &Options) -> Shee
 }
 
 /// The top left corners of all copies of a picture on a sheet, in reading order.
-fn places(sheet: &RgbImage, picture: &RgbImage) -> Vec<(u32, u32)> {
-    let (width, height) = picture.dimensions();
+fn places(sheet: &Plane<[u8; 3]>, picture: &Plane<[u8; 3]>) -> Vec<(u32, u32)> {
+    let size = |plane: &Plane<[u8; 3]>| [plane.width(), plane.height()].map(|size| size as u32);
+    let ([width, height], [columns, rows]) = (size(picture), size(sheet));
     let mut places = Vec::new();
-    for y in 0..=sheet.height() - height {
-        for x in 0..=sheet.width() - width {
-            let equal = |(column, row, pixel): (u32, u32, &Rgb<u8>)| {
-                sheet.get_pixel(x + column, y + row) == pixel
+    for y in 0..=rows - height {
+        for x in 0..=columns - width {
+            let equal = |(column, row, pixel): (u32, u32, [u8; 3])| {
+                sheet.pixel(x + column, y + row) == pixel
             };
-            if picture.enumerate_pixels().all(equal) {
+            if enumerated(&picture).all(equal) {
                 places.push((x, y));
             }
         }
@@ -95,8 +97,8 @@ fn places(sheet: &RgbImage, picture: &RgbImage) -> Vec<(u32, u32)> {
     places
 }
 
-fn colours_beside(sheet: &RgbImage, (x, y): (u32, u32)) -> Vec<Rgb<u8>> {
-    (1..=3).map(|d| *sheet.get_pixel(x - d, y - d)).collect()
+fn colours_beside(sheet: &Plane<[u8; 3]>, (x, y): (u32, u32)) -> Vec<[u8; 3]> {
+    (1..=3).map(|d| sheet.pixel(x - d, y - d)).collect()
 }
 
 #[test]
@@ -171,8 +173,8 @@ fn depth_pictures_stand_under_their_pictures_and_share_a_range() {
         .collect();
     assert_eq!((near, far), (ranges[1].0, ranges[0].1));
     // The label stands on the first column only.
-    let depth = sheet.pictures[1].depth.to_image(near, far);
-    let depth = RgbImage::from_fn(48, 64, |x, y| Rgb([depth.get_pixel(x, y).0[0]; 3]));
+    let depth = sheet.pictures[1].depth.to_plane(near, far);
+    let depth = depth.map(|grey| [grey; 3]);
     let (above, below) = (
         places(&sheet.image, &sheet.pictures[1].colour),
         places(&sheet.image, &depth),
@@ -185,14 +187,14 @@ fn depth_pictures_stand_under_their_pictures_and_share_a_range() {
 #[test]
 fn captions_of_keys_and_of_frames_between_have_their_own_colours() {
     let sheet = sheet(&kinds(2, 1), &walk(3, [0.1, 0.0, 0.0]), &small());
-    let ink = |index: usize| -> Vec<Rgb<u8>> {
+    let ink = |index: usize| -> Vec<[u8; 3]> {
         let (x, y) = places(&sheet.image, &sheet.pictures[index].colour)[0];
         let caption =
             (y + 64 + 6..y + 64 + 24).flat_map(|row| (x..x + 48).map(move |column| (column, row)));
-        caption.map(|(x, y)| *sheet.image.get_pixel(x, y)).collect()
+        caption.map(|(x, y)| sheet.image.pixel(x, y)).collect()
     };
-    let orange = |c: &Rgb<u8>| i32::from(c.0[0]) - i32::from(c.0[2]) > 100;
-    let blue = |c: &Rgb<u8>| i32::from(c.0[2]) - i32::from(c.0[0]) > 30;
+    let orange = |c: &[u8; 3]| i32::from(c[0]) - i32::from(c[2]) > 100;
+    let blue = |c: &[u8; 3]| i32::from(c[2]) - i32::from(c[0]) > 30;
     assert!(ink(0).iter().any(orange) && !ink(0).iter().any(blue));
     assert!(ink(1).iter().any(blue) && !ink(1).iter().any(orange));
 }
@@ -425,12 +427,16 @@ fn shadowed(positions: &[Vec<[f64; 3]>], options: &Options) -> Vec<Vec<bool>> {
         };
         sheet(&kinds, positions, &options).pictures
     };
-    let darker = |a: &Rgb<u8>, b: &Rgb<u8>| a.0.iter().zip(b.0).any(|(&a, b)| a < b);
+    let darker = |a: &[u8; 3], b: &[u8; 3]| a.iter().zip(b).any(|(a, b)| a < b);
     draw(0.5)
         .iter()
         .zip(draw(1e-9))
         .map(|(with, without)| {
-            let pixels = with.colour.pixels().zip(without.colour.pixels());
+            let pixels = with
+                .colour
+                .values()
+                .iter()
+                .zip(without.colour.values().iter());
             pixels.map(|(a, b)| darker(a, b)).collect()
         })
         .collect()

@@ -1,8 +1,8 @@
 //! Lines and dots over surfaces.
 
+use crate::Pixels;
 use ga_image::colour::LinearColour;
 use ga_render::{Dot, Ground, Object, Polyline, Rendering, Scene, Style, Visibility, render};
-use image::Rgb;
 
 use crate::front;
 use crate::scenes::{UNIT_SQUARE, one_light, square};
@@ -25,7 +25,7 @@ fn line(points: &[[f64; 3]], visibility: Visibility) -> Polyline<'_> {
 /// Whether the pixel that shows a point is red.
 fn is_red(picture: &Rendering, point: [f64; 3]) -> bool {
     let [column, row, _] = front(5.0).project(point, 81, 81).unwrap();
-    *picture.colour.get_pixel(column as u32, row as u32) == Rgb([255, 0, 0])
+    picture.colour.pixel(column as u32, row as u32) == [255, 0, 0]
 }
 
 #[test]
@@ -102,8 +102,9 @@ fn lines_and_dots_are_as_wide_as_they_say() {
         let light = |picture: &Rendering| -> f64 {
             let lights = picture
                 .colour
-                .pixels()
-                .map(|p| LinearColour::from_srgb(p.0).red);
+                .values()
+                .iter()
+                .map(|p| LinearColour::from_srgb(*p).red);
             lights.sum()
         };
         let scene = Scene {

@@ -1,5 +1,6 @@
 //! Transparent surfaces and sides of faces, against colours worked out by hand.
 
+use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_render::{
     Buffers, Camera, Ground, Material, MaterialChoice, Object, Scene, Shading, Style, render,
@@ -63,7 +64,7 @@ proptest! {
         });
         let scene = Scene { objects: objects.collect(), materials: &materials, ..Scene::default() };
         let picture = render(&scene, &straight(), &style(supersampling)).unwrap();
-        let pixel = picture.colour.get_pixel(4, 3).0;
+        let pixel = picture.colour.pixel(4, 3);
         for (found, expected) in pixel.into_iter().zip(expected) {
             prop_assert!((f64::from(found) - code(expected)).abs() < 0.51, "{pixel:?} {expected}");
         }
@@ -95,13 +96,13 @@ fn panes_that_cross_are_blended_place_by_place() {
     };
     let picture = render(&scene, &straight(), &style).unwrap().colour;
     let (half, quarter) = (code(0.5).round() as u8, code(0.25).round() as u8);
-    for (column, _, pixel) in picture.enumerate_pixels() {
+    for (column, _, pixel) in enumerated(&picture) {
         let expected = if column < 4 {
             [half, 0, quarter]
         } else {
             [quarter, 0, half]
         };
-        assert_eq!(pixel.0, expected, "column {column}");
+        assert_eq!(pixel, expected, "column {column}");
     }
 }
 
@@ -132,7 +133,7 @@ fn a_transparent_surface_is_in_the_buffers_and_hidden_below_the_ground() {
     let above = shown(&scene);
     scene.objects[0].material = MaterialChoice::One(1);
     let without = shown(&scene);
-    assert_eq!(above.get_pixel(4, 6), without.get_pixel(4, 6));
+    assert_eq!(above.pixel(4, 6), without.pixel(4, 6));
 }
 
 #[test]
@@ -161,7 +162,7 @@ fn the_back_of_a_face_is_drawn_where_it_is_asked_for() {
                 ..Scene::default()
             };
             let picture = render(&scene, &straight(), &style(1)).unwrap().colour;
-            let white = picture.get_pixel(4, 4).0 == [255; 3];
+            let white = picture.pixel(4, 4) == [255; 3];
             assert_eq!(white, seen, "{double_sided} {transparent}");
             let buffers = Buffers::new(&scene, &straight(), 8, 8).unwrap();
             assert_eq!(buffers.get(4, 4).is_some(), seen);

@@ -134,16 +134,16 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
     let map = read_map(arguments, size)?;
     let measures = picture::measure(&reference, &distorted, map);
     let measures = measures.with_context(|| arguments.names())?;
-    let report = PictureReport::new(&measures);
+    let frame = FrameQuality {
+        index: 0,
+        time_seconds: 0.0,
+        luma: measures,
+        psnr_differences: None,
+    };
+    let report = PictureReport::new(&frame);
     let reason = too_small(size);
     let mut files = Files::new();
     if let Some(path) = &arguments.csv {
-        let frame = FrameQuality {
-            index: 0,
-            time_seconds: 0.0,
-            luma: measures,
-            psnr_differences: None,
-        };
         files.push((path, table::csv(&[frame])?));
     }
     if let Some(path) = &arguments.report {

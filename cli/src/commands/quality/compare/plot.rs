@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use ga_video::quality::FrameQuality;
+use ga_video::quality::{FrameQuality, MEASURES, Measure, Scale};
 use plotters::prelude::*;
 
 use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shown_small};
@@ -13,22 +13,9 @@ const SIZE: (u32, u32) = (1000, 640);
 const LEGEND: u32 = 150;
 const TITLE: u32 = 40;
 
-/// A measure over the frames: its name, and its value at a frame where it has a finite one.
-type Measure = (&'static str, fn(&FrameQuality) -> Option<f64>);
-
-const DECIBELS: [Measure; 2] = [
-    ("PSNR", |frame| finite(frame.luma.psnr)),
-    ("attention PSNR", |frame| finite(frame.luma.attention_psnr)),
-];
-
-const INDICES: [Measure; 3] = [
-    ("SSIM", |frame| finite(frame.luma.ssim)),
-    ("attention SSIM", |frame| finite(frame.luma.attention_ssim)),
-    ("MS-SSIM", |frame| frame.luma.ms_ssim),
-];
-
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
+/// The value of a measure at a frame where it is finite.
+fn finite(measure: &Measure, frame: &FrameQuality) -> Option<f64> {
+    (measure.value)(frame).filter(|value| value.is_finite())
 }
 
 /// Lines over time. They are interrupted at frames in which nothing differs.
@@ -44,18 +31,23 @@ pub(super) fn svg(frames: &[FrameQuality], distorted: &Path) -> Result<String> {
         root.draw(&Text::new(title, (fine(16), fine(14)), font))?;
         let (_, charts) = root.split_vertically(TITLE * FINE);
         let (above, below) = charts.split_vertically((SIZE.1 - TITLE) / 2 * FINE);
-        draw(&above, "decibels", &DECIBELS, frames)?;
-        draw(&below, "index", &INDICES, frames)?;
+        draw(&above, "decibels", Scale::Decibels, frames)?;
+        draw(&below, "index", Scale::Index, frames)?;
         root.present()?;
     }
     Ok(shown_small(&text, SIZE))
 }
 
-fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQuality]) -> Result<()> {
+/// The measures of luma on a scale.
+fn draw(area: &Area<'_>, unit: &str, scale: Scale, frames: &[FrameQuality]) -> Result<()> {
+    let measures: Vec<Measure> = MEASURES
+        .into_iter()
+        .filter(|measure| measure.of_luma && measure.scale == scale)
+        .collect();
     let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
     let values = measures
         .iter()
-        .flat_map(|(_, value)| frames.iter().filter_map(value));
+        .flat_map(|measure| frames.iter().filter_map(|frame| finite(measure, frame)));
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
@@ -82,7 +74,8 @@ fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQualit
         .set_all_tick_mark_size(5 * FINE)
         .draw()?;
     let mut legend = Vec::new();
-    for ((name, value), colour) in measures.iter().zip(COLOURS) {
+    for (measure, colour) in measures.iter().zip(COLOURS) {
+        let value = |frame: &FrameQuality| finite(measure, frame);
         if !frames.iter().any(|frame| value(frame).is_some()) {
             continue;
         }
@@ -103,7 +96,7 @@ fn draw(area: &Area<'_>, unit: &str, measures: &[Measure], frames: &[FrameQualit
                 }
             }
         }
-        legend.push((Mark::Line, colour, (*name).to_owned()));
+        legend.push((Mark::Line, colour, measure.name.to_owned()));
     }
     draw_legend(&right, &legend)
 }

@@ -1,29 +1,33 @@
 //! What is printed. Infinite numbers are null in JSON.
 
-use ga_video::quality::{FrameQuality, Measures, Pooled};
-use serde::Serialize;
+use ga_video::quality::{FrameQuality, MEASURES, Measure, Pooled, Scale};
+use serde::{Serialize, Serializer};
 
-/// The measures of a picture, or their means over a video.
+/// Measures of a picture, or their means over a video, by key.
+#[derive(Clone)]
+pub(super) struct Values(Vec<(Measure, Option<f64>)>);
+
+impl Serialize for Values {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(measure, value)| (measure.key, value)))
+    }
+}
+
+/// The measures of a picture.
 #[derive(Serialize)]
 pub(super) struct PictureReport {
-    psnr: f64,
-    ssim: f64,
-    ms_ssim: Option<f64>,
-    attention_psnr: f64,
-    attention_ssim: f64,
+    #[serde(flatten)]
+    values: Values,
 }
 
 /// The measures of a video.
 #[derive(Serialize)]
 pub(super) struct VideoReport {
     #[serde(flatten)]
-    means: PictureReport,
+    means: Values,
     pub(super) frames: usize,
     /// PSNR of the mean of the squared errors of all frames.
     psnr_of_mean_mse: f64,
-    psnr_cb: Option<f64>,
-    psnr_cr: Option<f64>,
-    psnr_6_1_1: Option<f64>,
     pooled: PooledMeasures,
     /// Why `ms_ssim` is null.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -33,13 +37,13 @@ pub(super) struct VideoReport {
     pub(super) error: Option<String>,
 }
 
-#[derive(Serialize)]
-struct PooledMeasures {
-    psnr: PooledReport,
-    ssim: PooledReport,
-    ms_ssim: Option<PooledReport>,
-    attention_psnr: PooledReport,
-    attention_ssim: PooledReport,
+/// The measures of luma over the frames, by key.
+struct PooledMeasures(Vec<(Measure, Option<PooledReport>)>);
+
+impl Serialize for PooledMeasures {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(measure, pooled)| (measure.key, pooled)))
+    }
 }
 
 #[derive(Serialize)]
@@ -54,34 +58,35 @@ struct PooledReport {
     p95: f64,
 }
 
+impl Values {
+    /// As text. `reason` says why there is no MS-SSIM, `equal` what it means that a number is
+    /// infinite. Grey pictures have no rows for colour differences.
+    fn rows(&self, reason: Option<&str>, equal: &str) -> Vec<Row> {
+        let row = |(measure, value): &(Measure, Option<f64>)| match (measure.scale, value) {
+            (Scale::Decibels, Some(value)) => Some(Row::decibels(measure.name, *value, equal)),
+            (Scale::Index, Some(value)) => Some(Row::index(measure.name, *value)),
+            (_, None) => measure.of_luma.then(|| Row {
+                name: measure.name,
+                number: "none".to_owned(),
+                rest: format!(": {}", reason.unwrap_or("it is not defined")),
+            }),
+        };
+        self.0.iter().filter_map(row).collect()
+    }
+}
+
 impl PictureReport {
-    pub(super) fn new(measures: &Measures) -> Self {
+    pub(super) fn new(picture: &FrameQuality) -> Self {
+        let of_luma = MEASURES.into_iter().filter(|measure| measure.of_luma);
+        let values = of_luma.map(|measure| (measure, (measure.value)(picture)));
         Self {
-            psnr: measures.psnr,
-            ssim: measures.ssim,
-            ms_ssim: measures.ms_ssim,
-            attention_psnr: measures.attention_psnr,
-            attention_ssim: measures.attention_ssim,
+            values: Values(values.collect()),
         }
     }
 
     /// As text; `reason` says why there is no MS-SSIM.
-    pub(super) fn rows(&self, reason: Option<&str>) -> [Row; 5] {
-        let ms_ssim = match self.ms_ssim {
-            Some(value) => Row::index("MS-SSIM", value),
-            None => Row {
-                name: "MS-SSIM",
-                number: "none".to_owned(),
-                rest: format!(": {}", reason.unwrap_or("it is not defined")),
-            },
-        };
-        [
-            Row::decibels("PSNR", self.psnr, EQUAL),
-            Row::index("SSIM", self.ssim),
-            ms_ssim,
-            Row::decibels("attention PSNR", self.attention_psnr, EQUAL),
-            Row::index("attention SSIM", self.attention_ssim),
-        ]
+    pub(super) fn rows(&self, reason: Option<&str>) -> Vec<Row> {
+        self.values.rows(reason, EQUAL)
     }
 
     /// As lines; `reason` says why there is no MS-SSIM.
@@ -134,43 +139,20 @@ impl Row {
 impl VideoReport {
     /// Of the measured frames; `None` when there are none.
     pub(super) fn new(frames: &[FrameQuality], range: f64) -> Option<Self> {
-        let pool = |of: fn(&FrameQuality) -> f64| Pooled::new(frames.iter().map(of));
-        let psnr = pool(|frame| frame.luma.psnr)?;
-        let ssim = pool(|frame| frame.luma.ssim)?;
-        let attention_psnr = pool(|frame| frame.luma.attention_psnr)?;
-        let attention_ssim = pool(|frame| frame.luma.attention_ssim)?;
-        let pool_some = |of: &dyn Fn(&FrameQuality) -> Option<f64>| {
-            let values: Option<Vec<f64>> = frames.iter().map(of).collect();
-            Pooled::new(values?)
+        let pool = |measure: Measure| {
+            let values: Option<Vec<f64>> = frames.iter().map(measure.value).collect();
+            (measure, values.and_then(Pooled::new))
         };
-        let ms_ssim = pool_some(&|frame| frame.luma.ms_ssim);
-        let mean = |pooled: Option<Pooled>| pooled.map(|pooled| pooled.mean);
-        let difference = |index: usize| {
-            mean(pool_some(&|frame| {
-                frame.psnr_differences.map(|psnr| psnr[index])
-            }))
-        };
-        let mean_mse = pool(|frame| frame.luma.mse)?.mean;
+        let pooled = MEASURES.map(pool);
+        let means = pooled.map(|(measure, pooled)| (measure, pooled.map(|pooled| pooled.mean)));
+        let of_luma = pooled.into_iter().filter(|(measure, _)| measure.of_luma);
+        let of_luma = of_luma.map(|(measure, pooled)| (measure, pooled.map(PooledReport::new)));
+        let mean_mse = Pooled::new(frames.iter().map(|frame| frame.luma.mse))?.mean;
         Some(Self {
-            means: PictureReport {
-                psnr: psnr.mean,
-                ssim: ssim.mean,
-                ms_ssim: mean(ms_ssim),
-                attention_psnr: attention_psnr.mean,
-                attention_ssim: attention_ssim.mean,
-            },
+            means: Values(means.to_vec()),
             frames: frames.len(),
             psnr_of_mean_mse: 10.0 * (range * range / mean_mse).log10(),
-            psnr_cb: difference(0),
-            psnr_cr: difference(1),
-            psnr_6_1_1: mean(pool_some(&FrameQuality::psnr_6_1_1)),
-            pooled: PooledMeasures {
-                psnr: PooledReport::new(psnr),
-                ssim: PooledReport::new(ssim),
-                ms_ssim: ms_ssim.map(PooledReport::new),
-                attention_psnr: PooledReport::new(attention_psnr),
-                attention_ssim: PooledReport::new(attention_ssim),
-            },
+            pooled: PooledMeasures(of_luma.collect()),
             ms_ssim_reason: None,
             error: None,
         })
@@ -178,18 +160,8 @@ impl VideoReport {
 
     /// The means over the frames as text.
     pub(super) fn rows(&self) -> Vec<Row> {
-        let means = &self.means;
-        let mut rows = Vec::from(means.rows(self.ms_ssim_reason.as_deref()));
         // A mean is infinite where one frame has no error.
-        rows[0] = Row::decibels("PSNR", means.psnr, EQUAL_FRAME);
-        rows[3] = Row::decibels("attention PSNR", means.attention_psnr, EQUAL_FRAME);
-        for (name, psnr) in [
-            ("PSNR of Cb", self.psnr_cb),
-            ("PSNR of Cr", self.psnr_cr),
-            ("PSNR 6:1:1", self.psnr_6_1_1),
-        ] {
-            rows.extend(psnr.map(|psnr| Row::decibels(name, psnr, EQUAL_FRAME)));
-        }
+        let mut rows = self.means.rows(self.ms_ssim_reason.as_deref(), EQUAL_FRAME);
         let all = Row::decibels("PSNR of mean MSE", self.psnr_of_mean_mse, EQUAL);
         rows.push(all);
         rows
@@ -197,17 +169,9 @@ impl VideoReport {
 
     /// Over the frames: the name of each measure, and numbers as [`POOLED`] names them.
     pub(super) fn pooled_rows(&self) -> Vec<[String; 8]> {
-        let pooled = &self.pooled;
-        let measures = [
-            ("PSNR", Some(&pooled.psnr)),
-            ("SSIM", Some(&pooled.ssim)),
-            ("MS-SSIM", pooled.ms_ssim.as_ref()),
-            ("attention PSNR", Some(&pooled.attention_psnr)),
-            ("attention SSIM", Some(&pooled.attention_ssim)),
-        ];
-        let rows = measures.into_iter().filter_map(|(name, pooled)| {
-            let [a, b, c, d, e, f, g] = pooled?.numbers();
-            Some([name.to_owned(), a, b, c, d, e, f, g])
+        let rows = self.pooled.0.iter().filter_map(|(measure, pooled)| {
+            let [a, b, c, d, e, f, g] = pooled.as_ref()?.numbers();
+            Some([measure.name.to_owned(), a, b, c, d, e, f, g])
         });
         rows.collect()
     }
