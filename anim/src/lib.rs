@@ -19,9 +19,8 @@
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
-//! | [`gltf`] | plays glTF documents, and makes of clips what [`ga_mesh::gltf::model`] writes |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
-//! | [`gltf`] | skeletons and clips as the data that [`ga_mesh::gltf::model`] writes |
+//! | [`gltf`] | plays documents; skeletons and clips as [`ga_mesh::gltf::model`] writes them |
 //!
 //! # Conventions
 //!

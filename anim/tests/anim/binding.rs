@@ -424,7 +424,7 @@ fn a_mixture_is_between_both() {
     assert_eq!(error, Err(SkinError::NotBoth));
 }
 
-/// With so many vertices that they are moved on several threads.
+/// There are enough vertices to be moved on several threads.
 #[test]
 fn threads_do_not_change_the_result() {
     let case = case(300_000);

@@ -376,15 +376,15 @@ fn maps_from_json_and_their_faults() {
         ),
         (
             r#"{"mixamorig:Hips": "Bip01 Head", "mixamorig:Neck": "Bip01 Head"}"#,
-            "joint \"Bip01 Head\" of the skeleton stands twice in the map",
+            "joint \"Bip01 Head\" of the skeleton is listed twice in the map",
         ),
         (
             r#"{"mixamorig:Hips": ["Bip01 Head", "Bip01 Pelvis", "Bip01 Head"]}"#,
-            "joint \"Bip01 Head\" of the skeleton stands twice in the map",
+            "joint \"Bip01 Head\" of the skeleton is listed twice in the map",
         ),
         (
             r#"{"mixamorig:Hips": "Bip01 Head", "mixamorig:Hips": "Bip01 Pelvis"}"#,
-            "joint \"mixamorig:Hips\" of the motion stands twice in the map",
+            "joint \"mixamorig:Hips\" of the motion is listed twice in the map",
         ),
     ] {
         assert_eq!(map(text).unwrap_err().to_string(), message);

@@ -35,7 +35,7 @@ pub(crate) struct Studio {
 }
 
 impl Studio {
-    /// Paints the dots on a texture of so many rows.
+    /// Paints the dots on a texture with this number of rows.
     pub(crate) fn new(rows: usize) -> Result<Self> {
         let human = Human::new();
         let dots = human.dots();

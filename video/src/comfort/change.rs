@@ -10,10 +10,10 @@ use crate::keyframe::difference::{after_motion, at_rest};
 use crate::keyframe::layout::Layout;
 use crate::keyframe::signature;
 
-/// So many frames before a frame say what change is usual.
+/// The number of frames before a frame that say what change is usual.
 const BEFORE: usize = 8;
 
-/// An abrupt change is so many times the usual one, to which the change of a still picture is
+/// An abrupt change is this multiple of the usual one, to which the change of a still picture is
 /// added.
 const RATIO: f32 = 3.0;
 const STILL: f32 = 0.02;

@@ -171,7 +171,7 @@ pub fn without_bars(a: &Plane<f32>, b: &Plane<f32>) -> Option<Rectangle<usize>> 
     })
 }
 
-/// The range with at least [`LEAST`] numbers, where there are so many.
+/// The range with at least [`LEAST`] numbers, where there are enough.
 fn widened([mut start, mut end]: [usize; 2], length: usize) -> [usize; 2] {
     while end - start < LEAST.min(length) {
         start = start.saturating_sub(1);
