@@ -101,7 +101,9 @@ fn the_architecture_lists_every_crate() {
         .filter(|link| link.ends_with("/README.md"))
         .collect();
     for folder in crates() {
-        let folder = folder.strip_prefix(root()).expect("a folder of the workspace");
+        let folder = folder
+            .strip_prefix(root())
+            .expect("a folder of the workspace");
         let page = folder.join("README.md");
         assert!(
             listed.iter().any(|link| Path::new(link) == page),

@@ -109,7 +109,8 @@ impl Transitions {
     }
 
     /// The shots of a video with a frame for each number of `moving`. A boundary less than `least`
-    /// frames after the one before it, or before the end, does not count, and a cut there is removed.
+    /// frames after the one before it, or before the end, does not count, and a cut there is
+    /// removed.
     ///
     /// `moving[i]` is the difference of the background from half a second before frame i.
     pub(super) fn shots(&mut self, moving: &[f32], reach: &[usize], least: usize) -> Vec<Shot> {

@@ -56,7 +56,9 @@ pub enum ModellingError {
     #[error("the disparities and their weights do not fit together: {0}")]
     Size(#[from] SizeError),
     /// A weight is negative or not finite.
-    #[error("the weight {weight} of the pixel in column {column} and row {row} is negative or not finite")]
+    #[error(
+        "the weight {weight} of the pixel in column {column} and row {row} is negative or not finite"
+    )]
     Weight {
         /// The weight.
         weight: f32,
