@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use ga_image::file;
 use ga_image::plane::Plane;
 use ga_vision::contour::snake::{self, Flow, Potential, SnakeError, SnakeOptions};
 use ga_vision::contour::{OutlineError, outline, perimeter, resampled};

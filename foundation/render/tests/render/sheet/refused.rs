@@ -1,6 +1,6 @@
 //! Sheets that cannot be drawn.
 
-use ga_render::sheet::{Frame, Kind, Layout, Options, SheetError, contact_sheet};
+use ga_render::sheet::{Kind, Layout, Options, SheetError, contact_sheet};
 use ga_render::{RenderError, Style};
 
 use super::{TRIANGLES, frames, kinds, small, walk};

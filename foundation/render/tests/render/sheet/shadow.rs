@@ -4,7 +4,7 @@ use ga_render::sheet::{Kind, Layout, Options};
 use ga_render::{Style, ViewDirection};
 use image::Rgb;
 
-use super::{kinds, sheet, small, walk};
+use super::{sheet, small, walk};
 
 /// The pixels of which the shadow takes light away.
 fn shadowed(positions: &[Vec<[f64; 3]>], options: &Options) -> Vec<Vec<bool>> {
