@@ -259,7 +259,7 @@ pub(crate) fn save(path: &Path, encoded: Result<Vec<u8>, EncodeError>) -> Result
 }
 
 /// Checks that a file of `length` bytes can hold the pixels, where one byte holds at most
-/// `pixels_per_byte`. It is asked before memory for the pixels is taken. Returns their number.
+/// `pixels_per_byte`. It is checked before memory for the pixels is taken. Returns their number.
 pub(crate) fn check_claim(
     format: Format,
     [width, height]: [usize; 2],

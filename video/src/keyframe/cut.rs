@@ -24,7 +24,7 @@ const ENDS: usize = 2;
 /// The least change of a cut.
 const LEAST: f32 = 0.3;
 
-/// The most frames of a flash.
+/// The greatest number of frames of a flash.
 const FLASH: usize = 3;
 
 /// The nearest that two cuts may be, in frames.

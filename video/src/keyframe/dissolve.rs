@@ -35,8 +35,8 @@ const DIP: f32 = 0.12;
 const DIFFERENT: f32 = 0.36;
 const EVERYWHERE: f32 = 0.13;
 
-/// The number of pairs of ends, and the number of frames for one more, that have to say that there
-/// is a dissolve.
+/// A dissolve needs at least this number of pairs of ends that show it, and one for each time that
+/// many of its frames.
 const PAIRS: usize = 3;
 
 /// The least number of frames of a dissolve.

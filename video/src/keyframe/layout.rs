@@ -5,7 +5,7 @@ use ga_image::plane::Plane;
 /// Red at or below which boxes of a signature count as black.
 const BLACK: f32 = 6.0;
 
-/// The least columns and rows that remain when bars are cropped.
+/// The least number of columns and of rows that remain when bars are cropped.
 const LEAST: usize = 8;
 
 /// A rectangle in fractions of the frame, or in boxes of a signature.

@@ -39,7 +39,7 @@ pub(super) enum Reach {
     Near,
 }
 
-/// The most samples along the side of a texel.
+/// The greatest number of samples along the side of a texel.
 const MOST_SAMPLES: f64 = 64.0;
 
 impl Sampler {

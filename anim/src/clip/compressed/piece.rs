@@ -2,7 +2,7 @@
 
 use super::basis::{Basis, SEGMENT, TERMS};
 
-/// The most bits of a residual.
+/// The greatest number of bits of a residual.
 pub(super) const MOST_BITS: u8 = 24;
 
 /// The quantum of the trend's coefficients is the range of the residual over this.

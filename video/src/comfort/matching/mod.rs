@@ -32,7 +32,7 @@ const FINE_RADIUS: [usize; 2] = [RADIUS, 7];
 /// The greatest distance in pixels that alignment may lead away from where it starts.
 const FARTHEST: f32 = 2.5;
 
-/// Surroundings correlate at least so much, when searched and when aligned at full size.
+/// The least correlation of surroundings, when searched and when aligned at full size.
 const LEAST_CORRELATION: [f32; 2] = [0.6, 0.5];
 
 /// A point that both views show.
