@@ -12,8 +12,8 @@ const EXAMINED: [usize; 4] = [0, 4, 10, 20];
 const EXAMINED_LATER: usize = 96;
 
 /// A part that begins because its depth does not clearly continue is examined at its first frame
-/// once in this number of frames on average, and the second number of times at once: views without
-/// much depth would otherwise be examined at each frame.
+/// once in this number of frames on average, and up to [`AT_ONCE`] times in close succession: views
+/// without much depth would otherwise be examined at each frame.
 const FRAMES_EACH: usize = 24;
 const AT_ONCE: usize = 4;
 

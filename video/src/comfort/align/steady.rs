@@ -8,7 +8,7 @@ use crate::quality::median;
 /// the second number.
 const BESIDE: [usize; 2] = [5, 3];
 
-/// A step is at least this multiple of the noise, and this multiple of what is tolerated.
+/// A step is at least these multiples of the noise and of what is tolerated.
 const OVER_NOISE: f64 = 5.0;
 const OVER_TOLERANCE: f64 = 2.0;
 
