@@ -113,6 +113,50 @@ fn the_architecture_lists_every_crate() {
     }
 }
 
+/// The crates of the workspace that a manifest names as dependencies, without `ga-`.
+fn dependencies(folder: &Path) -> Vec<String> {
+    let manifest = fs::read_to_string(folder.join("Cargo.toml")).expect("a manifest");
+    let section = manifest
+        .split("\n[")
+        .find(|part| part.starts_with("dependencies]"));
+    let lines = section.unwrap_or_default().lines();
+    let names = lines.filter_map(|line| line.strip_prefix("ga-")?.split(['.', ' ']).next());
+    let names = names.filter(|name| !["files", "runtime"].contains(name));
+    names.map(str::to_owned).collect()
+}
+
+/// The arrows between the crates on the engine are those of their manifests.
+#[test]
+fn arrows_are_the_dependencies() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("a page");
+    let mut drawn: Vec<(&str, Vec<&str>)> = text
+        .lines()
+        .filter_map(|line| line.split_once(" ──► "))
+        .filter(|(from, _)| !from.starts_with("ga-"))
+        .map(|(from, to)| {
+            let to = to.split(" (").next().unwrap_or(to);
+            (from.trim(), to.split(", ").collect())
+        })
+        .collect();
+    drawn.sort();
+    let mut found = Vec::new();
+    for folder in crates() {
+        let name = folder.file_name().expect("a name").to_string_lossy();
+        let is_on_the_engine = !name.starts_with("ga-") && name != "cli";
+        let mut to = dependencies(&folder);
+        to.sort();
+        if is_on_the_engine && !to.is_empty() {
+            found.push((name.into_owned(), to));
+        }
+    }
+    found.sort();
+    let found: Vec<(&str, Vec<&str>)> = found
+        .iter()
+        .map(|(name, to)| (name.as_str(), to.iter().map(String::as_str).collect()))
+        .collect();
+    assert_eq!(drawn, found);
+}
+
 /// A table is read at a glance: no cell is a paragraph.
 #[test]
 fn cells_of_tables_are_short() {
