@@ -19,8 +19,8 @@
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
-//! | [`gltf`] | plays glTF documents, and makes of clips what [`ga_mesh::gltf::model`] writes |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
+//! | [`gltf`] | plays documents; skeletons and clips as [`ga_mesh::gltf::model`] writes them |
 //! | [`unit`] | the length of a unit of a recording that does not state it |
 //!
 //! # Conventions

@@ -42,7 +42,7 @@ fn texture(x: f64, y: f64) -> f64 {
     })
 }
 
-/// So many frames are held in memory, after which the motion repeats.
+/// The number of frames in memory, after which the motion repeats.
 const FRAMES: usize = 24;
 
 /// The frames of a shot.

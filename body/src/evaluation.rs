@@ -60,7 +60,7 @@ const LEAST_DEVIATION: f64 = 0.05;
 ///
 /// # Errors
 /// [`SimulationError`] for the first point that a camera does not see, for noise that is negative,
-/// and a probability that is not one.
+/// and a probability that is not from 0 to 1.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;

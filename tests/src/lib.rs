@@ -1,5 +1,5 @@
-//! Helpers for the tests that use several crates. The programs in the README are run as doctests of
-//! this library.
+//! Helpers for the tests that use several crates. The programs in the README and in `docs` are run
+//! as doctests of this library.
 
 pub mod limits;
 pub mod oracle;
@@ -10,3 +10,7 @@ mod twofold;
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/engine.md")]
+pub struct Engine;

@@ -275,8 +275,8 @@ fn joined_planes<T: Copy + Default>(views: [&Planes<T>; 2], layout: Layout) -> P
     }
 }
 
-/// Two planes beside each other or one above the other, with so many columns or rows in all; the
-/// second one ends with the last of them.
+/// Two planes beside each other or one above the other, with this number of columns or rows in all;
+/// the second one ends with the last of them.
 fn joined_plane<T: Copy + Default>(
     [first, second]: [&Plane<T>; 2],
     layout: Layout,

@@ -159,8 +159,8 @@ impl Clip {
         Self::new(frame_time, frames.collect())
     }
 
-    /// Whether a clip made from this one may have so many steps from frame to frame: up to four
-    /// million motors of joints, or sixteen times as many as this clip has.
+    /// Whether a clip made from this one may have this number of steps from frame to frame: up to
+    /// four million motors of joints, or sixteen times as many as this clip has.
     fn admits(&self, steps: f64) -> bool {
         const LIMIT: f64 = (1 << 22) as f64;
         const TIMES: f64 = 16.0;

@@ -65,13 +65,13 @@ pub enum JointMapError {
         name: String,
     },
     /// Two joints of the recording are to move one joint.
-    #[error("joint {name:?} of the skeleton stands twice in the map")]
+    #[error("joint {name:?} of the skeleton is listed twice in the map")]
     Twice {
         /// The joint of the skeleton.
         name: String,
     },
     /// A joint of the recording has two entries.
-    #[error("joint {name:?} of the motion stands twice in the map")]
+    #[error("joint {name:?} of the motion is listed twice in the map")]
     Repeated {
         /// The joint of the recording.
         name: String,

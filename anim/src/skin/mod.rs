@@ -90,7 +90,7 @@ pub enum SkinError {
     /// Normals or tangents are asked for, but the binding has none.
     #[error("normals or tangents are asked for, but the vertices were bound without them")]
     NoDirections,
-    /// The palettes of a mixture are not one of the linear blend and one of a blend of motors.
+    /// A mixture needs a palette of the linear blend and one of a blend of motors.
     #[error(
         "the first palette of a mixture must be of the linear blend, the second of a blend of motors"
     )]

@@ -320,7 +320,7 @@ fn a_leg_that_is_too_short_is_reported() {
     // The bones keep their lengths all the same.
     let places = heads(&locked.pose(0).unwrap(), &skeleton);
     assert!((places[3].distance(places[4]) - THIGH).abs() < 1e-9);
-    // A speed above that is no contact.
+    // A speed above that is not a contact.
     let slow = FootLocking {
         speed: 0.03,
         ..FootLocking::new(1.0)

@@ -63,7 +63,7 @@ fn gain(lag: usize) -> f64 {
     m * (2.0 * m * m + 1.0) / 3.0
 }
 
-/// The mean square of a component of second differences over so many frames. `None` where there are
+/// The mean square of a component of second differences over `lag` frames. `None` where there are
 /// not enough frames to say.
 fn mean_square(chain: &Chain<'_>, states: &[State], kind: usize, lag: usize) -> Option<f64> {
     let few = lag > 1 && states.len() < 4 * lag;

@@ -159,7 +159,7 @@ fn detections(
             });
         }
         let people = frames.entry(key.clone()).or_default();
-        // Things without joints are no people.
+        // Things without joints are not people.
         if annotation.keypoints.is_empty() {
             continue;
         }

@@ -26,7 +26,7 @@ use ga_runtime::cga3::Motor;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CorrespondenceError {
     /// A name is neither that of a joint nor known.
-    #[error("joint {name:?} ({index}) is not one of the skeleton's, which are {}", .joints.join(", "))]
+    #[error("joint {name:?} ({index}) is not a joint of the skeleton, which has {}", .joints.join(", "))]
     Unknown {
         /// The name.
         name: String,

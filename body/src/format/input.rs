@@ -26,7 +26,7 @@ pub enum JointsReadError {
     #[error(transparent)]
     Views(#[from] JointsError),
     /// A file has the joints of all views, and there are others beside it.
-    #[error("{} has the joints of all views, and is not one of several", path.display())]
+    #[error("{} has the joints of all views, and cannot be given together with other files", path.display())]
     AllViews {
         /// The file.
         path: PathBuf,

@@ -16,8 +16,8 @@ const DEVIATION_PX: f64 = 0.25;
 /// Cosine of the greatest angle between the normal and the direction to the camera at which the
 /// whole of a dot on a limb is seen.
 const FACING: f64 = 0.45;
-/// A joint is recognised where its dots are found so many times as often as chance would find them,
-/// and so many more.
+/// A joint is recognised where the number of its dots that are found is at least the first value
+/// times the number that chance would find, plus the second value.
 const ABOVE_CHANCE: (f64, f64) = (3.0, 2.0);
 
 /// For each view, the dot that each point is, if it is seen.

@@ -23,11 +23,11 @@ const LEAST_WEIGHT: f64 = 0.6;
 const FACING: f64 = 0.5;
 /// How much a dot that is expected and not seen counts against a placement: other parts hide some.
 const UNSEEN: f64 = 0.25;
-/// So many placements of a part are kept.
+/// The number of placements of a part that are kept.
 const KEPT: usize = 12;
 /// Placements whose dots are nearer than this in the mean, in metres, are the same.
 const SAME: f64 = 0.02;
-/// A placement is sure with so many dots, and such a part of those that are expected.
+/// A placement is sure with at least this number of dots, and this part of the expected ones.
 const SURE: (usize, f64) = (8, 0.6);
 /// The greatest number of placements that are tried.
 const MOST_TRIED: usize = 40_000;

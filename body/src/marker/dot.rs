@@ -66,7 +66,7 @@ impl Hue {
     /// ```
     #[must_use]
     pub fn scattered(places: &[[f64; 3]], seed: u64) -> Vec<Self> {
-        /// So many neighbours have other hues.
+        /// The number of neighbours that have other hues.
         const NEIGHBOURS: usize = 3;
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut hues: Vec<Self> = Vec::with_capacity(places.len());

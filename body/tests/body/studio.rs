@@ -19,7 +19,7 @@ use ga_render::{
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-/// Width and height of the pictures: so much of a larger one as shows the figure.
+/// Width and height of the pictures, the part of a larger one that shows the figure.
 pub(crate) const SIZE: [u32; 2] = [720, 640];
 const FOCAL_LENGTH: f64 = 1000.0;
 const BASELINE: f64 = 1.0;
@@ -35,7 +35,7 @@ pub(crate) struct Studio {
 }
 
 impl Studio {
-    /// Paints the dots on a texture of so many rows.
+    /// Paints the dots on a texture with this number of rows.
     pub(crate) fn new(rows: usize) -> Result<Self> {
         let human = Human::new();
         let dots = human.dots();

@@ -13,7 +13,7 @@ fn motion(scale: f64) -> String {
     frames_of_motion(scale, 40, |_| [0.0; 3])
 }
 
-/// So many frames of the same, with a period of 40 and the body moved by so many metres.
+/// `count` frames of the same, with a period of 40 and the body moved by `moved` in metres.
 fn frames_of_motion(scale: f64, count: usize, moved: impl Fn(usize) -> [f64; 3]) -> String {
     let limb = |name: &str, parts: [&str; 3], offsets: [[f64; 3]; 4]| {
         let mut text = String::new();

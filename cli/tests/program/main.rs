@@ -20,6 +20,7 @@ mod draw;
 mod expand;
 mod mesh;
 mod mesh_subdivide;
+mod pages;
 mod quality;
 mod quality_opinion;
 mod reconstruct;

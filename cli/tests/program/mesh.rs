@@ -132,7 +132,7 @@ fn unrelated_files_stay() {
         assert_success(&replaced);
         let expected = format!("wrote {output}\nwrote {beside}\n");
         assert_eq!(text(&replaced.stdout), expected);
-        // The same contents are no conflict.
+        // The same contents do not conflict.
         assert_success(&convert(&["t.obj", output]));
     }
 }

@@ -130,7 +130,7 @@ fn deep_pictures_are_compared_with_their_depth() {
     close(got, psnr(&a, &b, 65535.0).unwrap(), 1e-4);
 }
 
-/// Grey videos `a.y4m` and `b.y4m` of so many frames; frame 1 is the same in both.
+/// Grey videos `a.y4m` and `b.y4m` with these numbers of frames; frame 1 is the same in both.
 fn videos(frames: [usize; 2]) -> TempDir {
     let folder = tempdir().unwrap();
     let [a, b] = textures(192, 176);

@@ -11,7 +11,7 @@ use crate::common::{assert_failure, assert_success, nullcone, text};
 
 const SIZE: [usize; 2] = [240, 136];
 
-/// A view of random blocks that moves, lower and brighter by so much, in codes of 10 bits.
+/// A view of random blocks that moves, lower and brighter by given amounts, in codes of 10 bits.
 fn view(frame: usize, lower: usize, brighter: u16) -> [Plane<u16>; 3] {
     let moved = [0, 3, 8, 9, 4, 1, 2, 7][frame % 8];
     let code = |u: usize, v: usize| {

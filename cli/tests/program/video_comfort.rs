@@ -42,7 +42,7 @@ fn smooth(u: usize, v: usize) -> u8 {
     (0.7 * ((1.0 - y) * row(0) + y * row(1)) + 30.0) as u8
 }
 
-/// A view of 240 × 136 pixels that moves, lower and brighter by so much.
+/// A view of 240 × 136 pixels that moves, lower and brighter by given amounts.
 fn view(frame: usize, lower: usize, brighter: u8) -> Plane<[u8; 3]> {
     let moved = [0, 3, 8, 9, 4, 1, 2, 7][frame % 8];
     Plane::from_fn(240, 136, |column, row| {

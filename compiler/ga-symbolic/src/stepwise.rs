@@ -21,7 +21,7 @@ use crate::program::build::Builder;
 use crate::program::{Program, Step, StepId, Witness};
 use crate::task::Task;
 
-/// The most steps of one operation.
+/// The greatest number of steps of one operation.
 const LONGEST: usize = 64;
 
 /// The types of the steps of some programs.

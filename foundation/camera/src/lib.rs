@@ -1,8 +1,8 @@
 //! Cameras on conformal geometric algebra: what they see, the rays of their pixels, and the points
 //! that rays determine.
 //!
-//! - [`Camera`]: a pose and [`Intrinsics`] with a [`Lens`]; the pixel of a point, and the [ray] of a
-//!   pixel.
+//! - [`Camera`]: a pose and [`Intrinsics`] with a [`Lens`]; the pixel of a point, and the [ray] of
+//!   a pixel.
 //! - [`frame`]: frames of reference in types.
 //! - [`rig`]: two cameras and the motor between them, as they stand and rectified.
 //! - [`triangulation`]: the point that two or more rays determine.

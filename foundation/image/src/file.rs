@@ -258,8 +258,8 @@ pub(crate) fn save(path: &Path, encoded: Result<Vec<u8>, EncodeError>) -> Result
     Ok(ga_files::write(path, &bytes)?)
 }
 
-/// That a file of `length` bytes can hold so many pixels, where one byte holds at most
-/// `pixels_per_byte`. It is asked before memory for the pixels is taken. Returns their number.
+/// Checks that a file of `length` bytes can hold the pixels, where one byte holds at most
+/// `pixels_per_byte`. It is checked before memory for the pixels is taken. Returns their number.
 pub(crate) fn check_claim(
     format: Format,
     [width, height]: [usize; 2],

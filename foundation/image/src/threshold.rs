@@ -164,7 +164,8 @@ impl Work for Counting<'_> {
     }
 }
 
-/// From so many pixels on, to clear and to add up tables of pairs takes less time than they save.
+/// From this number of pixels on, tables of pairs save more time than it takes to clear and add
+/// them.
 const LEAST_FOR_PAIRS: usize = 1 << 18;
 
 /// Counts pixels in several tables, so that equal levels beside each other do not wait for one

@@ -22,7 +22,7 @@ use crate::{Ground, Material, RenderError, Shading, Style, Vector};
 pub(crate) const KEY_TANGENT: f64 = 0.06;
 const SKY_TANGENT: f64 = 0.9;
 
-/// The most samples along a side of a pixel.
+/// The greatest number of samples along a side of a pixel.
 const MOST: usize = 8;
 
 /// The linear light of each pixel, row by row, and the depths.

@@ -11,8 +11,8 @@ use crate::scalar::{Real, Ring};
 /// elements: its columns.
 ///
 /// Both are types whose sums are members, such as vectors, bivectors, lines or multivectors. A
-/// conformal [`Point`](crate::cga3::Point) or a unit versor is not one; use the type that contains
-/// it, such as [`RoundVector`](crate::cga3::RoundVector).
+/// conformal [`Point`](crate::cga3::Point) or a unit versor is not linear; use the type that
+/// contains it, such as [`RoundVector`](crate::cga3::RoundVector).
 ///
 /// ```
 /// use ga_runtime::cga3::{DualPlane, OddVersor, RoundVector};

@@ -36,8 +36,8 @@ fn mean_squares<const N: usize>(
     sums.map(|sum| sum / SETS as f64)
 }
 
-/// Both means are N within five standard deviations of a mean of so many squares, and, where the
-/// variance is estimated from so many degrees of freedom f, by the factor f/(f − 2).
+/// Both means are N within five standard deviations of a mean of that number of squares, and, where
+/// the variance is estimated from f degrees of freedom, by the factor f/(f − 2).
 fn check<const N: usize>(name: &str, means: [f64; 2], freedom: f64) {
     let unknowns = N as f64;
     let spread = 5.0 * (2.0 * unknowns / SETS as f64).sqrt();

@@ -142,7 +142,7 @@ fn exact_points_among_wrong_ones_are_exact() {
     }
 }
 
-/// The number of samples follows from the confidence: of so many points that agree, one sample is
+/// The number of samples follows from the confidence: where all points agree, one sample is
 /// enough; where half of them agree, `ln(1 − p)/ln(1 − 2⁻ⁿ)` samples of n points.
 #[test]
 fn as_many_samples_are_drawn_as_the_confidence_needs() {

@@ -43,7 +43,7 @@ proptest! {
     }
 }
 
-/// What is not a figure in direct form is not one in dual form either.
+/// What is not a figure in direct form is not a figure in dual form either.
 #[test]
 fn figures_that_are_none_meet_nothing() {
     let t = tolerance();

@@ -9,7 +9,7 @@ use ga_runtime::cga3::{
 use ga_runtime::geometry::motion::{MotorSpline, SplineError};
 use ga_runtime::geometry::{Affine, NotConformal, RotationPath, velocity_sum};
 use ga_runtime::{pga3, sta, vga3};
-use nullcone_tests::plain::largest;
+use nullcone_tests::plain::{cross, dot, largest};
 use proptest::prelude::*;
 
 /// The largest difference of coefficients, relative to the largest of the second but at least 1.
@@ -152,8 +152,7 @@ proptest! {
             let size = row.iter().map(|x| x * x).sum::<f64>().sqrt();
             row.map(|x| x / size)
         });
-        let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-        prop_assume!((a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]).abs() > 0.01);
+        prop_assume!(dot(a, cross(b, c)).abs() > 0.01);
         let map = Affine::new(linear, [0.0; 3]);
         let both = map.inverse().expect("regular") * map;
         for (k, row) in both.linear.into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Versors as products: of reflections and inversions, and of a similarity and what is not one.
+//! Versors as products: of reflections and inversions, and of a similarity and another versor.
 
 use std::f64::consts::PI;
 
@@ -147,7 +147,7 @@ proptest! {
     ) {
         let k = direction.map(|x| x * 10_f64.powf(size));
         let versor = EvenVersor::from(similarity) * EvenVersor::from(Transversor::from_vector(k));
-        let (found, transversor) = versor.similarity_and_transversor().expect("the origin is no pole");
+        let (found, transversor) = versor.similarity_and_transversor().expect("the origin is not a pole");
         // The factors are unique.
         near_dense(&dense(&transversor), &dense(&Transversor::from_vector(k)), 1e-13);
         near_dense(&dense(&found), &dense(&similarity), 1e-12);

@@ -31,7 +31,7 @@ use saliency::{enlarged, normalised};
 /// The side of a cell in reduced pixels.
 const CELL: usize = 8;
 
-/// The reduced picture has at most so many columns and rows.
+/// The greatest number of columns and of rows of the reduced picture.
 const LONGEST: usize = 480;
 
 /// The standard deviation of G, as a share of the longer side.
@@ -73,7 +73,7 @@ pub struct Attention {
 }
 
 impl Attention {
-    /// For frames of so many columns and rows.
+    /// For frames of this size, in columns and rows.
     ///
     /// # Errors
     ///

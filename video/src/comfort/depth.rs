@@ -6,7 +6,8 @@ use super::stereoscopy::IDENTICAL;
 /// Columns and rows of the cells in which parallaxes are averaged.
 const CELLS: [usize; 2] = [16, 9];
 
-/// A parallax of at least this part of the width, and of so many pixels, is clearly not zero.
+/// A parallax of at least this part of the width, and of at least this number of pixels, is
+/// clearly not zero.
 const LEAST: f64 = 0.001;
 const LEAST_PX: f64 = 0.5;
 
@@ -43,7 +44,7 @@ pub(super) enum Continuity {
 }
 
 impl Depth {
-    /// What the measures of a frame with so many columns and rows show.
+    /// What the measures of a frame of this size show.
     pub(super) fn of(measures: &FrameMeasures, size: [usize; 2]) -> Self {
         let Some(parallax) = &measures.parallax else {
             return Self::Unmatched;

@@ -126,8 +126,8 @@ pub struct FrameMeter {
 }
 
 impl FrameMeter {
-    /// For views of so many columns and rows, in this encoding of colours. Views that are too small
-    /// to find points in have measures without any part.
+    /// For views of this size in columns and rows, in this encoding of colours. Views that are too
+    /// small to find points in have measures without any part.
     #[must_use]
     pub fn new(size: [usize; 2], colours: YCbCr) -> Self {
         Self {

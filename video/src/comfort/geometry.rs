@@ -33,9 +33,9 @@ pub struct Geometry {
     /// What 95 % of the vertical differences of points stay below, in pixels.
     ///
     /// The differences are those of a smooth function of the place, of which chance errors of
-    /// single matches are no part: where they are larger, as in blurred views, it does not rise.
-    /// The function is of the second degree where that explains the matches clearly better than
-    /// shift, rotation and zoom do, as under the keystone distortion of converging cameras.
+    /// single matches have no part in it: where they are larger, as in blurred views, it does not
+    /// rise. The function is of the second degree where that explains the matches clearly better
+    /// than shift, rotation and zoom do, as under the keystone distortion of converging cameras.
     pub deviation_px: f64,
     /// How many points agree.
     pub agreeing: usize,

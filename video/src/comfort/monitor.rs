@@ -33,7 +33,7 @@ pub struct Options {
 const BATCH: usize = 4;
 
 /// A pair of views in which the border of one continues in the other: their difference there is at
-/// most so many times that of neighbouring lines.
+/// most this multiple of that of neighbouring lines.
 const CONTINUES: f64 = 2.0;
 
 /// Analyses the whole of a video, and hands over the record of each frame in order.

@@ -7,13 +7,13 @@ use super::depth::{Continuity, Depth};
 use super::stereoscopy::{Stereoscopy, StereoscopyMeter};
 
 /// The frames of a part at which the order of the eyes is examined, until it is known, counted from
-/// its first one; then every so many frames.
+/// its first one; then the interval in frames.
 const EXAMINED: [usize; 4] = [0, 4, 10, 20];
 const EXAMINED_LATER: usize = 96;
 
 /// A part that begins because its depth does not clearly continue is examined at its first frame
-/// once in so many frames on average, and so many times at once: views without much depth would
-/// else be examined at each frame.
+/// once in this number of frames on average, and up to [`AT_ONCE`] times in close succession: views
+/// without much depth would otherwise be examined at each frame.
 const FRAMES_EACH: usize = 24;
 const AT_ONCE: usize = 4;
 

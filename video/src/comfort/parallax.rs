@@ -22,9 +22,9 @@ pub struct Parallax {
 }
 
 impl Parallax {
-    /// The parallax of matches whose rows are so many pixels from what they should be. Matches that
-    /// are clearly farther than others are confused points: they count elsewhere, but the nearest
-    /// and the farthest points are few.
+    /// The parallax of matches, with the distance in pixels of their rows from what they should be.
+    /// Matches that are clearly farther than others are confused points: they count elsewhere, but
+    /// the nearest and the farthest points are few.
     pub(super) fn new(
         matches: &[Match],
         distances: &[f64],

@@ -9,7 +9,7 @@ use super::tone::{Tone, above_black};
 use crate::Planes;
 use ga_numerics::order_statistics::median;
 
-/// Colour differences are averaged over so many pixels on either side of a match.
+/// Colour differences are averaged over this number of pixels on either side of a match.
 const RADIUS: usize = 7;
 
 /// The code that stands for mid grey.

@@ -8,7 +8,7 @@ use ga_runtime::batch::{Batch, Work};
 use super::matching::Match;
 use ga_numerics::order_statistics::median;
 
-/// Slopes are summed over so many pixels on either side of a match.
+/// Slopes are summed over this number of pixels on either side of a match.
 const RADIUS: usize = 7;
 
 /// What is added to sums of squared slopes of differences of two pixels, so that flat surroundings

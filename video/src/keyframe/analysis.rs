@@ -23,7 +23,7 @@ const MOTION_SECONDS: f64 = 0.5;
 pub struct Options {
     /// The blocks into which frames are divided.
     pub layout: Layout,
-    /// The least frames of a shot.
+    /// The least number of frames of a shot.
     pub minimum_shot: usize,
     /// The least that is new in a key frame other than the first of its shot, from 0 to 1; see
     /// [`novelty`](super::select::novelty).

@@ -5,27 +5,27 @@ use super::layout::Layout;
 use super::window::Window;
 use ga_numerics::order_statistics::median;
 
-/// So many frames before and after a frame say what change is usual there.
+/// The number of frames before a frame, and after it, that say what change is usual there.
 pub const AROUND: usize = 8;
 
-/// A cut is at least so many times the usual change.
+/// The least ratio of a cut to the usual change.
 const RATIO: f32 = 3.0;
 
 /// What is added to the usual change, so that the change of a still picture is not zero.
 pub(super) const STILL: f32 = 0.04;
 
-/// A cut also counts where it exceeds the usual change by this much, and by so many times the
-/// median deviation from it.
+/// A cut also counts where it exceeds the usual change by this much, and by this multiple of
+/// the median deviation from it.
 const STEADY: f32 = 0.15;
 const SPREADS: f32 = 9.0;
 
-/// The least frames of the first and of the last shot: less cannot be told from a flash.
+/// The least number of frames of the first and of the last shot: fewer cannot be told from a flash.
 const ENDS: usize = 2;
 
 /// The least change of a cut.
 const LEAST: f32 = 0.3;
 
-/// The most frames of a flash.
+/// The greatest number of frames of a flash.
 const FLASH: usize = 3;
 
 /// The nearest that two cuts may be, in frames.

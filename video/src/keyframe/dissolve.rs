@@ -15,7 +15,7 @@ const HALF_SPANS: [usize; 13] = [3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 26, 32, 40];
 /// The greatest of them.
 pub const REACH: usize = 40;
 
-/// So many signatures are needed.
+/// The number of signatures that are needed.
 pub const WINDOW: usize = 2 * REACH + 2 * MOTION + 2;
 
 /// The greatest correlation of the two ends.
@@ -35,13 +35,15 @@ const DIP: f32 = 0.12;
 const DIFFERENT: f32 = 0.36;
 const EVERYWHERE: f32 = 0.13;
 
-/// So many pairs of ends, and one for so many frames, have to say that there is a dissolve.
+/// A dissolve needs at least this number of pairs of ends that show it, and one for each time that
+/// many of its frames.
 const PAIRS: usize = 3;
 
-/// The least frames of a dissolve.
+/// The least number of frames of a dissolve.
 const LEAST: usize = 3;
 
-/// So many frames before the first end, and after the second, say how the camera moves there.
+/// The number of frames before the first end, and after the second, that say how the camera moves
+/// there.
 const MOTION: usize = 5;
 
 /// The least change in the middle of a dissolve, in comparison with that between its ends.

@@ -17,7 +17,7 @@ const FLAT: f32 = 1.5;
 /// Below this mean a flat frame is black.
 const BLACK: f32 = 16.0;
 
-/// The least frames of a fade.
+/// The least number of frames of a fade.
 const LEAST: usize = 4;
 
 /// No fade is longer, in frames.
@@ -34,14 +34,14 @@ const FLATTEST: f32 = 0.4;
 /// Frames of this number say what is usual.
 const USUAL: usize = 60;
 
-/// The rise goes on if it does within so many frames.
+/// The rise continues if it does so within this number of frames.
 const AHEAD: usize = 4;
 
-/// So many frames before and after a frame show where the bars are.
+/// The number of frames before a frame, and after it, that show where the bars are.
 const AROUND: usize = 40;
 
-/// So many cells of a frame count, those that are nearest to its level. A caption or a station
-/// label lies in the others.
+/// The number of cells of a frame that count, those that are nearest to its level. A caption or a
+/// station label lies in the others.
 const MOST: usize = CELL_COUNT * 2 / 3;
 
 /// How different the rises of cells with little and with much contrast may be.

@@ -5,7 +5,7 @@ use ga_image::plane::Plane;
 /// Red at or below which boxes of a signature count as black.
 const BLACK: f32 = 6.0;
 
-/// The least columns and rows that remain when bars are cropped.
+/// The least number of columns and of rows that remain when bars are cropped.
 const LEAST: usize = 8;
 
 /// A rectangle in fractions of the frame, or in boxes of a signature.
@@ -171,7 +171,7 @@ pub fn without_bars(a: &Plane<f32>, b: &Plane<f32>) -> Option<Rectangle<usize>> 
     })
 }
 
-/// The range with at least [`LEAST`] numbers, where there are so many.
+/// The range with at least [`LEAST`] numbers, where there are enough.
 fn widened([mut start, mut end]: [usize; 2], length: usize) -> [usize; 2] {
     while end - start < LEAST.min(length) {
         start = start.saturating_sub(1);

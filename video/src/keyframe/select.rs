@@ -16,7 +16,7 @@ use super::shot::{Shot, Transitions};
 const BACKGROUND: f32 = 0.12;
 const OBJECT: f32 = 0.25;
 
-/// A candidate also differs from the last one so many times more than two frames usually do.
+/// A candidate also differs from the last one this many times more than two frames usually do.
 const RATIO: f32 = 3.0;
 
 /// The least time between two candidates of a shot, in seconds.
@@ -25,8 +25,8 @@ const APART: f64 = 0.4;
 /// The change by which a frame is certainly not of the same shot.
 const OTHER_SHOT: f32 = 0.3;
 
-/// So many frames with a change below [`CALM`] let a candidate be taken from a picture that has
-/// come to rest.
+/// After this number of frames with a change below [`CALM`] a candidate may be taken from a picture
+/// that has come to rest.
 const CALM_FRAMES: usize = 4;
 const CALM: f32 = 0.02;
 

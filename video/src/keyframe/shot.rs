@@ -27,10 +27,10 @@ pub enum Background {
 /// Beyond this difference of the background within half a second it moves.
 const MOVING: f32 = 0.12;
 
-/// The last step from or to an even frame, so many frames beside a fade, is not a cut.
+/// The last step from or to an even frame, within this number of frames of a fade, is not a cut.
 const NEAR_FADE: usize = 3;
 
-/// A cut stands out if its change is so many times that of most other frames.
+/// A cut stands out if its change is this multiple of that of most other frames.
 const ISOLATED: f32 = 2.5;
 
 /// The transitions of a video.
@@ -108,8 +108,9 @@ impl Transitions {
         boundaries
     }
 
-    /// The shots of a video of so many frames. A boundary less than `least` frames after the one
-    /// before it, or before the end, does not count, and a cut there is removed.
+    /// The shots of a video with a frame for each number of `moving`. A boundary less than `least`
+    /// frames after the one before it, or before the end, does not count, and a cut there is
+    /// removed.
     ///
     /// `moving[i]` is the difference of the background from half a second before frame i.
     pub(super) fn shots(&mut self, moving: &[f32], reach: &[usize], least: usize) -> Vec<Shot> {

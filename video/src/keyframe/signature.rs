@@ -9,7 +9,7 @@ use crate::{Planes, Samples};
 /// Columns and rows of a signature; fewer where the frame has fewer.
 pub const SIZE: [usize; 2] = [64, 36];
 
-/// So many rows of bytes have sums of 16 bits.
+/// The number of rows of bytes whose sums fit into 16 bits.
 const ROWS: usize = 257;
 
 /// The red component of a frame, from 0 to 255, averaged over 64 × 36 boxes.

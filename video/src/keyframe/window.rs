@@ -13,7 +13,7 @@ pub struct Window {
 }
 
 impl Window {
-    /// A window of at most so many frames.
+    /// A window of at most this number of frames.
     #[must_use]
     pub fn new(most: usize) -> Self {
         Self {

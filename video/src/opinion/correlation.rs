@@ -104,7 +104,7 @@ fn centred(values: &[f64]) -> Option<Vec<f64>> {
     })
 }
 
-/// How many pairs so many things have.
+/// The number of pairs of `count` things.
 fn pairs_of(count: usize) -> usize {
     count * count.saturating_sub(1) / 2
 }

@@ -29,9 +29,9 @@ pub struct RigidPose {
 ///
 /// is least, over all points or, with a [threshold](PoseOptions::threshold) in the unit of the
 /// points, over those that agree.
-/// The points that agree are found by random samples of three points ([`ransac`](ga_numerics::ransac)),
-/// and the motor is fitted to all of them ([`Motor::from_point_pairs`]) until they do not change
-/// any more.
+/// The points that agree are found by random samples of three points
+/// ([`ransac`](ga_numerics::ransac)), and the motor is fitted to all of them
+/// ([`Motor::from_point_pairs`]) until they do not change any more.
 ///
 /// Three points would determine the motion; the fourth shows whether they are right. Points in one
 /// plane are enough, points on one line are not: a rotation about the line moves none of them.

@@ -12,8 +12,8 @@ use super::surface_mesh::SurfaceError;
 /// d(frame, key) ≈ Σ weight(frame, j) shape(j, key)
 /// ```
 ///
-/// They are what morph targets of an animated model need. Of all sums of so many shapes this has
-/// the least sum of squared errors: it is the singular value decomposition of the table of
+/// They are what morph targets of an animated model need. Of all sums of this number of shapes this
+/// has the least sum of squared errors: it is the singular value decomposition of the table of
 /// displacements (C. Eckart and G. Young, "The approximation of one matrix by another of lower
 /// rank", Psychometrika 1, 1936). The displacement zero stays zero, so that a model with all
 /// weights 0 is at rest.

@@ -33,7 +33,7 @@ pub(super) fn align(
 ) -> Option<PixelPair> {
     const STEPS: usize = 30;
     const FINE: f64 = 0.003;
-    /// Steps may lead so many pixels away from the feature.
+    /// The greatest distance in pixels that steps may lead away from the feature.
     const FARTHEST: f64 = 3.0;
     const LEAST_CORRELATION: f64 = 0.95;
     let (left_scale, right_scale) = (&left_scales[left.scale], &right_scales[right.scale]);

@@ -13,7 +13,7 @@ pub(super) struct Corner {
     pub(super) strength: f64,
 }
 
-/// At most so many corners of a smoothed picture, by rows.
+/// The corners of a smoothed picture by rows, at most a given number.
 ///
 /// The strength is the smaller eigenvalue of the structure tensor, the mean of `∇I ∇Iᵀ` weighted by
 /// a Gaussian (J. Shi and C. Tomasi, "Good features to track", 1994). A corner is a maximum of it

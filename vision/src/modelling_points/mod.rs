@@ -56,7 +56,9 @@ pub enum ModellingError {
     #[error("the disparities and their weights do not fit together: {0}")]
     Size(#[from] SizeError),
     /// A weight is negative or not finite.
-    #[error("the weight {weight} of the pixel in column {column} and row {row} is not one")]
+    #[error(
+        "the weight {weight} of the pixel in column {column} and row {row} is negative or not finite"
+    )]
     Weight {
         /// The weight.
         weight: f32,
@@ -120,10 +122,10 @@ pub struct ModellingPyramid {
 }
 
 impl ModellingPyramid {
-    /// The points of a map at so many levels; fewer where a level of a single cell is reached. A
-    /// pixel has no part in any cell where its disparity is unknown or its weight is 0; a matcher's
-    /// confidence may be the weight. `pixel_deviation_px` is the standard deviation of the
-    /// disparity of a single pixel.
+    /// The points of a map at a number of levels; fewer where a level of a single cell is reached.
+    /// A pixel has no part in any cell where its disparity is unknown or its weight is 0; a
+    /// matcher's confidence may be the weight. `pixel_deviation_px` is the standard deviation of
+    /// the disparity of a single pixel.
     ///
     /// # Errors
     ///

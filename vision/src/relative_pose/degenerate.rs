@@ -57,7 +57,7 @@ fn extents(pixels: impl Iterator<Item = [f64; 2]> + Clone) -> [f64; 2] {
     [(largest / count).sqrt(), (smallest / count).sqrt()]
 }
 
-/// Whether so many pairs agree with one essential matrix that chance does not explain it: the
+/// Whether more pairs agree with one essential matrix than chance explains: the
 /// expected number of such agreements among pairs of random pixels is below 1 (L. Moisan and B.
 /// Stival, "A probabilistic criterion to detect rigid point matches between two images and estimate
 /// the fundamental matrix", International Journal of Computer Vision 57, 2004).

@@ -53,7 +53,7 @@ impl Layer<'_> {
     }
 }
 
-/// What the layers show of the same texels, from at most about so many texels.
+/// What the layers show of the same texels, from about the given number of texels at most.
 pub(super) fn overlaps(
     layers: &[Layer],
     covered: &Covered,

@@ -106,7 +106,8 @@ impl Covered {
 
 /// Fails where a chart with an area in the texture owns no texel.
 fn check_charts(list: &[Texel], target: &Target, size: u32) -> Result<(), TextureError> {
-    /// A chart of so many texels contains the middle of one, unless it is thinner than a texel.
+    /// A chart of this number of texels contains the middle of one, unless it is thinner than a
+    /// texel.
     const LARGE: f64 = 4.0;
     let mut areas = vec![0.0; target.chart_count];
     for (chart, [a, b, c]) in target.charts.iter().zip(&target.coordinates) {

@@ -73,7 +73,7 @@ pub enum TextureError {
         /// How many charts there are.
         charts: usize,
     },
-    /// There is no atlas, as of a texture that is too small for its charts.
+    /// There is no atlas, such as for a texture that is too small for its charts.
     #[error(transparent)]
     Atlas(#[from] AtlasError),
     /// The mesh's own texture coordinates cannot be used.

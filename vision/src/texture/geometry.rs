@@ -14,7 +14,7 @@ use ga_camera::{Camera, Lens};
 /// elsewhere every texel is projected by itself.
 pub(super) const AFFINE_TOLERANCE: f64 = 1.0 / 16.0;
 
-/// A texel is no more than so many times longer than it is on average in its chart.
+/// The greatest ratio of the length of a texel to the average in its chart.
 const MOST_STRETCH: f64 = 4.0;
 
 /// The triangles of the surface as a camera sees them.

@@ -3,7 +3,7 @@
 use ga_image::plane::Plane;
 use ga_mesh::bake::Texels;
 
-/// So many texels around charts are copies of their border.
+/// The number of texels around charts that are copies of their border.
 const COPIES: u32 = 4;
 
 /// Fills the texels that show nothing, so that neither interpolation nor smaller copies of the

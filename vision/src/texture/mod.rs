@@ -102,10 +102,10 @@ pub struct Options {
     pub margin_texels: u32,
     /// Level the exposures of the views; true by default.
     pub level_exposure: bool,
-    /// Weights fall to zero over so many texels; 12 by default.
+    /// The number of texels over which weights fall to zero; 12 by default.
     pub feather_texels: u32,
-    /// What is larger than about so many texels is the mean of all views, and what is smaller is
-    /// taken from the best one; 16 by default.
+    /// What is larger than about this number of texels is the mean of all views, and what is
+    /// smaller is taken from the best one; 16 by default.
     pub band_texels: u32,
 }
 

@@ -39,7 +39,7 @@ pub(super) enum Reach {
     Near,
 }
 
-/// The most samples along the side of a texel.
+/// The greatest number of samples along the side of a texel.
 const MOST_SAMPLES: f64 = 64.0;
 
 impl Sampler {
@@ -157,7 +157,7 @@ impl Elimination {
         Self { pivots }
     }
 
-    /// Replaces means by factors. Each is so many numbers, one after the other.
+    /// Replaces means by factors. Each is `stride` numbers, one after the other.
     fn solve(&self, values: &mut [f32], stride: usize) {
         let later = 1..self.pivots.len();
         for (place, pivot) in later.zip(&self.pivots) {

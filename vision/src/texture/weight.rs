@@ -17,7 +17,7 @@ const SHARE_AT_EDGES: f32 = 1e-4;
 /// on it counts in full.
 const COSINES: [f64; 2] = [0.1, 0.3];
 
-/// The weights of a view are zero at the border of its picture and rise over so many pixels.
+/// The weights of a view are zero at the border of its picture and rise over this number of pixels.
 const BORDER: f64 = 8.0;
 
 /// How well a texel is seen.

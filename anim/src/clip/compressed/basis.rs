@@ -1,6 +1,6 @@
 //! Orthogonal polynomials on the frames of a segment.
 
-/// The most frames of a segment.
+/// The greatest number of frames of a segment.
 pub(super) const SEGMENT: usize = 32;
 
 /// The most coefficients of a trend: one more than the greatest degree.

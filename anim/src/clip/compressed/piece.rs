@@ -2,7 +2,7 @@
 
 use super::basis::{Basis, SEGMENT, TERMS};
 
-/// The most bits of a residual.
+/// The greatest number of bits of a residual.
 pub(super) const MOST_BITS: u8 = 24;
 
 /// The quantum of the trend's coefficients is the range of the residual over this.
@@ -91,7 +91,7 @@ fn bit_length(n: u32) -> u32 {
 /// How a channel is to be encoded in a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Precision {
-    /// With so many bits of residual, at least 1.
+    /// With this number of bits of residual, at least 1.
     Bits(u8),
     /// Without residual, with at most this deviation from the trend where a trend allows it.
     Trend(f64),

@@ -21,7 +21,7 @@ fn at(name: Option<&str>, children: &[usize], translation: [f32; 3]) -> Node {
     }
 }
 
-/// An arm whose two skins number its joints differently, with a node between that is no joint of
+/// An arm whose two skins number its joints differently, with a node between that is not a joint of
 /// either; a ring below the hand, and a floor below nothing.
 fn document() -> Document {
     let part = |joints: [u16; 4], weights: [f32; 4]| Mesh {

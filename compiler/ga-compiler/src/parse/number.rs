@@ -46,7 +46,7 @@ fn decimal(text: &str) -> Option<Ratio> {
         return Some(Ratio::ZERO);
     }
     let mut shift = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-    // So few digits that both the digits and the power of ten have room.
+    // Digits are cut until both the digits and the power of ten have room.
     let too_long = digits.len().saturating_sub(MOST_DIGITS);
     let too_small = usize::try_from(shift.saturating_neg().saturating_sub(MOST_ZEROS)).unwrap_or(0);
     let cut = too_long.max(too_small);

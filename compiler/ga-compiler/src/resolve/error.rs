@@ -43,11 +43,11 @@ pub enum ResolveErrorKind {
     SeveralValues,
     /// An element is taken of a single value.
     NoElements,
-    /// The last element comes before the one that is taken; there are so many.
+    /// The element that is taken is behind the last one; the number of elements.
     ElementOutOfRange(usize),
-    /// A pattern has so many parts for so many values.
+    /// The number of parts of a pattern, and the different number of values for it.
     PatternParts(usize, ValueCount),
-    /// The thing named holds so many values, and its type is declared as this.
+    /// The name of something, the number of its values, and the type that it is declared as.
     ShapeMismatch(String, ValueCount, String),
     /// An operand of that type, in which everything is a blade, is marked `blade`.
     NeedlessBlade(String),
@@ -65,7 +65,7 @@ pub enum ResolveErrorKind {
     NotCondition(&'static str),
     /// An operand of that comparison has these blades.
     ComparedNotScalar(&'static str, String),
-    /// `select` chooses between so many values and so many.
+    /// `select` chooses between different numbers of values.
     UnequalChoices(ValueCount, ValueCount),
     /// The grade of `grade` is not a whole number as it is written.
     GradeNotWhole,
@@ -80,7 +80,7 @@ pub enum ResolveErrorKind {
         /// What may be meant.
         instead: String,
     },
-    /// An operation or function takes so many operands, not so many.
+    /// An operation or function, the number of operands that it takes, and the number given.
     OperandCount(String, usize, usize),
     /// An operator has no value.
     Operator(OperationError),
@@ -116,7 +116,7 @@ pub enum ValueCount {
     One,
     /// A condition.
     Condition,
-    /// So many in a tuple or an array.
+    /// The number of values in a tuple or an array.
     Several(usize),
 }
 
@@ -230,7 +230,7 @@ impl fmt::Display for ResolveErrorKind {
             ),
             Self::NotCondition(what) => write!(
                 f,
-                "`{what}` takes a condition, such as `x < y`, but this is not one"
+                "`{what}` takes a condition, such as `x < y`, but this is a value"
             ),
             Self::ComparedNotScalar(symbol, found) => write!(
                 f,

@@ -1,4 +1,4 @@
-//! Products of scalars that are written as if they were something else: `x^2` is no power.
+//! Products of scalars that are written as if they were something else: `x^2` is not a power.
 
 use super::error::{ResolveError, ResolveErrorKind};
 use super::power::constant;

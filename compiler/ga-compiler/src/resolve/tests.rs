@@ -179,15 +179,15 @@ fn errors_say_what_was_found() {
         ),
         (
             "fn f(a: Scalar) -> Scalar { select(a, 1, 0) }",
-            "`select` takes a condition, such as `x < y`, but this is not one",
+            "`select` takes a condition, such as `x < y`, but this is a value",
         ),
         (
             "fn f(a: Scalar) -> Scalar { select(a < 1 || 1, 1, 0) }",
-            "`||` takes a condition, such as `x < y`, but this is not one",
+            "`||` takes a condition, such as `x < y`, but this is a value",
         ),
         (
             "fn f(a: Scalar) -> Scalar { select(!a, 1, 0) }",
-            "`!` takes a condition, such as `x < y`, but this is not one",
+            "`!` takes a condition, such as `x < y`, but this is a value",
         ),
         (
             "fn f(a: Scalar) -> Scalar { select(a < 1, 1) }",

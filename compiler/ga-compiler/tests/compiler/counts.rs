@@ -1,6 +1,6 @@
 //! The cost of kernels: the exact operations in the emitted code.
 //!
-//! This includes the table of the README.
+//! This includes the tables of `README.md` and of `docs/engine.md`.
 
 use ga_compiler::count::{self, Operations};
 use ga_compiler::define::Definition;

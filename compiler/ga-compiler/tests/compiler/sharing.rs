@@ -222,7 +222,7 @@ fn squares_of_squares_are_computed_once() {
     }
 }
 
-/// What a limit of the search leaves out is no cliff.
+/// Where a limit of the search leaves something out, the cost does not jump.
 #[test]
 fn long_functions_cost_in_proportion() {
     let cga3 = algebras::cga3();

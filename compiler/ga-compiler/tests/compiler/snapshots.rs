@@ -1,4 +1,4 @@
-//! The emitted Rust, WGSL and formulas of the kernels that the README lists.
+//! The emitted Rust, WGSL and formulas of the kernels that `docs/engine.md` lists.
 //!
 //! Other tests check that emitted code is right; these files show in review how it changes.
 //! `INSTA_UPDATE=always cargo test -p ga-compiler --test compiler snapshots` rewrites them.

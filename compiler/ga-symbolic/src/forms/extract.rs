@@ -29,7 +29,7 @@ fn is_rounded(classes: &Classes<'_>, operation: &Operation) -> bool {
 /// Which way is taken to each class.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Selection {
-    /// The place of the way in its class; for classes that are not needed any.
+    /// The place of the way in its class; for classes that are not needed, any place.
     ways: Vec<usize>,
     /// The needed classes, each after what it reads.
     order: Vec<ClassId>,
@@ -188,7 +188,7 @@ impl Costs {
         Some(())
     }
 
-    /// The selections that look cheapest, the best first: all, or so many that differ.
+    /// The selections that look cheapest, the best first: all, or a given number that differ.
     pub(super) fn selections(
         &self,
         classes: &Classes<'_>,

@@ -9,7 +9,7 @@ use crate::limit::SearchLimit;
 use crate::member::{Numbers, numbers};
 use crate::order::Order as _;
 
-/// The most factors that a product is made of whose parts are products.
+/// The greatest number of factors that a product is made of whose parts are products.
 const MOST_FACTORS: usize = 32;
 
 /// A class, or none where the result is zero.

@@ -177,7 +177,7 @@ fn squares(arena: &mut Arena, sum: Value, opposite: Value) -> Option<Value> {
     Some(arena.sum(terms))
 }
 
-/// The squares that a value is a sum of, with their factors; `None` if it is not one.
+/// The squares that a value is a sum of, with their factors; `None` if it is not such a sum.
 fn gather(arena: &Arena, value: Value, squares: &mut Vec<(NodeId, Ratio)>) -> Option<()> {
     match arena.node(value.node) {
         Node::Sum(terms) => {

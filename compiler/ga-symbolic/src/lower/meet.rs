@@ -29,10 +29,10 @@ pub enum MeetRule {
     Factors,
 }
 
-/// The most terms of the sum.
+/// The greatest number of terms of the sum.
 const MOST: usize = 6;
 
-/// The most factors that are examined.
+/// The greatest number of factors that are examined.
 const LONGEST: usize = 6;
 
 impl MeetRule {

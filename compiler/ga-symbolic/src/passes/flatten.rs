@@ -1,7 +1,7 @@
 //! Sums of sums.
 //!
 //! A sum that is read by one other sum only is merged into it, which costs no addition and lets
-//! equal terms collect or cancel. A sum that is read elsewhere too is merged where so much cancels
+//! equal terms collect or cancel. A sum that is read elsewhere too is merged where enough cancels
 //! that the outer sum costs no more than before: with `n = x² + y² + z²` the sum `x² + y² + z² − n`
 //! is 0. Multiples that were held as nodes become factors again.
 //!

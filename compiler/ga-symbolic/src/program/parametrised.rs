@@ -13,7 +13,7 @@ use crate::define::{Formulas, Parameter, Parameters, TypeDefinition};
 use crate::ir::Function;
 use crate::member::numbers;
 
-/// The most parameters of which is tried whether they are moved, where there are no readings.
+/// The greatest number of parameters that are tried for being moved, where there are no readings.
 const MOST_FIGURES: usize = 4;
 
 type Result<T> = std::result::Result<T, OperationError>;

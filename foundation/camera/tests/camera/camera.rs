@@ -233,7 +233,7 @@ proptest! {
             prop_assert!((again[0] - pixel[0]).abs() < 1e-8 && (again[1] - pixel[1]).abs() < 1e-8);
             inverted += 1;
         }
-        // So many cases may not be rejected that most lenses fail.
+        // proptest refuses to go on where too many cases are rejected, as if most lenses failed.
         prop_assume!(inverted == lenses.len());
     }
 

@@ -74,7 +74,7 @@ pub fn encode_indexed<'a>(
     encoder.set_color(ColorType::Indexed);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_palette(palette.as_flattened());
-    // Neighbouring indices are no neighbouring colours.
+    // Neighbouring indices are not neighbouring colours.
     encoder.set_filter(Filter::NoFilter);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&indices.rows().collect::<Vec<_>>().concat())?;

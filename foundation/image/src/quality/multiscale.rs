@@ -13,8 +13,8 @@ pub const SCALES: usize = 5;
 /// The exponents of the scales, the finest first, as printed by Wang, Simoncelli and Bovik.
 const EXPONENTS: [f64; SCALES] = [0.0448, 0.2856, 0.3001, 0.2363, 0.1333];
 
-/// The least width and height of pictures with a [`MultiScale`]: so many that a window of SSIM, 11
-/// pixels wide, fits into a sixteenth.
+/// The least width and height of pictures with a [`MultiScale`]: a window of SSIM, 11 pixels
+/// wide, fits into a sixteenth of it.
 pub const MULTISCALE_LEAST_SIDE: usize = WINDOW << (SCALES - 1);
 
 /// The similarity of two pictures at five scales, from [`Ssim::multiscale`].

@@ -54,7 +54,7 @@ pub enum WriterError {
 }
 
 impl<W: Write> Writer<W> {
-    /// Writes the first line, for frames of so many columns and rows with numbers of 8 or 10 bits.
+    /// Writes the first line, for frames of this size with numbers of 8 or 10 bits.
     ///
     /// # Errors
     ///

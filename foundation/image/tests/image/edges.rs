@@ -230,8 +230,8 @@ fn planes_of_other_sizes_and_thresholds_out_of_order_are_errors() {
     assert!(canny.edges(&Plane::<u8>::default()).is_empty());
 }
 
-/// Large pictures, whose rows are no multiple of what is read at once, seen as a part of a picture
-/// and alone.
+/// Large pictures, whose rows are not a multiple of what is read at once, seen as a part of a
+/// picture and alone.
 #[test]
 fn histograms_of_large_pictures_count_every_pixel() {
     let mut state = 9u32;

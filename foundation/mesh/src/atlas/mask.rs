@@ -166,7 +166,7 @@ impl Mask {
 
     /// Adds all cells within `margin` rows and columns of the set.
     pub(super) fn dilate(&mut self, margin: usize) {
-        // After so many steps every cell has been reached.
+        // After as many steps as there are columns or rows every cell has been reached.
         for _ in 0..margin.min(self.width.max(self.height)) {
             for row in self.words.chunks_exact_mut(self.stride) {
                 let mut carry = 0;

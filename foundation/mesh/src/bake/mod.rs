@@ -67,7 +67,7 @@ pub struct Options {
     /// The cage distance, in the unit of the coordinates; without it, 2 % of the diagonal of the
     /// bounding box of the coarse surface.
     pub cage_distance: Option<f64>,
-    /// So many texels around the covered ones are filled; 4 by default.
+    /// The number of texels around the covered ones that are filled; 4 by default.
     pub dilation_texels: u32,
 }
 

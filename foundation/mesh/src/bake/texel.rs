@@ -48,8 +48,8 @@ pub struct Texels {
 const NONE: u32 = u32::MAX;
 
 impl Texels {
-    /// The texels of a texture with so many on a side, for the texture coordinates (u, v) at the
-    /// corners of each triangle, u to the right and v up, in the unit square.
+    /// The texels of a square texture with the given side, for the texture coordinates (u, v) at
+    /// the corners of each triangle, u to the right and v up, in the unit square.
     ///
     /// # Errors
     ///

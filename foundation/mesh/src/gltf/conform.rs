@@ -83,7 +83,7 @@ fn move_to_top(node: usize, parents: &[Option<usize>], document: &mut Document) 
 
 /// Makes the weights of each vertex sum to 1 and the joints without influence 0.
 fn influences(primitive: &mut Primitive) {
-    // As exact as the sum of so many numbers in single precision can be.
+    // As exact as a sum of numbers in single precision can be.
     const TOLERANCE: f64 = 1e-7;
     let vertices = primitive.joints.first().map_or(0, Vec::len);
     for vertex in 0..vertices {

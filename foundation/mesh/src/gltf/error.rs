@@ -53,7 +53,8 @@ pub enum Element {
         mesh: usize,
         /// The primitive.
         primitive: usize,
-        /// The morph target whose attribute it is, if it is not one of the primitive itself.
+        /// The morph target whose attribute it is, if it is not an attribute of the primitive
+        /// itself.
         target: Option<usize>,
         /// The name of the attribute, as `NORMAL`.
         name: String,

@@ -30,7 +30,7 @@
 //!   at the next one, the two are blended by the mean of the sharpnesses that end.
 //!
 //! In one point this module differs from OpenSubdiv: an edge of more than two faces, which
-//! OpenSubdiv makes infinitely sharp, is an error, as the surface is not one there.
+//! OpenSubdiv makes infinitely sharp, is an error, as the surface is not a manifold there.
 //!
 //! Source: the documentation and the library OpenSubdiv 3, `Sdc::Scheme` and `Sdc::Crease`; see
 //! [`Scheme`], [`Tags`] and [`Limit`] for the original papers.

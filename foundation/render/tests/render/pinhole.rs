@@ -4,7 +4,7 @@ use ga_render::{Buffers, Camera, Intrinsics, Object, PixelOrigin, RenderError, S
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use proptest::prelude::*;
 
-use crate::scenes::{UNIT_SQUARE, square};
+use crate::scenes::{UNIT_SQUARE, cross, dot, square};
 
 /// A calibration and a pose, as matrices.
 #[derive(Clone, Copy, Debug)]
@@ -28,12 +28,8 @@ impl Plain {
         let length = self.axis.iter().map(|c| c * c).sum::<f64>().sqrt();
         let k = self.axis.map(|c| c / length);
         let (sine, cosine) = self.angle.sin_cos();
-        let along = k[0] * p[0] + k[1] * p[1] + k[2] * p[2];
-        let across = [
-            k[1] * p[2] - k[2] * p[1],
-            k[2] * p[0] - k[0] * p[2],
-            k[0] * p[1] - k[1] * p[0],
-        ];
+        let along = dot(k, p);
+        let across = cross(k, p);
         std::array::from_fn(|i| {
             p[i] * cosine + across[i] * sine + k[i] * along * (1.0 - cosine) + self.translation[i]
         })

@@ -1,4 +1,4 @@
-//! Conformal versors as products of a similarity and what is not one.
+//! Conformal versors as products of a similarity and another versor.
 
 use crate::Element;
 use crate::cga3::{Even, EvenVersor, OddVersor, RoundVector, Similarity, Transversor};

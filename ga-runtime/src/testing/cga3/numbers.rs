@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::scalar::{Mask, Real};
+use crate::vga3::Vector;
 
 /// Angles in [0, 2π].
 ///
@@ -114,13 +115,7 @@ pub(super) fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
 
 /// A unit vector orthogonal to both; orthogonal to the first alone where they are parallel.
 pub(super) fn across(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let cross = |b: [f64; 3]| {
-        [
-            a[1] * b[2] - a[2] * b[1],
-            a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0],
-        ]
-    };
+    let cross = |b: [f64; 3]| Vector::from(a).cross(b.into()).coordinates();
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let candidates = [b, axes[0], axes[1]].map(cross);
     let long_enough = |v: &&[f64; 3]| v.iter().map(|x| x * x).sum::<f64>() > 1e-4;

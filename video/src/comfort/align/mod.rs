@@ -100,7 +100,7 @@ struct Found {
     tones: Option<[Tone; 3]>,
 }
 
-/// Amounts of shift, rotation and size are tolerated that move no point farther than so many
+/// Amounts of shift, rotation and size are tolerated that move no point farther than this number of
 /// pixels, or than this share of the columns.
 const TOLERATED_PX: f64 = 0.3;
 const TOLERATED_SHARE: f64 = 0.0003;

@@ -18,7 +18,7 @@ pub(super) struct Pairs<'a> {
 }
 
 impl<'a> Pairs<'a> {
-    /// The right eye of the source is late by so many frames.
+    /// The right eye of the source is late by `delay` frames.
     pub(super) fn new(source: &'a mut StereoSource, delay: i64) -> Self {
         let late = delay.unsigned_abs();
         Self {

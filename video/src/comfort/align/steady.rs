@@ -8,15 +8,15 @@ use ga_numerics::order_statistics::median;
 /// the second number.
 const BESIDE: [usize; 2] = [5, 3];
 
-/// A step is so many times the noise and so many times what is tolerated.
+/// A step is at least these multiples of the noise and of what is tolerated.
 const OVER_NOISE: f64 = 5.0;
 const OVER_TOLERANCE: f64 = 2.0;
 
 /// The least part of a step that is made from one frame to the next.
 const ABRUPT: f64 = 0.5;
 
-/// Where numbers change slowly, the median and the mean are taken over so many frames on either
-/// side.
+/// Where numbers change slowly, the median and the mean are taken over this number of frames on
+/// either side.
 const AROUND: usize = 12;
 
 /// Steady numbers for frames that are measured with noise, or not at all.

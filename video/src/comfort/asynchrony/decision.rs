@@ -20,8 +20,8 @@ const FACTOR: f64 = 1.3;
 /// of the reduced picture.
 const PAN: f32 = 0.5;
 
-/// Where eyes in step explain most, so much must remain unexplained on average at delays that
-/// differ by so many frames.
+/// Where eyes in step explain most, this part must remain unexplained on average at delays that
+/// differ by these numbers of frames.
 const LEAST_BESIDE: f64 = 0.7;
 const BESIDE: RangeInclusive<usize> = 2..=6;
 

@@ -31,7 +31,7 @@ use products::{Change, Products};
 pub const REACH: usize = 12;
 const LAGS: usize = 2 * REACH + 1;
 
-/// So many frames before and after a frame are in its window.
+/// The number of frames before a frame, and after it, that are in its window.
 pub const HALF_WINDOW: usize = 16;
 
 /// The delay of the right eye at a frame.
@@ -113,8 +113,8 @@ pub struct AsynchronyMeter {
     exchanges: VecDeque<usize>,
 }
 
-/// An exchange of the eyes counts in a decision if it lies at least so many frames before the
-/// newest frame that the decision waits for: [`AsynchronyMeter::exchange`] may be late by as many.
+/// An exchange of the eyes counts in a decision if it lies at least this number of frames before
+/// the newest frame that the decision waits for: [`AsynchronyMeter::exchange`] may be as late.
 const LATE: usize = 4;
 
 impl AsynchronyMeter {

@@ -15,8 +15,8 @@ use crate::keyframe::signature::{Sample, box_means};
 /// between whole translations needs a picture without the finest detail as well.
 const SMOOTHING: f64 = 0.75;
 
-/// What is smoothed has at least so many times the columns and rows of the reduced picture, where
-/// the video has them.
+/// What is smoothed has at least this multiple of the columns and rows of the reduced picture,
+/// where the video has them.
 const FINER: usize = 2;
 
 /// Luma in numbers of 8 bits, smoothed and reduced to [`SIZE`]; black where there are no pixels.

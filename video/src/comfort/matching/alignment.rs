@@ -14,7 +14,7 @@ pub(super) struct Aligned {
     pub(super) correlation: f32,
 }
 
-/// The most columns of surroundings.
+/// The greatest number of columns of surroundings.
 const WIDEST: usize = 16;
 
 /// Numbers of the surroundings by rows, of which the first columns of each are used.

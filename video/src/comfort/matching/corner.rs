@@ -10,10 +10,10 @@ const CELLS: [usize; 2] = [28, 16];
 /// The least strength of a corner, in squared levels per squared pixel.
 const LEAST_STRENGTH: f32 = 1.0;
 
-/// The structure tensor is averaged over so many pixels on either side.
+/// The structure tensor is averaged over this number of pixels on either side.
 const AROUND: usize = 2;
 
-/// Corners have at least so many pixels on either side.
+/// The least number of pixels on either side of a corner.
 const MARGIN: usize = RADIUS + 1;
 
 /// Finds the corners of views of one size.

@@ -19,20 +19,20 @@ use corner::Corners;
 use reduced::{RADIUS, Reduced, ZERO};
 use search::{Reach, Scores};
 
-/// The views are reduced to at most so many columns for the search.
+/// The greatest number of columns of the views that are reduced for the search.
 const WIDEST: usize = 320;
 
 /// A point is searched within this share of the columns to either side, and of the rows.
 const REACH: [f64; 2] = [0.2, 0.06];
 
-/// The surroundings that are aligned have so many pixels on either side of the middle one, in the
-/// reduced and in the full view.
+/// The number of pixels on either side of the middle one in the surroundings that are aligned, in
+/// the reduced and in the full view.
 const FINE_RADIUS: [usize; 2] = [RADIUS, 7];
 
-/// Alignment may lead so many pixels away from where it starts.
+/// The greatest distance in pixels that alignment may lead away from where it starts.
 const FARTHEST: f32 = 2.5;
 
-/// Surroundings correlate at least so much, when searched and when aligned at full size.
+/// The least correlation of surroundings, when searched and when aligned at full size.
 const LEAST_CORRELATION: [f32; 2] = [0.6, 0.5];
 
 /// A point that both views show.

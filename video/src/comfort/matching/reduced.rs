@@ -6,7 +6,7 @@ use ga_runtime::batch::{Batch, Work};
 
 use crate::keyframe::signature::box_means_into;
 
-/// The surroundings of a pixel of a reduced view have so many pixels on either side of it.
+/// The number of pixels on either side of a pixel of a reduced view in its surroundings.
 pub(super) const RADIUS: usize = 4;
 
 /// Columns and rows of the surroundings.

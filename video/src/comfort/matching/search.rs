@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::reduced::{RADIUS, Reduced, SIDE};
 
-/// So many candidates of a row are correlated at a time.
+/// The number of candidates of a row that are correlated at a time.
 const BLOCK: usize = 32;
 
 /// The columns and rows of pixels that are candidates.
@@ -15,7 +15,7 @@ pub(super) struct Reach {
 }
 
 impl Reach {
-    /// The pixels of a view with all of their surroundings that are so many columns and rows away
+    /// The pixels of a view with all of their surroundings at these differences of columns and rows
     /// from a pixel.
     #[inline(always)]
     pub(super) fn around(pixel: [usize; 2], reach: [usize; 2], size: [usize; 2]) -> Self {

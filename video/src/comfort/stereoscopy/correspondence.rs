@@ -15,7 +15,7 @@ pub(super) const FIRST_LOOK_PIXELS: f64 = (FIRST_LOOK * FIRST_LOOK) as f64;
 /// The greatest parallax that is looked for, as part of the width.
 const REACH: f64 = 0.25;
 
-/// The range of disparities that is matched extends so many pixels beyond what was seen.
+/// The range of disparities that is matched extends this number of pixels beyond what was seen.
 const MARGIN: f32 = 8.0;
 
 /// Steps of luma over two pixels from which a pixel counts as textured, in numbers of 8 bits.

@@ -7,19 +7,20 @@ use super::view::View;
 /// The least step of disparity at a strip, in pixels.
 const LEAST_STEP: f32 = 2.0;
 
-/// The length of a strip may differ from the step of disparity by this factor and so many pixels.
+/// The length of a strip may differ from the step of disparity by this factor and this number of
+/// pixels.
 const LENGTH_FACTOR: f32 = 1.5;
 const LENGTH_MARGIN: f32 = 2.0;
 
-/// On both sides of a strip so many pixels have confirmed disparities, with the greatest difference
-/// between them in pixels.
+/// The number of pixels on both sides of a strip that have confirmed disparities, and the greatest
+/// difference between these in pixels.
 const BESIDE: usize = 4;
 const FLAT: f32 = 1.5;
 
 /// The greatest length that is compared on each side, in pixels.
 const LONGEST: usize = 12;
 
-/// The border of a surface may lie so many pixels beside the end of a strip.
+/// The border of a surface may lie this number of pixels beside the end of a strip.
 const NEAR: usize = 2;
 
 /// Columns and rows of the regions for which evidence is kept apart.

@@ -26,8 +26,8 @@ pub struct SnakeOptions {
     pub greatest_move: f64,
     /// The greatest number of steps.
     pub steps: usize,
-    /// After so many steps each, the points are placed at equal distances along the curve, if the
-    /// energy does not rise by that.
+    /// After each this number of steps, the points are placed at equal distances along the curve,
+    /// if the energy does not rise by that.
     pub resampled_every: Option<usize>,
 }
 

@@ -66,7 +66,7 @@ pub(super) fn bridge(
     Ok(bridged)
 }
 
-/// The plane n through known points on both sides of a stretch of so many points.
+/// The plane n through known points on both sides of a stretch of `length` points.
 fn plane(
     length: usize,
     [before, after]: [usize; 2],
@@ -74,7 +74,7 @@ fn plane(
     known: impl Fn(usize) -> Option<f64>,
     direction: impl Fn(usize) -> Vector<f64>,
 ) -> Vector<f64> {
-    /// At least so many points on either side.
+    /// The least number of points on either side.
     const LEAST: usize = 4;
     /// Directions in which the points spread less, relative to the greatest, say nothing.
     const LEAST_SPREAD: f64 = 1e-12;

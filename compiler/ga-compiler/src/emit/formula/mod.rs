@@ -66,13 +66,14 @@ pub fn function(definition: &Definition, function: &CompiledFunction) -> String 
     best.unwrap_or_default()
 }
 
-/// The most terms of an expression that is multiplied out, in the order of preference.
+/// The greatest number of terms of an expression that is multiplied out, in the order of
+/// preference.
 const MOST_TERMS: [usize; 5] = [40, 24, 12, 6, 3];
 
 /// The length in characters that a line should not exceed.
 const LONGEST_LINE: usize = 300;
 
-/// The text with at most so many terms where something was multiplied out.
+/// The text with a bounded number of terms where something was multiplied out.
 fn with_terms(
     definition: &Definition,
     function: &CompiledFunction,

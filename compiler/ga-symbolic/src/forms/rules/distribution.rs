@@ -11,7 +11,7 @@ use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
 
 const RULE: Option<FormRule> = Some(FormRule::Distribution);
 
-/// The most factors among which a scalar moves.
+/// The greatest number of factors among which a scalar moves.
 const LONGEST: usize = 3;
 
 pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {

@@ -35,7 +35,7 @@ struct Applied {
     apply: Apply,
     /// Whether it looks at products that are actions too.
     is_for_actions: bool,
-    /// Whether it finds so many ways that it is left out of long programs.
+    /// Whether it finds too many ways to be used in long programs.
     is_for_short: bool,
 }
 

@@ -32,7 +32,7 @@ fn faulty_pairs_are_named_by_index() {
                 matches!(found, ColumnsError::Point { point, error: TriangulationError::Parallel { .. } } if point == faulty),
                 "{found}"
             );
-            // Crossed pictures put the point behind both cameras, which is no error by itself.
+            // Crossed pictures put the point behind both cameras, which by itself is not an error.
             left[faulty] = [310.0, 240.0];
             let pairs = Pairs::new(&left, &right);
             let [a, b] = pairs.columns();

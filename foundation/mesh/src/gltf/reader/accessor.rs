@@ -44,7 +44,7 @@ struct Layout {
 
 impl<'a> Accessors<'a> {
     /// The bytes that a file of any size may hold when decoded, and the bytes for each of its own.
-    /// Several primitives may share an accessor, whence the factor.
+    /// Several primitives may share an accessor, hence the factor.
     const BASE: u64 = 1 << 26;
     const FACTOR: u64 = 64;
 

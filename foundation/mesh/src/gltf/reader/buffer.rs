@@ -74,7 +74,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// The first `length` bytes of what a URI names, or fewer if there are not so many.
+/// The first `length` bytes of what a URI names, or all if there are fewer.
 fn load(uri: &str, length: u64, files: &mut Files) -> Result<Vec<u8>, Problem> {
     match uri::parse(uri) {
         Some(Uri::Data { bytes, .. }) => Ok(bytes),

@@ -140,7 +140,7 @@ impl Buffer {
         accessor
     }
 
-    /// Appends bytes that are no numbers, as of an image; returns their buffer view.
+    /// Appends bytes that are not numbers, such as those of an image; returns their buffer view.
     pub(super) fn blob(&mut self, bytes: &[u8]) -> usize {
         self.view(bytes, Use::Other)
     }

@@ -28,7 +28,7 @@ pub(super) struct Cloud<S> {
 }
 
 impl<S: Real<Mask = bool>> Cloud<S> {
-    /// Reads weighted points, of which so many are needed.
+    /// Reads weighted points, of which a least number is needed.
     pub(super) fn of(
         points: impl ExactSizeIterator<Item = Weighted<S>>,
         needed: usize,
@@ -112,7 +112,7 @@ impl<S: Real<Mask = bool>> Cloud<S> {
         })
     }
 
-    /// An error where the points spread in fewer than so many independent directions: within 8√ε of
+    /// An error where the points spread in fewer independent directions than that: within 8√ε of
     /// their extent, and the rounding of their coordinates.
     pub(super) fn require(&self, dimension: usize) -> Result<(), PrimitiveFitError<S>> {
         if dimension <= self.dimension {

@@ -12,7 +12,8 @@ use super::shape::Shape;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The most steps of the search for the primitive of a sample, and of one improvement.
+/// The greatest number of steps of the search for the primitive of a sample, and of one
+/// improvement.
 const STEPS: usize = 20;
 
 /// The indices of the points that are nearer than a threshold.

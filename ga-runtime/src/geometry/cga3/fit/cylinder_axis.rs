@@ -11,7 +11,7 @@ use crate::vga3::Vector;
 
 /// The number of directions that are tried, on a half of the sphere: about 8° apart.
 const DIRECTIONS: i64 = 300;
-/// The most candidates.
+/// The greatest number of candidates.
 const MOST: usize = 4;
 
 /// The places of the cylinders whose directions are the best ones of those that are tried.

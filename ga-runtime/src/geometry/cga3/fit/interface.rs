@@ -11,9 +11,10 @@ use crate::cga3::Point;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
-/// The most steps of a search. Points near a primitive take fewer than ten, the worst some dozens.
+/// The greatest number of steps of a search. Points near a primitive take fewer than ten, the worst
+/// some dozens.
 const MOST_STEPS: usize = 300;
-/// The most steps from each of several starts, before the best is continued.
+/// The greatest number of steps from each of several starts, before the best is continued.
 const FIRST_STEPS: usize = 20;
 
 /// Defines the name of a result and the fits of a primitive, given what makes vectors of its points

@@ -28,8 +28,8 @@ pub(super) struct Equations<S, const N: usize> {
 /// The steps that use the matrix of Gauss and Newton.
 const FIRST_STEPS: usize = 12;
 
-/// Minimises `Σ w ρ(r)` over the places of a primitive, from a place, in at most so many steps, by
-/// the method of Levenberg and Marquardt on the tangent space of motors and the curvature
+/// Minimises `Σ w ρ(r)` over the places of a primitive, from a place, in a bounded number of steps,
+/// by the method of Levenberg and Marquardt on the tangent space of motors and the curvature
 /// (Marquardt, An algorithm for least-squares estimation of nonlinear parameters, 1963). For a loss
 /// the equations are weighted anew at each step (iteratively reweighted least squares).
 ///

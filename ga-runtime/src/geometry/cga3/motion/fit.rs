@@ -283,7 +283,7 @@ fn rotor_of_any<S: Real<Mask = bool>>(
     fixed_rotation(&pairs, sides)
 }
 
-/// Two directions with length 1; NaN where one has none, so that the sums over them are no numbers.
+/// Two directions with length 1; NaN where one has none, so that the sums over them are NaN too.
 #[inline]
 fn unit_pair<S: Real<Mask = bool>>(x: Vector<S>, y: Vector<S>) -> (Vector<S>, Vector<S>) {
     let none = S::zero() / S::zero();

@@ -95,7 +95,7 @@ macro_rules! contained {
 
 impl<S: Real> Point<S> {
     /// Whether this point is a point of the other primitive, within the tolerance; see
-    /// [`incidence`](crate::geometry::relation::incidence). False where either is no figure.
+    /// [`incidence`](crate::geometry::relation::incidence). False where either is not a figure.
     #[inline]
     #[must_use]
     pub fn is_on<T: FromPoint<S>>(self, other: T, tolerance: Tolerance<S>) -> S::Mask {

@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 const CELLS: i64 = 32;
 /// If there are more cells than this, none is halved further: g is then almost constant.
 const MOST_CELLS: usize = 256;
-/// The most steps to the zero of g' in one cell; every third is a bisection.
+/// The greatest number of steps to the zero of g' in one cell; every third is a bisection.
 const STEPS: usize = 120;
 
 /// The least distance of a circle from a line of unit direction; `from` is the vector from the

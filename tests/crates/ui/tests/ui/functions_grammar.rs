@@ -146,7 +146,7 @@ mod no_result {
     }
 }
 
-// Numbers that are too large and too small. Long ones are no error.
+// Numbers that are too large and too small. Long ones are not an error.
 mod number_range {
     use ga_runtime::ga;
 
