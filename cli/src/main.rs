@@ -9,6 +9,11 @@ mod commands;
 mod failure;
 mod figure;
 mod figure_file;
+mod file_list;
+mod files;
+mod format;
+mod interruption;
+mod mesh_file;
 mod model;
 mod output;
 mod overlay;
@@ -28,16 +33,21 @@ mod view_files;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use commands::{
-    animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, quality, render, skin,
-    stereo, texture, video,
+    animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
+    quality, render, skin, stereo, texture, video,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
+///
+/// A file that is written replaces one of its name without a question, unless that is read-only or
+/// an input of the same command; of several files all are written or none. The ending of a name, in
+/// small or capital letters, says the format. `-` as the name of one output is standard output, and
+/// devices and pipes are written to.
 #[derive(Parser)]
-#[command(version, propagate_version = true)]
+#[command(version, propagate_version = true, after_help = STATUS)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -45,6 +55,17 @@ struct Cli {
     #[arg(short, long, global = true, display_order = 100)]
     quiet: bool,
 }
+
+/// What the status of the program says.
+const STATUS: &str = "\
+Status:
+  0    success
+  1    the input is wrong, or the work failed
+  2    the arguments are wrong
+  3    with --check: the work succeeded, and its verdict is not good
+  130  ended by Ctrl-C, and so on: 128 and the number of the signal
+
+Example: nullcone demo --out out";
 
 #[derive(Subcommand)]
 enum Command {
@@ -64,10 +85,15 @@ enum Command {
     Stereo(stereo::Arguments),
     Texture(texture::Arguments),
     Video(video::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    if let Err(error) = interruption::clean_up_at_signals() {
+        eprintln!("warning: temporary files will be left where a signal ends the program: {error}");
+    }
     let result = match &cli.command {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
@@ -85,6 +111,8 @@ fn main() -> ExitCode {
         Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
         Command::Texture(arguments) => texture::run(arguments, cli.quiet),
         Command::Video(arguments) => video::run(arguments, cli.quiet),
+        Command::Completions(arguments) => completions::run(arguments, Cli::command()),
+        Command::Man(arguments) => man::run(arguments, Cli::command(), cli.quiet),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -11,6 +11,8 @@ use ga_mesh::gltf::{self, Animation, Document};
 use ga_mesh::{Mesh, obj};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 
 /// Pose an animated glTF model at a time and write its vertices in world space.
@@ -98,6 +100,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "--time {}: the time must be finite",
         arguments.time
     );
+    let mut files = Files::reading([&arguments.model]).printing("--json", arguments.json);
+    files.write("--out", &arguments.out, &[Format::Obj])?;
     let document = gltf::read(&arguments.model)?;
     let animation = match arguments.animation {
         Some(Choice::Animation(animation)) => Some(animation),
@@ -120,7 +124,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     );
     let mesh = placement.mesh(&placed).with_context(in_model)?;
     let text = obj::to_text(&mesh);
-    ga_files::write(&arguments.out, text.as_bytes())?;
+    output::write(&arguments.out, text.as_bytes())?;
     let report = Report::new(arguments, &document, animation, &placement, &mesh);
     if arguments.json {
         return output::print_json(&report);

@@ -205,7 +205,7 @@ fn bad_input_leaves_nothing() {
     };
     fails(
         &["mesh", "info", "t.mtl"],
-        &["t.mtl: the name of a mesh file must end in .obj"],
+        &["OUT t.mtl: its name must end in .glb, .gltf, .obj or .ply"],
     );
     fails(
         &["mesh", "convert", "t.obj", "t.stl"],

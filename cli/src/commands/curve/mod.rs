@@ -12,6 +12,8 @@ use clap::ValueEnum;
 use ga_anim::curve::{self, Curve, CurveError, EndKind, ResampleError, Resampled, SplineSystem};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use table::Table;
@@ -137,6 +139,9 @@ struct Report<'a> {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     check_arguments(arguments)?;
+    let mut files = Files::reading([&arguments.keys]).printing("--json", arguments.json);
+    files.write_if_given("--out", arguments.out.as_ref(), &[Format::Csv])?;
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading");
     let table = ga_files::read(&arguments.keys, Table::parse)?;
@@ -199,10 +204,7 @@ fn write(
     if let Some(path) = &arguments.out {
         files.push((path, table.with_rows(rows)?));
     }
-    let files = files
-        .iter()
-        .map(|(path, contents)| (path, contents.as_slice()));
-    Ok(ga_files::write_together(files)?)
+    output::write_together(files)
 }
 
 fn check_arguments(arguments: &Arguments) -> Result<()> {
@@ -216,14 +218,6 @@ fn check_arguments(arguments: &Arguments) -> Result<()> {
         ensure!(
             tolerance.is_finite() && tolerance > 0.0,
             "--tolerance {tolerance}: it must be above 0"
-        );
-    }
-    if let Some(path) = &arguments.plot {
-        ensure!(
-            path.extension()
-                .is_some_and(|ending| ending.eq_ignore_ascii_case("svg")),
-            "--plot {}: its name must end in .svg",
-            path.display()
         );
     }
     Ok(())
