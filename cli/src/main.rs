@@ -6,6 +6,7 @@ mod camera_file;
 mod chart;
 mod checks;
 mod commands;
+mod examples;
 mod failure;
 mod figure;
 mod figure_file;
@@ -33,7 +34,7 @@ mod view_files;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
@@ -90,7 +91,8 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let matches = examples::with_examples(Cli::command()).get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     if let Err(error) = interruption::clean_up_at_signals() {
         eprintln!("warning: temporary files will be left where a signal ends the program: {error}");
     }
@@ -112,7 +114,11 @@ fn main() -> ExitCode {
         Command::Texture(arguments) => texture::run(arguments, cli.quiet),
         Command::Video(arguments) => video::run(arguments, cli.quiet),
         Command::Completions(arguments) => completions::run(arguments, Cli::command()),
-        Command::Man(arguments) => man::run(arguments, Cli::command(), cli.quiet),
+        Command::Man(arguments) => man::run(
+            arguments,
+            examples::with_examples(Cli::command()),
+            cli.quiet,
+        ),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,8 +7,6 @@ use clap_complete::Shell;
 use crate::output;
 
 /// Print a script with which a shell completes commands and options of this program.
-///
-/// Example: nullcone completions bash > ~/.local/share/bash-completion/completions/nullcone
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The shell.

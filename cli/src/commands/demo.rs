@@ -18,8 +18,6 @@ use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 /// (mesh, painted skin, skeleton, skin weights and the walk), sheet.png (the key frames of a stride
 /// with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y
 /// points up.
-///
-/// Example: nullcone demo --bones --trails LeftFoot,RightHand --film walk.png
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]

@@ -10,8 +10,6 @@ use crate::files::Files;
 use crate::output;
 
 /// Print the manual page of the program, or write a page for each command into a folder.
-///
-/// Example: nullcone man --out ~/.local/share/man/man1
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The folder for the pages of all commands, such as nullcone-body-fit.1.

@@ -21,10 +21,6 @@ use crate::output;
 /// primitive in order and all vertices of its POSITION, so that they are numbered as in the file.
 /// Morph targets displace them first; then the joints of the skin move them, or the node where it
 /// has no skin. Coordinates are written with as many digits as read back exactly.
-///
-/// For instance
-///
-///   nullcone skin fox.glb --animation 2 --time 0.35 --method motor --out frame.obj
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

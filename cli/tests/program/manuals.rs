@@ -84,6 +84,41 @@ fn every_command_has_a_manual_page() {
     }
 }
 
+/// The words of the example at the end of a help.
+fn example(help: &str) -> Vec<String> {
+    let (_, example) = help.rsplit_once("\nExample:\n  nullcone ").expect(help);
+    assert_eq!(example.trim_end().lines().count(), 1, "{example}");
+    let pieces = example.trim_end().split('\'').enumerate();
+    // What is quoted is one word.
+    let words = pieces.flat_map(|(index, piece)| match index % 2 {
+        0 => piece.split_whitespace().map(str::to_owned).collect(),
+        _ => vec![piece.to_owned()],
+    });
+    words.collect()
+}
+
+/// Those whose inputs do not exist are understood, and miss the inputs.
+#[test]
+fn the_help_of_every_command_ends_with_an_example_that_is_understood() {
+    let folder = tempdir().unwrap();
+    for command in commands() {
+        let words = example(&help(&command));
+        assert!(words.starts_with(&command), "{words:?}");
+        let output = nullcone(folder.path(), &words);
+        let needs_nothing = ["demo", "expand", "completions", "man"].contains(&&*command[0]);
+        let status = if needs_nothing { 0 } else { 1 };
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{words:?}: {error}");
+        assert!(needs_nothing || is_about_a_missing_file(error), "{error}");
+    }
+    let files = ["man1", "out", "walk.png"];
+    assert_eq!(names(folder.path()), files);
+}
+
+fn is_about_a_missing_file(error: &str) -> bool {
+    error.contains("No such file") || error.contains("matches no file")
+}
+
 #[test]
 fn the_help_says_what_the_status_means() {
     let help = help(&[]);

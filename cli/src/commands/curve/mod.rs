@@ -26,9 +26,7 @@ const MOST_ROWS: usize = 10_000_000;
 /// KEYS.csv has a column of rising times and a column for each channel, and perhaps a first line
 /// with their names. Through each channel goes a cubic spline with two continuous derivatives. It
 /// is written at equal steps of time, or at as few vertices as keep the straight lines between them
-/// within a tolerance of the curve, which is proven, not sampled. For instance
-///
-///     nullcone curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg
+/// within a tolerance of the curve, which is proven, not sampled.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 #[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]

@@ -20,10 +20,6 @@ use crate::{mesh_file, output};
 /// Some formats need files beside the output, named after it: libraries of materials (.mtl),
 /// buffers (.bin) and pictures. A file of such a name with other contents is not replaced without
 /// --force.
-///
-/// For instance
-///
-///   nullcone mesh convert scan.ply scan.obj
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
