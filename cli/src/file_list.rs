@@ -43,8 +43,8 @@ pub(crate) fn expand(option: &str, arguments: &[String]) -> Result<Vec<PathBuf>>
 fn pattern(argument: &str) -> String {
     let folders = argument.match_indices(std::path::is_separator);
     let ends = folders.map(|(index, separator)| index + separator.len());
-    let existing = ends.filter(|&end| Path::new(&argument[..end]).is_dir());
-    let end = existing.last().unwrap_or(0);
+    let mut existing = ends.filter(|&end| Path::new(&argument[..end]).is_dir());
+    let end = existing.next_back().unwrap_or(0);
     Pattern::escape(&argument[..end]) + &argument[end..]
 }
 

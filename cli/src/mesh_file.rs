@@ -2,15 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
 
 use crate::files::is_standard_output;
 use crate::format::Format;
 
-/// The paths and contents of the files of a mesh, that at `out` first. Standard output, a device or
-/// a pipe takes one file: what would be beside it is left out, with a warning.
+/// The paths and contents of the files of a mesh, that at `out` first.
+///
+/// # Errors
+///
+/// The mesh does not fit the format, or needs files beside the first, and that goes to standard
+/// output, a device or a pipe.
 pub(crate) fn files(
     out: &Path,
     format: Format,
@@ -22,9 +26,9 @@ pub(crate) fn files(
     }
     let ending = format.endings().first().copied().unwrap_or_default();
     let mut files = format::to_files(format!("model.{ending}"), mesh, options)?;
-    for (path, _) in files.drain(1..) {
-        eprintln!(
-            "warning: {}: {} is left out, since only one file can be written there",
+    if let Some((path, _)) = files.get(1) {
+        bail!(
+            "{}: the mesh needs several files, such as {}, and they need a folder",
             out.display(),
             path.display()
         );

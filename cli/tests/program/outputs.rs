@@ -357,6 +357,26 @@ fn a_dash_is_standard_output() {
     );
 }
 
+/// Materials of OBJ are in a file of their own.
+#[test]
+fn several_files_do_not_go_to_standard_output() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let obj = format!("mtllib a.mtl\n{}", TRIANGLE.replace("f ", "usemtl red\nf "));
+    std::fs::write(path("a.obj"), obj).unwrap();
+    std::fs::write(path("a.mtl"), "newmtl red\nKd 1 0 0\n").unwrap();
+    let run = |command: &str| nullcone(folder.path(), command.split(' '));
+    let refused = run("mesh subdivide a.obj --levels 1 --out -");
+    assert_failure(
+        &refused,
+        &["-: the mesh needs several files, such as model.mtl"],
+    );
+    let binary = run("mesh convert a.obj -");
+    assert_success(&binary);
+    assert!(binary.stdout.starts_with(b"glTF"));
+    assert_eq!(names(folder.path()), ["a.mtl", "a.obj"]);
+}
+
 #[cfg(unix)]
 fn mode(path: &Path) -> u32 {
     std::os::unix::fs::MetadataExt::mode(&path.metadata().unwrap())

@@ -24,7 +24,7 @@ fn waiting(folder: &Path, signals: &str) -> Child {
     let child = command.spawn().unwrap();
     let begin = Instant::now();
     let deep = folder.join("new/deep");
-    while !(deep.is_dir() && !names(&deep).is_empty()) {
+    while !deep.is_dir() || names(&deep).is_empty() {
         assert!(
             begin.elapsed() < Duration::from_secs(60),
             "nothing is written"
