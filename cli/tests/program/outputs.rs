@@ -269,6 +269,29 @@ fn an_input_is_not_replaced() {
     }
 }
 
+#[test]
+fn the_outputs_of_a_calibration_are_checked_before_its_views_are_read() {
+    let folder = tempdir().unwrap();
+    for name in ["corners001.png", "r.png"] {
+        std::fs::write(folder.path().join(name), "the only copy").unwrap();
+    }
+    let before = names(folder.path());
+    let refused = |more: &str, message: &str| {
+        let views = "--left corners001.png --right r.png";
+        let line = format!("stereo calibrate --board 9x6 --square 0.1 {views} {more}");
+        assert_failure(&nullcone(folder.path(), line.split(' ')), &[message]);
+        assert_eq!(names(folder.path()), before);
+    };
+    refused(
+        "--out rig.json",
+        "--out rig.json: its name must end in .yml or .yaml",
+    );
+    refused(
+        "--out RIG.YAML --pictures .",
+        "--pictures ./corners001.png: it is the input corners001.png",
+    );
+}
+
 /// A folder of numbered pictures is a video.
 #[test]
 fn a_picture_of_a_video_is_not_replaced() {
