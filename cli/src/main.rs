@@ -6,9 +6,15 @@ mod camera_file;
 mod chart;
 mod checks;
 mod commands;
+mod examples;
 mod failure;
 mod figure;
 mod figure_file;
+mod file_list;
+mod files;
+mod format;
+mod interruption;
+mod mesh_file;
 mod model;
 mod output;
 mod overlay;
@@ -29,16 +35,21 @@ mod warning;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
-    animate, body, capture, clip, contour, curve, demo, draw, expand, mesh, quality, render, skin,
-    stereo, texture, video,
+    animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
+    quality, render, skin, stereo, texture, video,
 };
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
+///
+/// A file that is written replaces one of its name without a question, unless that is read-only or
+/// an input of the same command; of several files all are written or none. The ending of a name, in
+/// small or capital letters, says the format. `-` as the name of one output is standard output, and
+/// devices and pipes are written to.
 #[derive(Parser)]
-#[command(version, propagate_version = true)]
+#[command(version, propagate_version = true, after_help = STATUS)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -46,6 +57,17 @@ struct Cli {
     #[arg(short, long, global = true, display_order = 100)]
     quiet: bool,
 }
+
+/// What the status of the program says.
+const STATUS: &str = "\
+Status:
+  0    success
+  1    the input is wrong, or the work failed
+  2    the arguments are wrong
+  3    with --check: the work succeeded, and its verdict is not good
+  130  ended by Ctrl-C, and so on: 128 and the number of the signal
+
+Example: nullcone demo --out out";
 
 #[derive(Subcommand)]
 enum Command {
@@ -65,10 +87,16 @@ enum Command {
     Stereo(stereo::Arguments),
     Texture(texture::Arguments),
     Video(video::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let matches = examples::with_examples(Cli::command()).get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    if let Err(error) = interruption::clean_up_at_signals() {
+        eprintln!("warning: temporary files will be left where a signal ends the program: {error}");
+    }
     let result = match &cli.command {
         Command::Demo(arguments) => demo::run(arguments, cli.quiet),
         Command::Animate(arguments) => animate::run(arguments, cli.quiet),
@@ -86,6 +114,12 @@ fn main() -> ExitCode {
         Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
         Command::Texture(arguments) => texture::run(arguments, cli.quiet),
         Command::Video(arguments) => video::run(arguments, cli.quiet),
+        Command::Completions(arguments) => completions::run(arguments, Cli::command()),
+        Command::Man(arguments) => man::run(
+            arguments,
+            examples::with_examples(Cli::command()),
+            cli.quiet,
+        ),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,9 +2,13 @@
 
 use std::io::{ErrorKind, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
+use ga_files::Staged;
 use serde::Serialize;
+
+use crate::files::is_standard_output;
 
 /// A file to be written.
 pub(crate) struct File {
@@ -12,9 +16,21 @@ pub(crate) struct File {
     pub(crate) contents: Vec<u8>,
 }
 
+/// Whether a file goes to standard output.
+static IS_TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// Leaves standard output to a file: what is said about the work goes to standard error.
+pub(crate) fn take_standard_output() {
+    IS_TAKEN.store(true, Ordering::Relaxed);
+}
+
 /// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an
 /// error.
 pub(crate) fn print(text: &str) -> Result<()> {
+    if IS_TAKEN.load(Ordering::Relaxed) {
+        eprint!("{text}");
+        return Ok(());
+    }
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(error).context("cannot write to standard output")
@@ -28,11 +44,41 @@ pub(crate) fn print_json(object: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(object)? + "\n"))
 }
 
-/// Writes those texts for which there is a place, all of them or none.
-pub(crate) fn write_texts<const N: usize>(texts: [(Option<&Path>, &str); N]) -> Result<()> {
-    let files = texts.into_iter();
-    let files = files.filter_map(|(path, text)| Some((path?, text.as_bytes())));
-    Ok(ga_files::write_together(files)?)
+/// Writes a file; `-` is standard output.
+pub(crate) fn write(path: &Path, contents: &[u8]) -> Result<()> {
+    write_together([(path, contents)])
+}
+
+/// Writes files, each a path and its contents, all of them or none; `-` is standard output.
+pub(crate) fn write_together<P: AsRef<Path>, C: AsRef<[u8]>>(
+    files: impl IntoIterator<Item = (P, C)>,
+) -> Result<()> {
+    let mut staged = Staged::default();
+    for (path, contents) in files {
+        stage(&mut staged, path.as_ref(), contents.as_ref())?;
+    }
+    Ok(staged.finish()?)
+}
+
+/// Adds a file to those that are written together; `-` is standard output.
+pub(crate) fn stage(staged: &mut Staged, path: &Path, contents: &[u8]) -> Result<()> {
+    stage_with(staged, path, |file| {
+        let written = file.write_all(contents);
+        written.with_context(|| format!("cannot write {}", path.display()))
+    })
+}
+
+/// As [`stage`], for contents that a function writes.
+pub(crate) fn stage_with(
+    staged: &mut Staged,
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    if is_standard_output(path) {
+        staged.add_to_standard_output(path, write)
+    } else {
+        staged.add_with(path, write)
+    }
 }
 
 /// A part as per cent, without the digits that only rounding makes: 0.57 is 57.
@@ -40,29 +86,8 @@ pub(crate) fn percent(part: f64) -> f64 {
     (part * 1e8).round() / 1e6
 }
 
-/// Fails early where a folder cannot take these files.
-pub(crate) fn check_place(folder: &Path, names: &[&str]) -> Result<()> {
-    if let Some(existing) = folder.ancestors().find(|path| path.exists()) {
-        ensure!(
-            existing.is_dir(),
-            "cannot make the folder {}: {} is a file",
-            folder.display(),
-            existing.display()
-        );
-    }
-    for name in names {
-        let place = folder.join(name);
-        ensure!(
-            !place.is_dir(),
-            "cannot write {}: a folder of that name is in its place",
-            place.display()
-        );
-    }
-    Ok(())
-}
-
 /// Writes the files into a folder, all of them or none.
 pub(crate) fn write_all(folder: &Path, files: &[File]) -> Result<()> {
-    let files = files.iter().map(|file| (file.name, &file.contents[..]));
-    Ok(ga_files::write_all(folder, files)?)
+    let files = files.iter();
+    write_together(files.map(|file| (folder.join(file.name), &file.contents)))
 }

@@ -1,13 +1,15 @@
 //! From a figure and its motion to the files, the same for every command.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
 
 use crate::checks::Checks;
 use crate::figure::Figure;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output::{self, File};
 use crate::overlay::{Overlay, OverlayArguments};
 use crate::progress::Progress;
@@ -39,27 +41,12 @@ pub(crate) struct OutputArguments {
 }
 
 impl OutputArguments {
-    /// Fails early where the files could not be written in the end.
-    pub(crate) fn check(&self) -> Result<()> {
-        let names = [&model::NAMES[..], &[SHEET, REPORT]].concat();
-        output::check_place(&self.out, &names)?;
-        let Some(film) = &self.film else {
-            return Ok(());
-        };
-        let shown = film.display();
-        ensure!(
-            film.extension().is_some_and(|ending| ending == "png"),
-            "--film {shown}: its name must end in .png"
-        );
-        let name = film.file_name().and_then(|name| name.to_str());
-        let name = name.with_context(|| format!("--film {shown}: not a name"))?;
-        let folder = film.parent().unwrap_or(Path::new(""));
-        output::check_place(folder, &[name])?;
-        let full = |path: &Path| std::path::absolute(path).ok();
-        ensure!(
-            !(names.contains(&name) && full(film) == full(&self.out.join(name))),
-            "--film {shown}: another file of this name is written there"
-        );
+    /// Fails early where the files could not be written in the end, or would replace one of those
+    /// that are read.
+    pub(crate) fn check(&self, mut files: Files) -> Result<()> {
+        let names = model::NAMES.iter().chain(&[SHEET, REPORT]);
+        files.write_folder("--out", &self.out, names)?;
+        files.write_if_given("--film", self.film.as_ref(), &[Format::Png])?;
         Ok(())
     }
 }
@@ -137,10 +124,13 @@ pub(crate) fn perform(
         contents: text.into_bytes(),
     });
     progress.step("writing");
-    if let Some((path, contents)) = &film {
-        ga_files::write(path, contents)?;
-    }
-    output::write_all(&arguments.out, &files)?;
+    let in_folder = files
+        .iter()
+        .map(|file| (arguments.out.join(file.name), &file.contents));
+    let beside = film
+        .iter()
+        .map(|(path, contents)| (path.to_path_buf(), contents));
+    output::write_together(in_folder.chain(beside))?;
     drop(progress);
     if !quiet {
         let mut written: Vec<(PathBuf, usize)> = files

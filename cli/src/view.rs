@@ -9,6 +9,7 @@ use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
 
 use crate::camera_file::CameraFile;
+use crate::format::Format;
 
 /// What `--camera` asks for.
 #[derive(Clone, Debug)]
@@ -51,7 +52,7 @@ impl View {
             "top" => side(0.0, 90.0),
             "three-quarter" => side(35.0, 20.0),
             words if words.starts_with("eye ") => towards(words),
-            path if path.to_ascii_lowercase().ends_with(".json") => Ok(Self::File(ga_files::read(
+            path if Format::Json.fits(Path::new(path)) => Ok(Self::File(ga_files::read(
                 Path::new(path),
                 CameraFile::parse,
             )?)),

@@ -10,7 +10,6 @@ use ga_render::Camera;
 use serde::Serialize;
 
 use crate::camera_file::CameraFile;
-use crate::output;
 
 /// The name of the file with the cameras.
 const NAME: &str = ga_camera::format::views::FILE_NAME;
@@ -35,11 +34,10 @@ struct Views {
     views: Vec<Entry>,
 }
 
-/// Fails early where a folder cannot take so many pictures.
-pub(crate) fn check(folder: &Path, pictures: u32) -> Result<()> {
-    let names: Vec<String> = (0..pictures as usize).map(picture_name).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).chain([NAME]).collect();
-    output::check_place(folder, &names)
+/// The names of the files of so many pictures.
+pub(crate) fn names(pictures: u32) -> impl Iterator<Item = String> {
+    let pictures = (0..pictures as usize).map(picture_name);
+    pictures.chain([NAME.to_owned()])
 }
 
 fn picture_name(number: usize) -> String {

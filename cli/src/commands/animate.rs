@@ -11,6 +11,7 @@ use ga_anim::retarget::{FootLocking, JointMap, Retarget, Soles};
 use crate::checks::distance;
 use crate::figure::Figure;
 use crate::figure_file;
+use crate::files::Files;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
@@ -105,6 +106,12 @@ impl Arguments {
         self.metres_per_unit.unwrap_or(default)
     }
 
+    fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
+        let figure = [&self.mesh, &self.rig, &self.weights, &self.character];
+        let files = figure.into_iter().chain([&self.map]).flatten();
+        files.chain([&self.motion])
+    }
+
     /// The file of the skeleton.
     fn rig(&self) -> Option<&Path> {
         self.character.as_deref().or(self.rig.as_deref())
@@ -114,7 +121,7 @@ impl Arguments {
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
     check_numbers(arguments)?;
-    arguments.output.check()?;
+    arguments.output.check(Files::reading(arguments.inputs()))?;
     let progress = Progress::new(pipeline::STEPS + 3, quiet);
     progress.step("reading the figure");
     let (figure, group) = figure(arguments)?;

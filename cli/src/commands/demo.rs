@@ -6,6 +6,7 @@ use anyhow::{Context, Result};
 use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 use crate::figure::Figure;
+use crate::files::Files;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::progress::Progress;
 use crate::report::{Input, MotionInput};
@@ -17,8 +18,6 @@ use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 /// (mesh, painted skin, skeleton, skin weights and the walk), sheet.png (the key frames of a stride
 /// with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y
 /// points up.
-///
-/// Example: nullcone demo --bones --trails LeftFoot,RightHand --film walk.png
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -33,7 +32,7 @@ const TEXTURE_SIZE: usize = 1024;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
-    arguments.output.check()?;
+    arguments.output.check(Files::default())?;
     let progress = Progress::new(pipeline::STEPS + 1, quiet);
     progress.step("making a person");
     let human = Human::new();

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use ga_draw::Scene;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
@@ -33,17 +35,13 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let Arguments { file, out } = arguments;
-    let ending = out.extension().and_then(|ending| ending.to_str());
-    let write = match ending {
-        Some("svg") => Scene::to_svg,
-        Some("html" | "htm") => Scene::to_html,
-        _ => bail!(
-            "--out {}: its name must end in .svg, .html or .htm",
-            out.display()
-        ),
+    let format = Files::reading([file]).write("--out", out, &[Format::Svg, Format::Html])?;
+    let write = match format {
+        Format::Html => Scene::to_html,
+        _ => Scene::to_svg,
     };
     let scene = ga_files::read(file, Scene::from_json)?;
-    ga_files::write(out, write(&scene).as_bytes())?;
+    output::write(out, write(&scene).as_bytes())?;
     if !quiet {
         output::print(&format!("wrote {}\n", out.display()))?;
     }

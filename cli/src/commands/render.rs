@@ -16,6 +16,8 @@ use ga_render::{Buffers, Camera, Ground, Polyline, Scene, Shading, Style, Visibi
 
 use crate::buffer_files;
 use crate::camera_file::CameraFile;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output::{self, File};
 use crate::view::{View, bounds};
 use crate::view_files::{self, ViewFiles};
@@ -119,21 +121,12 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let Arguments {
         model: path, out, ..
     } = arguments;
-    let ending = out.extension().and_then(|ending| ending.to_str());
-    let format = match ending {
-        Some("png") => Format::Png,
-        Some("y4m") => Format::Film,
-        _ => bail!("--out {}: its name must end in .png or .y4m", out.display()),
-    };
     ensure!(
         (1..=MOST_PICTURES).contains(&arguments.turntable),
         "--turntable {}: not 1 to {MOST_PICTURES}",
         arguments.turntable
     );
-    let place = Place::new(out, arguments.buffers.as_deref())?;
-    if let Some(folder) = &arguments.views {
-        view_files::check(folder, arguments.turntable)?;
-    }
+    let format = check_files(arguments)?;
     let view = View::parse(&arguments.camera)?;
     let size = match &arguments.size {
         Some(size) => Some(parse_size(size)?),
@@ -179,7 +172,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         .cameras(&model, style.aspect(), arguments.turntable)
         .with_context(named)?;
     let drawing = draw(&model, &cameras, &style, arguments, format).with_context(named)?;
-    place.write(&drawing)?;
+    drawing.write(arguments)?;
     let milliseconds = drawing.time.as_millis();
     if !quiet {
         let triangles = model.triangle_count();
@@ -194,7 +187,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 /// The model in a file. What it refers to that is not there is said on standard error, unless
 /// `quiet`.
 fn read(path: &Path, quiet: bool) -> Result<Model> {
-    let is_gltf = matches!(format::Format::of_path(path), Ok(format::Format::Gltf));
+    let is_gltf = Format::of(path, &[Format::Glb, Format::Gltf]).is_some();
     let Loaded { mesh, mut warnings } = if is_gltf {
         Loaded {
             mesh: gltf::read_mesh(path)?,
@@ -231,24 +224,35 @@ struct Drawing {
     time: Duration,
 }
 
-/// What the picture becomes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Png,
-    Film,
+/// Fails where a file cannot be written; else the format of the picture or film.
+fn check_files(arguments: &Arguments) -> Result<Format> {
+    let camera = Path::new(arguments.camera.trim());
+    let camera = Some(camera).filter(|path| Format::Json.fits(path));
+    let mut files = Files::reading([arguments.model.as_path()]).and_reading(camera);
+    let format = files.write("--out", &arguments.out, &[Format::Png, Format::Y4m])?;
+    if let Some(folder) = &arguments.buffers {
+        files.write_folder("--buffers", folder, buffer_files::NAMES)?;
+    }
+    if let Some(folder) = &arguments.views {
+        files.write_folder("--views", folder, view_files::names(arguments.turntable))?;
+    }
+    files.write_if_given(
+        "--camera-out",
+        arguments.camera_out.as_ref(),
+        &[Format::Json],
+    )?;
+    Ok(format)
 }
 
-impl Format {
-    /// The bytes of a file with these pictures, of which one at a time is in memory.
-    fn encode(
-        self,
-        mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
-    ) -> Result<Vec<u8>, EncodeError> {
-        match self {
-            Self::Film => y4m::encode(pictures, y4m::Film::default()),
-            Self::Png if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),
-            Self::Png => png::encode_animation(pictures, png::Animation::default()),
-        }
+/// The bytes of a file with these pictures, of which one at a time is in memory.
+fn encode(
+    format: Format,
+    mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
+) -> Result<Vec<u8>, EncodeError> {
+    match format {
+        Format::Y4m => y4m::encode(pictures, y4m::Film::default()),
+        _ if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),
+        _ => png::encode_animation(pictures, png::Animation::default()),
     }
 }
 
@@ -298,7 +302,7 @@ fn draw(
         }
         picture
     });
-    let film = format.encode(pictures);
+    let film = encode(format, pictures);
     if let Some(error) = failure {
         return Err(error.into());
     }
@@ -322,64 +326,17 @@ fn draw(
     })
 }
 
-/// Where the files go.
-struct Place<'a> {
-    out: &'a Path,
-    /// The folder of the picture.
-    folder: &'a Path,
-    buffers: Option<&'a Path>,
-}
-
-impl<'a> Place<'a> {
-    /// Fails where the files cannot be written.
-    fn new(out: &'a Path, buffers: Option<&'a Path>) -> Result<Self> {
-        let name = out.file_name().and_then(|name| name.to_str());
-        let name = name.with_context(|| format!("--out {}: not a name", out.display()))?;
-        let folder = out.parent().unwrap_or(Path::new(""));
-        output::check_place(folder, &[name])?;
-        let place = Self {
-            out,
-            folder,
-            buffers,
-        };
-        if let Some(folder) = buffers {
-            output::check_place(folder, &buffer_files::NAMES)?;
-            ensure!(
-                !(place.is_one_folder() && buffer_files::NAMES.contains(&name)),
-                "--out {}: --buffers writes a file of this name into the same folder",
-                out.display()
-            );
-        }
-        Ok(place)
-    }
-
-    /// Whether the picture and the buffers go into the same folder.
-    fn is_one_folder(&self) -> bool {
-        let full = |folder: &Path| {
-            let folder = if folder.as_os_str().is_empty() {
-                Path::new(".")
-            } else {
-                folder
-            };
-            folder
-                .canonicalize()
-                .or_else(|_| std::path::absolute(folder))
-                .ok()
-        };
-        self.buffers
-            .is_some_and(|buffers| full(buffers) == full(self.folder))
-    }
-
+impl Drawing {
     /// Writes all files or none.
-    fn write(&self, drawing: &Drawing) -> Result<()> {
-        let mut files = vec![(self.out.to_path_buf(), &drawing.film[..])];
-        if let Some(folder) = self.buffers {
-            let buffers = drawing.buffers.iter();
-            files.extend(buffers.map(|file| (folder.join(file.name), &file.contents[..])));
+    fn write(&self, arguments: &Arguments) -> Result<()> {
+        let mut files = vec![(arguments.out.clone(), &self.film)];
+        if let Some(folder) = &arguments.buffers {
+            let buffers = self.buffers.iter();
+            files.extend(buffers.map(|file| (folder.join(file.name), &file.contents)));
         }
-        let cameras = drawing.cameras.iter();
-        files.extend(cameras.map(|(path, contents)| (path.clone(), &contents[..])));
-        Ok(ga_files::write_together(files)?)
+        let cameras = self.cameras.iter();
+        files.extend(cameras.map(|(path, contents)| (path.clone(), contents)));
+        output::write_together(files)
     }
 }
 

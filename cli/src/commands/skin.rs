@@ -11,6 +11,8 @@ use ga_mesh::gltf::{self, Animation, Document};
 use ga_mesh::{Mesh, obj};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 
 /// Pose an animated glTF model at a time and write its vertices in world space.
@@ -19,10 +21,6 @@ use crate::output;
 /// primitive in order and all vertices of its POSITION, so that they are numbered as in the file.
 /// Morph targets displace them first; then the joints of the skin move them, or the node where it
 /// has no skin. Coordinates are written with as many digits as read back exactly.
-///
-/// For instance
-///
-///   nullcone skin fox.glb --animation 2 --time 0.35 --method motor --out frame.obj
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -98,6 +96,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         "--time {}: the time must be finite",
         arguments.time
     );
+    let mut files = Files::reading([&arguments.model]).printing("--json", arguments.json);
+    files.write("--out", &arguments.out, &[Format::Obj])?;
     let document = gltf::read(&arguments.model)?;
     let animation = match arguments.animation {
         Some(Choice::Animation(animation)) => Some(animation),
@@ -120,7 +120,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     );
     let mesh = placement.mesh(&placed).with_context(in_model)?;
     let text = obj::to_text(&mesh);
-    ga_files::write(&arguments.out, text.as_bytes())?;
+    output::write(&arguments.out, text.as_bytes())?;
     let report = Report::new(arguments, &document, animation, &placement, &mesh);
     if arguments.json {
         return output::print_json(&report);

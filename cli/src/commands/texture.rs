@@ -3,13 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use clap::builder::RangedI64ValueParser;
 use ga_camera::format::views;
-use ga_mesh::format::{self, Format, Loaded};
+use ga_mesh::format::{self, Loaded};
 use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
+use crate::mesh_file;
 use crate::output;
 use crate::progress::Progress;
 
@@ -80,11 +83,10 @@ fn size() -> RangedI64ValueParser<u32> {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let out = &arguments.out;
-    ensure!(
-        Format::of_path(out)? != Format::Ply,
-        "--out {}: PLY holds no pictures; the name must end in .glb, .gltf or .obj",
-        out.display()
-    );
+    let mut files = Files::reading([&arguments.mesh, &arguments.views]);
+    files = files.printing("--json", arguments.json);
+    // Formats that hold pictures.
+    let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
     let begin = Instant::now();
     let progress = Progress::new(8, quiet);
     progress.step("reading");
@@ -103,7 +105,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
     progress.step("writing");
     let model = textured.to_mesh()?;
-    format::write(out, &model, &format::Options::default())?;
+    output::write_together(mesh_file::files(out, format, &model, &Default::default())?)?;
     drop(progress);
     let report = Report::new(&textured, begin.elapsed().as_secs_f64());
     if !quiet {

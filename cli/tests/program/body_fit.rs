@@ -188,6 +188,18 @@ fn the_mannequin_walks_as_it_was_seen() {
     assert!(greatest_error(&again) < 0.01);
 }
 
+/// A file is written with its folder.
+#[test]
+fn the_word_mannequin_is_the_figure_of_the_program_wherever_it_stands() {
+    let folder = inputs();
+    std::fs::create_dir(folder.path().join("mannequin")).unwrap();
+    let output = fit(folder.path(), "one.json", "camera.yml", &[]);
+    assert_eq!(report(&output)["character"], "mannequin");
+    let arguments = "body fit --joints one.json --rig camera.yml --out a.glb --character";
+    let arguments = arguments.split(' ').chain(["./mannequin"]);
+    assert_failure(&nullcone(folder.path(), arguments), &["./mannequin"]);
+}
+
 #[test]
 fn one_view_needs_a_camera() {
     let folder = inputs();

@@ -199,7 +199,7 @@ fn wrong_films_and_trails_are_named() {
         (["--film", "film.gif"], ["film.gif", ".png"]),
         (
             ["--film", "out/sheet.png"],
-            ["out/sheet.png", "another file"],
+            ["out/sheet.png", "another output"],
         ),
     ] {
         let output = nullcone(folder.path(), ["demo"].iter().chain(&arguments));
@@ -366,7 +366,7 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
     std::fs::write(out.join("model.obj"), "kept").unwrap();
     assert_failure(
         &nullcone(folder.path(), ["demo"]),
-        &["cannot write out/report.json", "a folder of that name"],
+        &["cannot write out/report.json", "is a directory"],
     );
     assert_eq!(names(&out), ["model.obj", "report.json"]);
     assert_eq!(std::fs::read(out.join("model.obj")).unwrap(), b"kept");

@@ -251,7 +251,7 @@ fn match_says_what_is_wrong_and_writes_nothing() {
         ),
         (
             "--max-disparity 16 --out d.tiff",
-            &["d.tiff: disparities are written as .pfm"],
+            &["--out d.tiff: its name must end in .pfm"],
         ),
         (
             "--max-disparity 16 --out taken.pfm --picture d.png",
@@ -263,11 +263,11 @@ fn match_says_what_is_wrong_and_writes_nothing() {
         ),
         (
             "--max-disparity 16 --out d.pfm --picture d.jpg",
-            &["d.jpg: a picture is written as .png"],
+            &["--picture d.jpg: its name must end in .png"],
         ),
         (
             "--max-disparity 16 --out d.pfm --picture x.png --confidence x.png",
-            &["--confidence and --picture"],
+            &["--picture x.png", "another output", "that of --confidence"],
         ),
     ] {
         refused(&format!("left.png right.png {options}"), parts);

@@ -77,10 +77,13 @@ fn nothing_is_written_where_the_rig_cannot_be() {
         let mut all = arguments(&pattern(left), &pattern(right));
         all.extend(["--pictures".into(), "found".into()]);
         assert_failure(&nullcone(folder.path(), &all), parts);
-        assert_eq!(names(folder.path()), ["rig.yml"]);
+        names(folder.path())
     };
-    refused("left", "right", &["cannot write rig.yml"]);
-    refused("left", "left", &["baseline", "cannot be told from 0"]);
+    let left = refused("left", "right", &["cannot write rig.yml"]);
+    assert_eq!(left, ["rig.yml"]);
+    std::fs::remove_dir(folder.path().join("rig.yml")).unwrap();
+    let left = refused("left", "left", &["baseline", "cannot be told from 0"]);
+    assert!(left.is_empty());
 }
 
 #[test]
@@ -141,6 +144,47 @@ fn bad_input_is_named_and_nothing_is_written() {
     for value in ["0", "NaN", "inf"] {
         refused(&square(value), &["--square"]);
     }
+}
+
+/// What a shell makes of a pattern, and names that are patterns as well.
+#[test]
+fn views_are_named_one_by_one_and_in_the_order_of_their_numbers() {
+    let folder = tempdir().unwrap();
+    let lists = ["left", "right"].map(|side| {
+        let names: Vec<String> = ["10", "2", "9", "[8]"]
+            .map(|number| format!("{side}{number}.pgm"))
+            .to_vec();
+        for name in &names {
+            let bytes = pgm(200, 150, |x, _| x as u8);
+            std::fs::write(folder.path().join(name), bytes).unwrap();
+        }
+        names
+    });
+    let run = |left: &[String], right: &[String]| {
+        let mut all = arguments("", "");
+        all.truncate(all.len() - 4);
+        all.extend([&["--left".to_owned()], left, &["--right".to_owned()], right].concat());
+        let output = nullcone(folder.path(), all);
+        assert_failure(&output, &["the board was found in 0 of"]);
+        String::from_utf8(output.stderr).unwrap()
+    };
+    // There is no board: the first pair is named.
+    let [left, right] = &lists;
+    let all = run(left, right);
+    assert!(
+        all.contains("0 of 4 pairs") && all.contains("first: left2.pgm"),
+        "{all}"
+    );
+    let late = run(&left[..1], &right[..1]);
+    assert!(
+        late.contains("0 of 1 pairs") && late.contains("left10.pgm"),
+        "{late}"
+    );
+    let brackets = run(&left[3..], &right[3..]);
+    assert!(
+        brackets.contains("0 of 1 pairs") && brackets.contains("left[8].pgm"),
+        "{brackets}"
+    );
 }
 
 /// Boards that are all parallel to the pictures show no focal length.

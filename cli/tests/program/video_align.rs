@@ -166,8 +166,8 @@ fn nothing_is_written_after_an_error() {
         (&["left.y4m", "short.y4m", "--out", "a.y4m"], "no frame 3"),
         (&["left.y4m", "none.y4m", "--out", "a.y4m"], "none.y4m"),
         (
-            &["left.y4m", "right.y4m", "--out", "none/a.y4m"],
-            "cannot write none/a.y4m",
+            &["left.y4m", "right.y4m", "--out", "left.y4m/a.y4m"],
+            "cannot write left.y4m/a.y4m",
         ),
         (
             &["left.y4m", "right.y4m", "--out", "a.mp4"],
@@ -175,11 +175,11 @@ fn nothing_is_written_after_an_error() {
         ),
         (
             &["left.y4m", "right.y4m", "--out", "left.y4m"],
-            "it is the video that is read",
+            "--out left.y4m: it is the input left.y4m",
         ),
         (
             &["left.y4m", "right.y4m", "--out", "./right.y4m"],
-            "it is the video that is read",
+            "it is the input right.y4m",
         ),
         (&["left.y4m", "-", "--out", "a.y4m"], "read twice"),
         (

@@ -246,10 +246,9 @@ fn bad_places_are_refused_before_the_work() {
     std::fs::create_dir(folder.path().join("folder.html")).unwrap();
     // There is no video: what is wrong with the page is seen first.
     for (out, message) in [
-        ("page.htm", "must end in .html"),
-        ("page", "must end in .html"),
-        ("none/page.html", "no such folder"),
-        ("folder.html", "a folder of that name"),
+        ("page.pdf", "must end in .html or .htm"),
+        ("page", "must end in .html or .htm"),
+        ("folder.html", "is a directory"),
     ] {
         let output = nullcone(folder.path(), [&CLIP[..], &["--out", out]].concat());
         assert_failure(&output, &[out, message]);

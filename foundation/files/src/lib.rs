@@ -6,11 +6,18 @@
 //! - [`write_together`] writes several files, whatever their folders, all of them or none.
 //! - [`Staged`] does so for files that are not in memory at the same time.
 //! - [`write_all`] writes several files into a folder, all of them or none.
+//! - [`check`] says before the work whether a file can be written, and [`is_stream`] whether its
+//!   bytes go to a device or a pipe.
+//! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod read;
+mod target;
+mod temporary;
 mod write;
 mod write_all;
 
 pub use read::{ReadError, read};
+pub use target::{check, is_same_file, is_standard_output, is_stream};
+pub use temporary::remove_temporaries;
 pub use write::{Staged, WriteError, write, write_together};
 pub use write_all::write_all;

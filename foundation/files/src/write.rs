@@ -1,12 +1,18 @@
 //! Atomic writing: the bytes go to a temporary file beside the target, which takes the target's
 //! name once it is complete. A failed write leaves the folder as it was.
+//!
+//! What is no file, or a file that has to stay the one it is, gets its contents once they are
+//! complete.
 
 use std::collections::HashMap;
-use std::fs::Permissions;
-use std::io::{self, Write};
+use std::fs::{File, OpenOptions};
+use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, TempPath};
+use tempfile::SpooledTempFile;
+
+use crate::target::Target;
+use crate::temporary::{CreatedFolders, Temporary, leftovers};
 
 /// A file that could not be written. An earlier file of its name is unchanged.
 #[derive(Debug, thiserror::Error)]
@@ -21,11 +27,15 @@ pub struct WriteError {
 /// Writes `contents` to `path`, in place of any file there, and creates missing parent folders.
 /// Another process sees either the earlier file or the complete new one.
 ///
+/// A symbolic link is followed. An earlier file keeps its mode and its owner; where it has several
+/// names, or its folder or owner do not allow a replacement, it is overwritten once the contents
+/// are complete. Devices and pipes are written to.
+///
 /// # Errors
 ///
-/// [`WriteError`] when a folder or the file cannot be created, the disk is full, or `path` is a
-/// folder. The temporary file and folders that were created are then removed, and an earlier file
-/// at `path` is unchanged.
+/// [`WriteError`] when a folder or the file cannot be created, the disk is full, an earlier file is
+/// read-only, or `path` is a folder. The temporary file and folders that were created are then
+/// removed, and an earlier file at `path` is unchanged.
 ///
 /// # Examples
 ///
@@ -91,15 +101,41 @@ pub struct Staged {
     ready: Vec<Ready>,
     /// By the path with its folder resolved, however it was written.
     numbers: HashMap<PathBuf, usize>,
-    created: Vec<PathBuf>,
+    // Dropped after the files, so that folders are empty.
+    created: CreatedFolders,
 }
 
-/// A file that is complete beside its place.
+/// Contents that are complete, and where they go.
 #[derive(Debug)]
 struct Ready {
     path: PathBuf,
-    temporary: TempPath,
+    contents: Contents,
 }
+
+/// Contents, by how they get to their place.
+#[derive(Debug)]
+enum Contents {
+    /// Beside its place.
+    Replacement {
+        place: PathBuf,
+        file: Temporary,
+    },
+    /// For a file that stays the one it is.
+    InPlace {
+        place: PathBuf,
+        kept: SpooledTempFile,
+    },
+    /// For what is no file.
+    Stream {
+        kept: SpooledTempFile,
+    },
+    StandardOutput {
+        kept: SpooledTempFile,
+    },
+}
+
+/// Contents of more bytes than this that have no place beside their target are kept on disk.
+const MOST_IN_MEMORY: usize = 1 << 24;
 
 impl Staged {
     /// Writes a file beside its place, and creates missing parent folders.
@@ -109,28 +145,108 @@ impl Staged {
     /// [`WriteError`] with the path: a file that cannot be written, a folder in its place, and a
     /// path that was added with other contents.
     pub fn add(&mut self, path: impl AsRef<Path>, contents: &[u8]) -> Result<(), WriteError> {
-        let path = path.as_ref().to_path_buf();
-        match self.staged(&path, contents) {
-            Ok(()) => Ok(()),
-            Err(source) => Err(WriteError { path, source }),
-        }
+        let path = path.as_ref();
+        self.add_with(path, |file| {
+            file.write_all(contents)
+                .map_err(|error| failed(path, error))
+        })
     }
 
-    fn staged(&mut self, path: &Path, contents: &[u8]) -> io::Result<()> {
-        let (place, temporary) = staged(path, contents, &mut self.created)?;
-        if let Some(&number) = self.numbers.get(&place) {
-            if std::fs::read(&self.ready[number].temporary)? == contents {
-                return Ok(());
+    /// As [`add`](Self::add), for contents that are not in memory at once: a function writes them.
+    ///
+    /// # Errors
+    ///
+    /// As [`add`](Self::add), and those of the function.
+    pub fn add_with<E: From<WriteError>>(
+        &mut self,
+        path: impl AsRef<Path>,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let path = path.as_ref();
+        let io = |error| failed(path, error);
+        let contents = match Target::of(path).map_err(io)? {
+            Target::StandardOutput => {
+                return self.add_to_standard_output(path, write);
             }
-            let reason = "another output has the same path";
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+            Target::Stream => Contents::Stream {
+                kept: kept(write, path)?,
+            },
+            Target::InPlace(place) => Contents::InPlace {
+                place,
+                kept: kept(write, path)?,
+            },
+            Target::Replace {
+                path: place,
+                earlier,
+            } => {
+                let place = self.with_folder(&place).map_err(io)?;
+                let folder = folder_of(&place);
+                match (Temporary::new(folder, earlier.as_ref()), earlier) {
+                    (Ok((temporary, mut file)), _) => {
+                        write(&mut file)?;
+                        // Without this a power cut after the rename can leave the new name on an
+                        // empty file.
+                        file.sync_all().map_err(io)?;
+                        // The file is closed, since many may wait for their names.
+                        Contents::Replacement {
+                            place,
+                            file: temporary,
+                        }
+                    }
+                    (Err(error), Some(_)) if error.kind() == io::ErrorKind::PermissionDenied => {
+                        let kept = kept(write, path)?;
+                        Contents::InPlace { place, kept }
+                    }
+                    (Err(error), _) => return Err(io(error).into()),
+                }
+            }
+        };
+        Ok(self.push(path, contents).map_err(io)?)
+    }
+
+    /// As [`add_with`](Self::add_with), for the standard output of the program. `path` is how
+    /// errors name it. A reader that has closed the pipe is no error.
+    ///
+    /// # Errors
+    ///
+    /// [`WriteError`], and those of the function.
+    pub fn add_to_standard_output<E: From<WriteError>>(
+        &mut self,
+        path: impl AsRef<Path>,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let path = path.as_ref();
+        let kept = kept(write, path)?;
+        let contents = Contents::StandardOutput { kept };
+        Ok(self
+            .push(path, contents)
+            .map_err(|error| failed(path, error))?)
+    }
+
+    fn push(&mut self, path: &Path, mut contents: Contents) -> io::Result<()> {
+        if let Some(place) = contents.place() {
+            if let Some(&number) = self.numbers.get(place) {
+                if self.ready[number].contents.bytes()? == contents.bytes()? {
+                    return Ok(());
+                }
+                let reason = "another output has the same path";
+                return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+            }
+            self.numbers.insert(place.to_path_buf(), self.ready.len());
         }
-        self.numbers.insert(place, self.ready.len());
         self.ready.push(Ready {
             path: path.to_path_buf(),
-            temporary,
+            contents,
         });
         Ok(())
+    }
+
+    /// The path of a file with its folder, which is created if it is missing, resolved.
+    fn with_folder(&mut self, path: &Path) -> io::Result<PathBuf> {
+        let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+        let folder = folder_of(path);
+        self.created.create(folder)?;
+        Ok(folder.canonicalize()?.join(name))
     }
 
     /// Gives all files their names.
@@ -139,214 +255,110 @@ impl Staged {
     ///
     /// [`WriteError`] with the file that cannot take its name.
     pub fn finish(mut self) -> Result<(), WriteError> {
-        for Ready { path, temporary } in self.ready.drain(..) {
-            if let Err(error) = temporary.persist(&path) {
-                let source = error.error;
-                return Err(WriteError { path, source });
+        let mut ready = std::mem::take(&mut self.ready);
+        // What goes to a stream may fail, and no file has its name yet.
+        for file in &mut ready {
+            file.send().map_err(|error| failed(&file.path, error))?;
+        }
+        let mut leftovers = leftovers();
+        let mut failure = None;
+        for Ready { path, contents } in &mut ready {
+            let done = match contents {
+                Contents::InPlace { place, kept } => overwrite(place, kept),
+                Contents::Replacement { place, file } => file.persist(place, &mut leftovers),
+                Contents::Stream { .. } | Contents::StandardOutput { .. } => Ok(()),
+            };
+            if let Err(error) = done {
+                failure = Some(failed(path, error));
+                break;
             }
         }
-        self.created.clear();
-        Ok(())
+        drop(leftovers);
+        match failure {
+            Some(error) => Err(error),
+            None => {
+                self.created.keep();
+                Ok(())
+            }
+        }
     }
 }
 
-impl Drop for Staged {
-    fn drop(&mut self) {
-        // Temporary files are removed first, so that folders are empty.
-        self.ready.clear();
-        remove_empty(&self.created);
+impl Ready {
+    /// Writes to a stream.
+    fn send(&mut self) -> io::Result<()> {
+        match &mut self.contents {
+            Contents::Stream { kept } => {
+                kept.rewind()?;
+                let mut stream = OpenOptions::new().append(true).open(&self.path)?;
+                io::copy(kept, &mut stream)?;
+                Ok(())
+            }
+            Contents::StandardOutput { kept } => {
+                kept.rewind()?;
+                let mut output = io::stdout().lock();
+                match io::copy(kept, &mut output).and_then(|_| output.flush()) {
+                    Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error),
+                    _ => Ok(()),
+                }
+            }
+            Contents::InPlace { .. } | Contents::Replacement { .. } => Ok(()),
+        }
     }
 }
 
-/// Creates a folder and those above it that are missing, and adds these to a list, each after the
-/// one that contains it.
-pub(crate) fn create_folder(folder: &Path, created: &mut Vec<PathBuf>) -> io::Result<()> {
-    let is_missing =
-        |path: &&Path| !path.as_os_str().is_empty() && path.symlink_metadata().is_err();
-    let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
-    created.extend(missing.into_iter().rev().map(Path::to_path_buf));
-    std::fs::create_dir_all(folder)
-}
+impl Contents {
+    /// Which file they become.
+    fn place(&self) -> Option<&Path> {
+        match self {
+            Self::Replacement { place, .. } | Self::InPlace { place, .. } => Some(place),
+            Self::Stream { .. } | Self::StandardOutput { .. } => None,
+        }
+    }
 
-/// Removes folders that [`create_folder`] has created, but for those with files of other programs.
-pub(crate) fn remove_empty(created: &[PathBuf]) {
-    for folder in created.iter().rev() {
-        // This fails for a folder that is not empty.
-        let _ = std::fs::remove_dir(folder);
+    fn bytes(&mut self) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Replacement { file, .. } => std::fs::read(file.path().unwrap_or(Path::new(""))),
+            Self::InPlace { kept, .. } | Self::Stream { kept } | Self::StandardOutput { kept } => {
+                let mut bytes = Vec::new();
+                kept.rewind()?;
+                kept.read_to_end(&mut bytes)?;
+                Ok(bytes)
+            }
+        }
     }
 }
 
-/// The place of a file, and its contents in a complete temporary file in the same folder.
-fn staged(
-    path: &Path,
-    contents: &[u8],
-    created: &mut Vec<PathBuf>,
-) -> io::Result<(PathBuf, TempPath)> {
-    if path.is_dir() {
-        return Err(io::ErrorKind::IsADirectory.into());
+fn failed(path: &Path, source: io::Error) -> WriteError {
+    WriteError {
+        path: path.to_path_buf(),
+        source,
     }
-    let folder = match path.parent() {
+}
+
+/// The folder of a file.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    };
-    create_folder(folder, created)?;
-    // A name that no file can have is found before any file takes its name.
-    if let Err(error) = path.symlink_metadata()
-        && error.kind() != io::ErrorKind::NotFound
-    {
-        return Err(error);
     }
-    let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let place = folder.canonicalize()?.join(name);
-    let mut builder = Builder::new();
-    if let Some(permissions) = ordinary_permissions() {
-        builder.permissions(permissions);
-    }
-    let mut file = builder.prefix(".nullcone-").tempfile_in(folder)?;
-    file.write_all(contents)?;
-    // Without this a power cut after the rename can leave the new name on an empty file.
-    file.as_file().sync_all()?;
-    // Closed, since many files may wait for their names.
-    Ok((place, file.into_temp_path()))
 }
 
-/// Temporary files are private to their owner by default; an output file follows the umask like any
-/// other file.
-#[cfg(unix)]
-fn ordinary_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
+/// What a function writes.
+fn kept<E: From<WriteError>>(
+    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    path: &Path,
+) -> Result<SpooledTempFile, E> {
+    let mut kept = SpooledTempFile::new(MOST_IN_MEMORY);
+    write(&mut kept)?;
+    kept.flush().map_err(|error| failed(path, error))?;
+    Ok(kept)
 }
 
-#[cfg(not(unix))]
-fn ordinary_permissions() -> Option<Permissions> {
-    None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
-
-    #[test]
-    fn replaces_a_file_and_leaves_nothing_else() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.bin");
-        write(&path, b"first, and longer").unwrap();
-        write(&path, b"second").unwrap();
-        assert_eq!(std::fs::read(&path).unwrap(), b"second");
-        assert_eq!(names(folder.path()), ["a.bin"]);
-    }
-
-    #[test]
-    fn a_failed_write_names_the_file_and_leaves_the_folder_as_it_was() {
-        let folder = tempfile::tempdir().unwrap();
-        let taken = folder.path().join("taken");
-        std::fs::create_dir(&taken).unwrap();
-        std::fs::write(taken.join("inside"), b"kept").unwrap();
-        let error = write(&taken, b"x").unwrap_err();
-        assert_eq!(error.path, taken);
-        assert!(
-            error
-                .to_string()
-                .starts_with(&format!("cannot write {}: ", taken.display()))
-        );
-        assert_eq!(names(folder.path()), ["taken"]);
-        assert_eq!(names(&taken), ["inside"]);
-    }
-
-    #[test]
-    fn when_one_of_several_fails_the_others_stay_as_they_were() {
-        let folder = tempfile::tempdir().unwrap();
-        let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
-        std::fs::write(&first, b"kept").unwrap();
-        std::fs::create_dir(&second).unwrap();
-        let error = write_together([(&first, &b"new"[..]), (&second, b"new")]).unwrap_err();
-        assert_eq!(error.path, second);
-        assert_eq!(std::fs::read(&first).unwrap(), b"kept");
-        assert_eq!(names(folder.path()), ["a", "b"]);
-    }
-
-    #[test]
-    fn when_one_of_several_fails_created_folders_are_removed() {
-        let folder = tempfile::tempdir().unwrap();
-        let [first, second] = ["new/deep/a", "taken"].map(|name| folder.path().join(name));
-        std::fs::create_dir(&second).unwrap();
-        write_together([(&first, &b"new"[..]), (&second, b"new")]).unwrap_err();
-        assert_eq!(names(folder.path()), ["taken"]);
-    }
-
-    #[test]
-    fn files_that_are_not_finished_leave_nothing() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("kept"), b"kept").unwrap();
-        let mut files = Staged::default();
-        files.add(folder.path().join("new/deep/a"), b"a").unwrap();
-        files.add(folder.path().join("kept"), b"other").unwrap();
-        drop(files);
-        assert_eq!(names(folder.path()), ["kept"]);
-        let kept = std::fs::read(folder.path().join("kept")).unwrap();
-        assert_eq!(kept, b"kept");
-    }
-
-    /// More than the files that a process may have open by default.
-    #[test]
-    fn many_files_are_not_open_at_the_same_time() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = |number: usize| folder.path().join(format!("{number}.txt"));
-        let mut files = Staged::default();
-        for number in 0..1100 {
-            files
-                .add(path(number), number.to_string().as_bytes())
-                .unwrap();
-        }
-        files.finish().unwrap();
-        assert_eq!(names(folder.path()).len(), 1100);
-        assert_eq!(std::fs::read(path(1099)).unwrap(), b"1099");
-    }
-
-    #[test]
-    fn two_files_of_one_path_are_an_error() {
-        let folder = tempfile::tempdir().unwrap();
-        let [first, same] = ["a", "./a"].map(|name| folder.path().join(name));
-        std::fs::write(&first, b"kept").unwrap();
-        let files = [(&first, &b"picture"[..]), (&same, b"camera")];
-        let error = write_together(files).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .ends_with("another output has the same path")
-        );
-        assert_eq!(std::fs::read(&first).unwrap(), b"kept");
-        assert_eq!(names(folder.path()), ["a"]);
-        write_together([(&first, &b"new"[..]), (&same, b"new")]).unwrap();
-        assert_eq!(std::fs::read(&first).unwrap(), b"new");
-    }
-
-    #[test]
-    fn a_file_in_place_of_a_folder_is_an_error() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("file"), b"kept").unwrap();
-        assert!(write(folder.path().join("file/below"), b"x").is_err());
-        assert_eq!(std::fs::read(folder.path().join("file")).unwrap(), b"kept");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn the_file_has_the_permissions_of_any_new_file() {
-        let folder = tempfile::tempdir().unwrap();
-        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
-        write(&ours, b"x").unwrap();
-        std::fs::write(&plain, b"x").unwrap();
-        let permissions = |path: &Path| std::fs::metadata(path).unwrap().permissions();
-        assert_eq!(permissions(&ours), permissions(&plain));
-    }
+/// Replaces the contents of a file.
+fn overwrite(place: &Path, kept: &mut SpooledTempFile) -> io::Result<()> {
+    kept.rewind()?;
+    let mut file: File = OpenOptions::new().write(true).truncate(true).open(place)?;
+    io::copy(kept, &mut file)?;
+    file.sync_all()
 }

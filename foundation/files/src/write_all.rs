@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use crate::WriteError;
-use crate::write::{create_folder, remove_empty, write_together};
+use crate::temporary::CreatedFolders;
+use crate::write::write_together;
 
 /// Writes files, each a name and its contents, into a folder, in place of any of the same names.
 /// Creates the folder and those above it where they are missing.
@@ -31,18 +32,15 @@ pub fn write_all<'a>(
     files: impl IntoIterator<Item = (&'a str, &'a [u8])>,
 ) -> Result<(), WriteError> {
     let folder = folder.as_ref();
-    let mut created = Vec::new();
-    let error = |source| WriteError {
+    let mut created = CreatedFolders::default();
+    created.create(folder).map_err(|source| WriteError {
         path: folder.to_path_buf(),
         source,
-    };
-    create_folder(folder, &mut created)
-        .map_err(error)
-        .and_then(|()| {
-            let files = files.into_iter();
-            write_together(files.map(|(name, contents)| (folder.join(name), contents)))
-        })
-        .inspect_err(|_| remove_empty(&created))
+    })?;
+    let files = files.into_iter();
+    write_together(files.map(|(name, contents)| (folder.join(name), contents)))?;
+    created.keep();
+    Ok(())
 }
 
 #[cfg(test)]

@@ -6,17 +6,18 @@ mod report;
 mod surface;
 mod tables;
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::Instant;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use ga_runtime::cga3::{Motor, Point};
 use ga_vision::capture::{
     Capture, CaptureError, CapturedFrame, FrameError, PoseError, PoseOptions,
 };
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use points::Points;
@@ -161,16 +162,8 @@ impl FromStr for Area {
     }
 }
 
-/// What a file holds, by the ending of its name.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Expression,
-    Animation,
-    Surface,
-}
-
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let kinds = check(arguments)?;
+    let formats = check(arguments)?;
     let begin = Instant::now();
     let progress = Progress::new(4, quiet);
     progress.step("reading");
@@ -211,15 +204,12 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     });
     let surface = surface.transpose()?;
     let surface = surface.as_ref().map(|(surface, motion)| (surface, motion));
-    let files = files(arguments, &kinds, &points, &frames, surface, one)?;
+    let files = files(arguments, &formats, &points, &frames, surface, one)?;
     let calibrated = capture.calibrated();
     let mut report = Report::new(arguments, &points, calibrated, reference, &frames, surface);
 
     progress.step("writing");
-    let contents = files
-        .iter()
-        .map(|(path, contents)| (path, contents.as_slice()));
-    ga_files::write_together(contents)?;
+    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
     drop(progress);
     report.seconds = begin.elapsed().as_secs_f64();
     if arguments.json {
@@ -234,8 +224,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     Ok(())
 }
 
-/// Checks the arguments that need no file, and says what each --out holds.
-fn check(arguments: &Arguments) -> Result<Vec<Kind>> {
+/// Checks the arguments that need no file, and says of which format each --out is.
+fn check(arguments: &Arguments) -> Result<Vec<Format>> {
     for (name, value) in [
         ("--threshold", arguments.threshold.unwrap_or(1.0)),
         ("--fps", arguments.fps),
@@ -250,37 +240,28 @@ fn check(arguments: &Arguments) -> Result<Vec<Kind>> {
         "--tolerance {}: it must not be below 0",
         arguments.tolerance
     );
-    let kind = |path: &PathBuf| {
-        let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
-        let kind = match ending.to_ascii_lowercase().as_str() {
-            "csv" => Kind::Expression,
-            "glb" => Kind::Animation,
-            "obj" | "ply" => Kind::Surface,
-            _ => bail!(
-                "--out {}: its name must end in .csv, .glb, .obj or .ply",
-                path.display()
-            ),
-        };
+    let inputs = [&arguments.points].into_iter().chain(&arguments.mesh);
+    let mut files = Files::reading(inputs.chain(&arguments.keys));
+    files = files.printing("--json", arguments.json);
+    let mut formats = Vec::with_capacity(arguments.out.len());
+    for path in &arguments.out {
+        let known = [Format::Csv, Format::Glb, Format::Obj, Format::Ply];
+        let format = files.write("--out", path, &known)?;
         ensure!(
-            kind == Kind::Expression || arguments.mesh.is_some(),
+            format == Format::Csv || arguments.mesh.is_some(),
             "--out {}: a surface needs --mesh",
             path.display()
         );
         ensure!(
-            kind != Kind::Surface || arguments.frame.is_some(),
+            matches!(format, Format::Csv | Format::Glb) || arguments.frame.is_some(),
             "--out {}: a surface without animation needs --frame",
             path.display()
         );
-        Ok(kind)
-    };
-    let kinds = arguments.out.iter().map(kind).collect::<Result<_>>()?;
-    let tables = arguments.pose.iter().chain(&arguments.matrix);
-    let mut paths: Vec<&PathBuf> = arguments.out.iter().chain(tables).collect();
-    paths.sort();
-    if let Some(pair) = paths.windows(2).find(|pair| pair[0] == pair[1]) {
-        bail!("{} is to be written twice", pair[0].display());
+        formats.push(format);
     }
-    Ok(kinds)
+    files.write_if_given("--pose", arguments.pose.as_ref(), &[Format::Csv])?;
+    files.write_if_given("--matrix", arguments.matrix.as_ref(), &[Format::Csv])?;
+    Ok(formats)
 }
 
 /// The frame of this name, or the first.
@@ -360,7 +341,7 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
 /// The contents of all files.
 fn files(
     arguments: &Arguments,
-    kinds: &[Kind],
+    formats: &[Format],
     points: &Points,
     frames: &[CapturedFrame],
     surface: Option<(&Surface, &Motion)>,
@@ -368,15 +349,16 @@ fn files(
 ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     let mut files = Vec::new();
     let poses: Vec<Motor<f64>> = frames.iter().map(CapturedFrame::motor).collect();
-    for (path, kind) in arguments.out.iter().zip(kinds) {
-        match (kind, surface) {
-            (Kind::Animation, Some((surface, motion))) => {
+    for (path, &format) in arguments.out.iter().zip(formats) {
+        match (format, surface) {
+            (Format::Glb, Some((surface, motion))) => {
                 let times = points.times(arguments.fps);
                 let glb = surface.glb(path, arguments, motion, &poses, &times);
                 files.push((path.clone(), glb.with_context(|| cannot(path))?));
             }
-            (Kind::Surface, Some((surface, motion))) => {
-                let found = surface.frame_files(path, arguments, motion, one, poses[one]);
+            (Format::Obj | Format::Ply, Some((surface, motion))) => {
+                let place = (path.as_path(), format);
+                let found = surface.frame_files(place, arguments, motion, one, poses[one]);
                 files.extend(found.with_context(|| cannot(path))?);
             }
             _ => files.push((path.clone(), tables::expressions(points, frames)?)),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, ensure};
-use ga_mesh::format::{self, Loaded};
+use ga_mesh::format::{self, Loaded, Options};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Node, Target, Transform, to_glb,
 };
@@ -19,6 +19,8 @@ use ga_vision::capture::{
 use super::keys::{self, Key};
 use super::points::Points;
 use super::{Area, Arguments};
+use crate::format::Format;
+use crate::mesh_file;
 
 /// A mesh, and how it follows its keys.
 pub(super) struct Surface {
@@ -197,7 +199,7 @@ impl Surface {
     /// The files of the surface in one frame.
     pub(super) fn frame_files(
         &self,
-        out: &Path,
+        (out, format): (&Path, Format),
         arguments: &Arguments,
         motion: &Motion,
         frame: usize,
@@ -213,11 +215,8 @@ impl Surface {
             .map(|(&place, by)| placement.apply(Vector::from(place) + by).coordinates())
             .collect();
         let mesh = self.mesh.with_positions(positions)?;
-        Ok(format::to_files(
-            out,
-            &relocated(&mesh, arguments, out)?,
-            &format::Options::default(),
-        )?)
+        let mesh = relocated(&mesh, arguments, out)?;
+        mesh_file::files(out, format, &mesh, &Options::default())
     }
 
     /// A binary glTF file with the shapes as morph targets, and their weights and the pose as an

@@ -71,7 +71,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         target,
         ..
     } = arguments;
-    target.check()?;
+    target.check(motions)?;
     ensure!(
         weights.len() == motions.len(),
         "--weights: {} weights for {} motions",

@@ -75,6 +75,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let file = arguments.motion.file();
+    target::check([arguments.motion.path()], &arguments.out, arguments.json)?;
     let progress = Progress::new(100, quiet);
     progress.step("reading the motion");
     let recording = arguments.motion.recording(quiet)?;

@@ -9,6 +9,8 @@ use ga_anim::gltf::Player;
 use ga_anim::recording::{GltfMotion, Recording};
 use ga_mesh::gltf::{self, Document};
 
+use crate::format::Format;
+
 /// A motion in a file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct MotionArguments {
@@ -36,11 +38,11 @@ pub(super) enum Kind {
 
 impl Kind {
     pub(super) fn of(motion: &Path) -> Result<Self> {
-        let ending = motion.extension().unwrap_or_default().to_ascii_lowercase();
-        match ending.to_str() {
-            Some("bvh") => Ok(Self::Bvh),
-            Some("glb" | "gltf") => Ok(Self::Gltf),
-            Some("clip") => Ok(Self::Clip),
+        let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
+        match Format::of(motion, &formats) {
+            Some(Format::Bvh) => Ok(Self::Bvh),
+            Some(Format::Glb | Format::Gltf) => Ok(Self::Gltf),
+            Some(Format::Clip) => Ok(Self::Clip),
             _ => bail!(
                 "{}: a motion is a file of the kind .bvh, .glb, .gltf or .clip",
                 motion.display()
@@ -67,6 +69,10 @@ impl MotionArguments {
     pub(super) fn recorded_at(self, rate: f64) -> Result<Self> {
         let rate = (self.kind()? == Kind::Gltf).then_some(rate);
         Ok(Self { rate, ..self })
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.motion
     }
 
     /// The file as messages name it.

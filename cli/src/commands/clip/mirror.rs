@@ -43,7 +43,7 @@ enum Axis {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    arguments.target.check()?;
+    arguments.target.check([arguments.motion.path()])?;
     let normal = match arguments.axis {
         Axis::X => Vector::new(1.0, 0.0, 0.0),
         Axis::Y => Vector::new(0.0, 1.0, 0.0),

@@ -41,7 +41,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    arguments.target.check()?;
+    arguments.target.check([&arguments.motion])?;
     let rate = arguments.rate;
     let (unit, animation) = (arguments.metres_per_unit, arguments.animation);
     let motion = MotionArguments::new(&arguments.motion, unit, animation).recorded_at(rate)?;

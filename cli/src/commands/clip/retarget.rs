@@ -17,6 +17,8 @@ use serde_json::Value;
 
 use super::input::{Kind, MotionArguments};
 use crate::figure_file::stem;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use crate::warning::{self, Warning};
@@ -92,7 +94,11 @@ enum Bones {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let kind = Kind::of(&arguments.out).context("--out")?;
+    let inputs = [arguments.motion.path(), &arguments.target].into_iter();
+    let inputs = inputs.chain(arguments.map.as_deref());
+    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
+    let format = files.write("--out", &arguments.out, &formats)?;
     let progress = Progress::new(5, quiet);
     progress.step("reading the target");
     let target = Target::read(arguments, quiet)?;
@@ -158,7 +164,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let report = report.with_feet(locked.contacts(), skeleton, target_unit);
     progress.step("writing");
-    write(arguments, kind, &target, &clip, &progress)?;
+    write(arguments, format, &target, &clip, &progress)?;
     drop(progress);
     if !quiet && !arguments.json {
         warning::print(&report.warnings);
@@ -296,7 +302,7 @@ impl Target {
 
 fn write(
     arguments: &Arguments,
-    kind: Kind,
+    format: Format,
     target: &Target,
     clip: &Clip,
     progress: &Progress,
@@ -305,16 +311,16 @@ fn write(
     let name = stem(Path::new(&arguments.motion.file()));
     let unit = arguments.target_metres_per_unit.unwrap_or(1.0);
     let shown = || format!("{} cannot be written", out.display());
-    match kind {
-        Kind::Bvh => {
-            let text = target.to_bvh(clip).with_context(shown)?.to_text();
-            ga_files::write(out, text.as_bytes())?;
+    match format {
+        Format::Glb => {
+            let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
+            output::write(out, &ga_mesh::gltf::to_glb(&document).with_context(shown)?)?;
         }
-        Kind::Gltf => {
+        Format::Gltf => {
             let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
             ga_mesh::gltf::write(out, &document)?;
         }
-        Kind::Clip => {
+        Format::Clip => {
             let recording = target.to_recording(&name, unit, clip).with_context(shown)?;
             let settings = Settings {
                 tolerance: arguments.tolerance,
@@ -323,7 +329,11 @@ fn write(
             let clip = compressed::compress(&recording, &settings, |done, steps| {
                 progress.at(done as u64, steps as u64);
             });
-            clip.with_context(shown)?.write(out)?;
+            output::write(out, clip.with_context(shown)?.as_bytes())?;
+        }
+        _ => {
+            let text = target.to_bvh(clip).with_context(shown)?.to_text();
+            output::write(out, text.as_bytes())?;
         }
     }
     Ok(())

@@ -9,6 +9,8 @@ use ga_anim::recording::{RecordedJoint, Recording};
 use serde::Serialize;
 
 use super::info::Size;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -40,15 +42,10 @@ pub(super) struct TargetArguments {
 }
 
 impl TargetArguments {
-    /// Fails unless a clip is asked for; to be called before anything takes long.
-    pub(super) fn check(&self) -> Result<()> {
-        let ending = self.out.extension().unwrap_or_default();
-        ensure!(
-            ending.eq_ignore_ascii_case("clip"),
-            "--out {}: a compressed clip is a file of the kind .clip",
-            self.out.display()
-        );
-        Ok(())
+    /// Fails unless a clip is asked for that replaces no motion; to be called before anything takes
+    /// long.
+    pub(super) fn check<P: AsRef<Path>>(&self, motions: impl IntoIterator<Item = P>) -> Result<()> {
+        check(motions, &self.out, self.json)
     }
 
     /// Compresses a recording, writes it and says so. `file` is what it was made of, and
@@ -74,6 +71,17 @@ impl TargetArguments {
         drop(progress);
         report.print(self.json, quiet)
     }
+}
+
+/// Fails unless a clip can be written to `out` that replaces none of the motions.
+pub(super) fn check<P: AsRef<Path>>(
+    motions: impl IntoIterator<Item = P>,
+    out: &Path,
+    json: bool,
+) -> Result<()> {
+    let mut files = Files::reading(motions).printing("--json", json);
+    files.write("--out", out, &[Format::Clip])?;
+    Ok(())
 }
 
 /// The bound of one joint, as it is written on the command line.
@@ -147,7 +155,7 @@ pub(super) fn write(
     let measured = compressed::measure(recording, &clip)
         .context("the clip does not have the joints and frames of its recording")?;
     let mesh_vertices = mesh_vertices()?;
-    clip.write(out)?;
+    output::write(out, clip.as_bytes())?;
     Ok(Report {
         file,
         out: out.display().to_string(),

@@ -1,6 +1,5 @@
 //! The closed curve in space that two views show.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -8,7 +7,8 @@ use ga_camera::format::calib::Calib;
 use ga_camera::format::rig::RigFile;
 use ga_camera::rig::StereoRig;
 use ga_image::plane::Plane;
-use ga_mesh::{Faces, Mesh, Polylines, obj};
+use ga_mesh::format::Options;
+use ga_mesh::{Faces, Mesh, Polylines};
 use ga_runtime::cga3::{self, Motor, Point};
 use ga_vision::contour::space_curve::{
     SpaceCurve, SpaceCurveOptions, SpaceCurvePoint, space_curve,
@@ -16,8 +16,10 @@ use ga_vision::contour::space_curve::{
 use serde::Serialize;
 
 use super::settling::Settled;
-use super::{Arguments, Figure, check_ending};
+use super::{Arguments, Figure, check_out};
 use crate::commands::stereo::{pixels, views};
+use crate::format::Format;
+use crate::mesh_file;
 use crate::output;
 use crate::progress::Progress;
 
@@ -75,7 +77,7 @@ pub(super) fn run(
     rig_path: &Path,
     quiet: bool,
 ) -> Result<()> {
-    check_ending(arguments.out.as_ref(), "obj")?;
+    check_out(arguments, Format::Obj)?;
     let [left, right] = paths;
     let progress = Progress::new(4, quiet);
     progress.step("reading the views");
@@ -99,7 +101,8 @@ pub(super) fn run(
     let size = [pictures[0].width(), pictures[0].height()];
     let report = report(&curve, size, &rig, [left_snake, right_snake], arguments.fit)?;
     if let Some(out) = &arguments.out {
-        obj::write(out, &mesh(&curve)?)?;
+        let files = mesh_file::files(out, Format::Obj, &mesh(&curve)?, &Options::default())?;
+        output::write_together(files)?;
     }
     drop(progress);
     if arguments.json {
@@ -113,7 +116,7 @@ pub(super) fn run(
 
 /// The cameras of a file, which have to be for views of this size.
 fn read_rig(path: &Path, pictures: &[Plane<u8>; 2], views: [&PathBuf; 2]) -> Result<StereoRig> {
-    let (rig, size) = if path.extension().and_then(OsStr::to_str) == Some("txt") {
+    let (rig, size) = if Format::Text.fits(path) {
         let calib = Calib::read(path)?;
         (calib.rig.stereo_rig(), calib.size)
     } else {

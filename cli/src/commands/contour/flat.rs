@@ -13,7 +13,8 @@ use ga_vision::contour::{Contour, OutlineError, borders, fit, perimeter, signed_
 use serde::Serialize;
 
 use super::settling::Settled;
-use super::{Arguments, check_ending, drawing};
+use super::{Arguments, check_out, drawing};
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -55,7 +56,7 @@ struct Ellipse {
 
 pub(super) fn run(arguments: &Arguments, image: &Path, quiet: bool) -> Result<()> {
     let Arguments { out, .. } = arguments;
-    check_ending(out.as_ref(), "svg")?;
+    check_out(arguments, Format::Svg)?;
     let progress = Progress::new(1, quiet);
     progress.step("finding the contours");
     let colours: Plane<[u8; 3]> = file::read(image)?.to_rgb();
@@ -69,7 +70,7 @@ pub(super) fn run(arguments: &Arguments, image: &Path, quiet: bool) -> Result<()
     if let Some(out) = out {
         let curves = report.contours.iter();
         let drawn = curves.map(|curve| (&curve.points_px[..], curve.hole));
-        ga_files::write(out, drawing::svg(&colours, drawn)?.as_bytes())?;
+        output::write(out, drawing::svg(&colours, drawn)?.as_bytes())?;
     }
     drop(progress);
     if arguments.json {

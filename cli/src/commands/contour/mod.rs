@@ -7,10 +7,12 @@ mod settling;
 
 use std::path::PathBuf;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use clap::ValueEnum;
 
 use super::stereo::Axes;
+use crate::files::Files;
+use crate::format::Format;
 
 /// Find contours: the borders of the bright regions of a picture, a closed curve that settles at
 /// edges, or a closed curve in space that two cameras see.
@@ -88,13 +90,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
 }
 
-/// Fails where a file that is to be written does not have the ending of its kind.
-fn check_ending(out: Option<&PathBuf>, ending: &str) -> Result<()> {
-    let Some(out) = out else { return Ok(()) };
-    ensure!(
-        out.extension().is_some_and(|found| found == ending),
-        "--out {}: its name must end in .{ending}",
-        out.display()
-    );
+/// Fails where the file that is to be written is not of its format, or cannot be written.
+fn check_out(arguments: &Arguments, format: Format) -> Result<()> {
+    let inputs = arguments.images.iter().chain(&arguments.rig);
+    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    files.write_if_given("--out", arguments.out.as_ref(), &[format])?;
     Ok(())
 }

@@ -12,6 +12,8 @@ use clap::ValueEnum;
 use ga_anim::curve::{self, Curve, CurveError, EndKind, ResampleError, Resampled, SplineSystem};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use table::Table;
@@ -24,9 +26,7 @@ const MOST_ROWS: usize = 10_000_000;
 /// KEYS.csv has a column of rising times and a column for each channel, and perhaps a first line
 /// with their names. Through each channel goes a cubic spline with two continuous derivatives. It
 /// is written at equal steps of time, or at as few vertices as keep the straight lines between them
-/// within a tolerance of the curve, which is proven, not sampled. For instance
-///
-///     nullcone curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg
+/// within a tolerance of the curve, which is proven, not sampled.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 #[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]
@@ -137,6 +137,9 @@ struct Report<'a> {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     check_arguments(arguments)?;
+    let mut files = Files::reading([&arguments.keys]).printing("--json", arguments.json);
+    files.write_if_given("--out", arguments.out.as_ref(), &[Format::Csv])?;
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading");
     let table = ga_files::read(&arguments.keys, Table::parse)?;
@@ -199,10 +202,7 @@ fn write(
     if let Some(path) = &arguments.out {
         files.push((path, table.with_rows(rows)?));
     }
-    let files = files
-        .iter()
-        .map(|(path, contents)| (path, contents.as_slice()));
-    Ok(ga_files::write_together(files)?)
+    output::write_together(files)
 }
 
 fn check_arguments(arguments: &Arguments) -> Result<()> {
@@ -216,14 +216,6 @@ fn check_arguments(arguments: &Arguments) -> Result<()> {
         ensure!(
             tolerance.is_finite() && tolerance > 0.0,
             "--tolerance {tolerance}: it must be above 0"
-        );
-    }
-    if let Some(path) = &arguments.plot {
-        ensure!(
-            path.extension()
-                .is_some_and(|ending| ending.eq_ignore_ascii_case("svg")),
-            "--plot {}: its name must end in .svg",
-            path.display()
         );
     }
     Ok(())

@@ -6,7 +6,9 @@ use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
-use crate::output::print;
+use crate::files::Files;
+use crate::format::Format;
+use crate::{mesh_file, output};
 
 /// Write a mesh in the format that the ending of the output's name says.
 ///
@@ -18,10 +20,6 @@ use crate::output::print;
 /// Some formats need files beside the output, named after it: libraries of materials (.mtl),
 /// buffers (.bin) and pictures. A file of such a name with other contents is not replaced without
 /// --force.
-///
-/// For instance
-///
-///   nullcone mesh convert scan.ply scan.obj
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -42,14 +40,14 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let Arguments {
         input,
-        output,
+        output: out,
         ascii,
         force,
     } = arguments;
-    // An unknown ending is reported before a large file is read.
-    format::Format::of_path(output)?;
+    let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
+    let format = Files::reading([input]).write("OUT", out, &formats)?;
     let loaded = super::read(input, quiet)?;
-    let mesh = format::relocated(&loaded.mesh, input, output)?;
+    let mesh = format::relocated(&loaded.mesh, input, out)?;
     let options = Options {
         ply: if *ascii {
             Encoding::Ascii
@@ -57,21 +55,25 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             Encoding::default()
         },
     };
-    let files = format::to_files(output, &mesh, &options)?;
+    let files = mesh_file::files(out, format, &mesh, &options)?;
     if !force {
         for (path, contents) in files.iter().skip(1) {
             refuse_other_contents(path, contents)?;
         }
     }
-    format::write(output, &mesh, &options)?;
+    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
     if !quiet {
-        for omission in format::omissions(output, &mesh)? {
-            eprintln!("warning: {}: {omission}", output.display());
+        let omissions = match format {
+            Format::Obj => format::omissions("model.obj", &mesh)?,
+            _ => Vec::new(),
+        };
+        for omission in omissions {
+            eprintln!("warning: {}: {omission}", out.display());
         }
         let lines = files
             .iter()
             .map(|(path, _)| format!("wrote {}\n", path.display()));
-        print(&lines.collect::<String>())?;
+        output::print(&lines.collect::<String>())?;
     }
     Ok(())
 }

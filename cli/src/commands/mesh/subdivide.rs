@@ -4,14 +4,16 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, ensure};
 use clap::ValueEnum;
-use ga_mesh::format::{self, Format};
+use ga_mesh::Mesh;
+use ga_mesh::format::{self, Options};
 use ga_mesh::subdivision::{
     Boundary, CreaseMethod, Rules, Scheme, Subdivision, SubdivisionError, TagText,
 };
-use ga_mesh::{Mesh, obj};
 
-use crate::output;
+use crate::files::Files;
+use crate::format::Format;
 use crate::progress::Progress;
+use crate::{mesh_file, output};
 
 /// A result of more faces than this is taken for a mistake.
 const MOST_FACES: u64 = 100_000_000;
@@ -77,11 +79,8 @@ enum CreaseMethodName {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let Arguments { input, out, .. } = arguments;
-    ensure!(
-        matches!(Format::of_path(out), Ok(Format::Obj)),
-        "--out {}: its name must end in .obj",
-        out.display()
-    );
+    let inputs = [input].into_iter().chain(&arguments.creases);
+    let format = Files::reading(inputs).write("--out", out, &[Format::Obj])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading");
     let loaded = super::read(input, quiet)?;
@@ -102,7 +101,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let fine = level.into_mesh()?;
 
     progress.step("writing");
-    obj::write(out, &fine)?;
+    output::write_together(mesh_file::files(out, format, &fine, &Options::default())?)?;
     drop(progress);
     if !quiet {
         let (vertices, faces) = (fine.vertex_count(), fine.faces().len());

@@ -17,13 +17,17 @@ use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find};
 use serde::Serialize;
 
 use super::{corners, views};
+use crate::file_list;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use crate::rotation::smaller_rotation;
 
 /// Calibrate a stereo rig from pairs of pictures of a chessboard.
 ///
-/// The program itself matches the patterns, sorts the files by name, and pairs them in that order.
+/// The views are sorted by name, where numbers count as numbers, and paired in that order. A name
+/// of a file counts before a pattern; the program itself matches patterns, or the shell does.
 /// Pairs in which the board is not found, or that do not agree with the others, are left out. For
 /// instance
 ///
@@ -43,12 +47,12 @@ pub(crate) struct Arguments {
     /// The side of a square in metres.
     #[arg(long, value_name = "METRES")]
     square: f64,
-    /// The left views: a pattern with `*`, `?` or `[abc]`; `**` stands for any folders.
-    #[arg(long, value_name = "GLOB")]
-    left: String,
+    /// The left views: names, or patterns with `*`, `?` or `[abc]`; `**` stands for any folders.
+    #[arg(long, value_name = "FILE or GLOB", required = true, num_args = 1..)]
+    left: Vec<String>,
     /// The right views.
-    #[arg(long, value_name = "GLOB")]
-    right: String,
+    #[arg(long, value_name = "FILE or GLOB", required = true, num_args = 1..)]
+    right: Vec<String>,
     /// Write the rig in OpenCV's YAML: M1, D1, M2, D2, R and T.
     #[arg(long, value_name = "RIG.yml")]
     out: PathBuf,
@@ -145,6 +149,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     );
     let settings = settings(arguments)?;
     let files = pairs_of_files(&arguments.left, &arguments.right)?;
+    check_outputs(arguments, &files)?;
     warn_of_other_numbers(&files);
     let progress = Progress::new(files.len() as u64 + 1, quiet);
     let (size, pairs, mut rejected) = find_boards(arguments, &files, &progress)?;
@@ -205,7 +210,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     if let Some(folder) = &arguments.pictures {
         outputs.extend(pictures(folder, &pairs)?);
     }
-    ga_files::write_together(outputs.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    output::write_together(outputs)?;
     drop(progress);
     let report = Report::new(&found, edges, &files, rejected);
     if arguments.json {
@@ -251,33 +256,30 @@ fn settings(arguments: &Arguments) -> Result<StereoSettings> {
     })
 }
 
-/// The files that two patterns match, in pairs.
-fn pairs_of_files(left: &str, right: &str) -> Result<Vec<[PathBuf; 2]>> {
-    let files = |option: &str, pattern: &str| -> Result<Vec<PathBuf>> {
-        let paths = glob::glob(pattern).with_context(|| format!("{option} {pattern:?}"))?;
-        let mut files = Vec::new();
-        for path in paths {
-            let path = path.with_context(|| format!("{option} {pattern:?}"))?;
-            if path.is_file() {
-                files.push(path);
-            }
-        }
-        ensure!(!files.is_empty(), "{option} {pattern:?} matches no file");
-        files.sort();
-        Ok(files)
-    };
-    let [left, right] = [files("--left", left)?, files("--right", right)?];
+/// Fails where the results could not be written, or would replace what is read.
+fn check_outputs(arguments: &Arguments, pairs: &[[PathBuf; 2]]) -> Result<()> {
+    let cameras = arguments.left_camera.iter().chain(&arguments.right_camera);
+    let mut files = Files::reading(pairs.as_flattened()).and_reading(cameras);
+    files = files.printing("--json", arguments.json);
+    files.write("--out", &arguments.out, &[Format::Yaml])?;
+    if let Some(folder) = &arguments.pictures {
+        files.write_folder("--pictures", folder, (0..pairs.len()).map(corners_name))?;
+    }
+    Ok(())
+}
+
+/// The files of the left and the right views, in pairs.
+fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>> {
+    let left = file_list::expand("--left", left)?;
+    let right = file_list::expand("--right", right)?;
     ensure!(
         left.len() == right.len(),
         "{} left views and {} right ones do not make pairs",
         left.len(),
         right.len()
     );
-    Ok(left
-        .into_iter()
-        .zip(right)
-        .map(|(left, right)| [left, right])
-        .collect())
+    let pairs = left.into_iter().zip(right);
+    Ok(pairs.map(|(left, right)| [left, right]).collect())
 }
 
 /// Warns of the first pair whose names do not belong together by their numbers: where a number of
@@ -285,7 +287,7 @@ fn pairs_of_files(left: &str, right: &str) -> Result<Vec<[PathBuf; 2]>> {
 /// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
 fn warn_of_other_numbers(pairs: &[[PathBuf; 2]]) {
     let changes = |pair: &[PathBuf; 2]| {
-        let [left, right] = pair.each_ref().map(|path| numbers(path));
+        let [left, right] = pair.each_ref().map(|path| file_list::numbers(path));
         let is_comparable = left.len() == right.len();
         let both = left.into_iter().zip(right).filter(|_| is_comparable);
         both.map(|(left, right)| (left != right).then_some((left, right)))
@@ -300,15 +302,6 @@ fn warn_of_other_numbers(pairs: &[[PathBuf; 2]]) {
             right.display()
         );
     }
-}
-
-/// The numbers in the name of a file, without leading zeros.
-fn numbers(path: &Path) -> Vec<String> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    name.split(|symbol: char| !symbol.is_ascii_digit())
-        .filter(|digits| !digits.is_empty())
-        .map(|digits| digits.trim_start_matches('0').to_owned())
-        .collect()
 }
 
 type Found = ([usize; 2], Vec<Pair>, Vec<Rejected>);
@@ -365,6 +358,11 @@ fn find_boards(
     Ok((size.unwrap_or_default(), pairs, rejected))
 }
 
+/// The name of the picture of a pair.
+fn corners_name(index: usize) -> String {
+    format!("corners{:03}.png", index + 1)
+}
+
 /// For each pair a picture of both views with the corners that were found: its path and its bytes.
 fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     let mut files = Vec::new();
@@ -375,7 +373,7 @@ fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     } in pairs
     {
         if let Some(views) = views {
-            let path = folder.join(format!("corners{:03}.png", index + 1));
+            let path = folder.join(corners_name(*index));
             files.push((path, png::encode(&corners::picture(views, boards))?));
         }
     }

@@ -12,6 +12,8 @@ use ga_vision::disparity::picture::ColourScale;
 use serde::Serialize;
 
 use super::picture::{self, Panel};
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 
 /// Errors of so many pixels and more have the last colour of the picture.
@@ -71,9 +73,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         scale > 0.0 && scale.is_finite(),
         "--scale {scale}: what the truth stores must be divided by a positive, finite number"
     );
-    if let Some(path) = &arguments.picture {
-        picture::check_ending(path)?;
-    }
+    let mut files = Files::reading([&arguments.map, &arguments.truth]);
+    files = files.printing("--json", arguments.json);
+    files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
     let map = file::read(&arguments.map)?;
     let truth = file::read_truth(&arguments.truth, scale)?;
     let errors = ErrorMap::new(&map, &truth).with_context(|| {
@@ -91,7 +93,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     if let Some(path) = &arguments.picture {
         let sheet = picture_of(&map, &truth, &errors);
-        png::write(path, &sheet)?;
+        output::write(path, &png::encode(&sheet)?)?;
     }
     if arguments.json {
         output::print_json(&report)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use clap::ValueEnum;
 use ga_image::plane::Plane;
 use ga_image::png;
@@ -15,6 +15,8 @@ use serde::Serialize;
 
 use super::picture::{self, Panel};
 use super::views;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -108,7 +110,15 @@ struct Report {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    check_names(arguments)?;
+    let mut files = Files::reading([&arguments.left, &arguments.right]);
+    files = files.printing("--json", arguments.json);
+    files.write("--out", &arguments.out, &[Format::Pfm])?;
+    files.write_if_given(
+        "--confidence",
+        arguments.confidence.as_ref(),
+        &[Format::Png],
+    )?;
+    files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading the views");
     let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
@@ -140,7 +150,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     if let Some(path) = &arguments.picture {
         files.push((path, png::encode(&picture_of(map))?));
     }
-    ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    output::write_together(files)?;
     drop(progress);
 
     let pixels = (map.width() * map.height()) as f64;
@@ -163,25 +173,6 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     } else {
         output::print(&report.lines(&arguments.out))
     }
-}
-
-/// Fails where a result could not be written under its name, or two have the same.
-fn check_names(arguments: &Arguments) -> Result<()> {
-    let ending = arguments.out.extension().unwrap_or_default();
-    ensure!(
-        ending.eq_ignore_ascii_case("pfm"),
-        "{}: disparities are written as .pfm",
-        arguments.out.display()
-    );
-    let pictures = [&arguments.confidence, &arguments.picture];
-    for path in pictures.into_iter().flatten() {
-        picture::check_ending(path)?;
-    }
-    ensure!(
-        arguments.confidence.is_none() || arguments.confidence != arguments.picture,
-        "--confidence and --picture have the same name"
-    );
-    Ok(())
 }
 
 /// The map in the colours of its own range.

@@ -1,8 +1,5 @@
 //! Disparity maps as pictures with captions and scales.
 
-use std::path::Path;
-
-use anyhow::{Result, ensure};
 use ga_image::plane::Plane;
 use ga_render::text::{self, LINE_HEIGHT, Weight};
 use ga_vision::disparity::picture::ColourScale;
@@ -41,17 +38,6 @@ impl Panel {
     fn width(&self) -> u32 {
         self.size()[0].max(SCALE_WIDTH)
     }
-}
-
-/// Fails where a file of this name would not be PNG by its ending.
-pub(super) fn check_ending(path: &Path) -> Result<()> {
-    let ending = path.extension().unwrap_or_default();
-    ensure!(
-        ending.eq_ignore_ascii_case("png"),
-        "{}: a picture is written as .png",
-        path.display()
-    );
-    Ok(())
 }
 
 /// The panels beside each other, each with its caption above and its scale below.

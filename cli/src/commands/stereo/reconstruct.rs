@@ -1,6 +1,5 @@
 //! `nullcone stereo reconstruct`: two views as a cloud of points or a surface in metres.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -14,7 +13,7 @@ use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::Mesh;
-use ga_mesh::format::{self, Format};
+use ga_mesh::format::Options;
 use ga_numerics::order_statistics::Sorted;
 use ga_runtime::cga3::{Motor, Rotor};
 use ga_vision::disparity::DisparityMap;
@@ -25,6 +24,9 @@ use serde::Serialize;
 
 use super::match_views::{Mode, threads};
 use super::views;
+use crate::files::Files;
+use crate::format::Format;
+use crate::mesh_file;
 use crate::output;
 use crate::progress::Progress;
 
@@ -149,7 +151,11 @@ struct Pair {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let kind = Kind::new(arguments)?;
+    let inputs = [&arguments.left, &arguments.right, &arguments.rig];
+    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
+    let format = files.write("--out", &arguments.out, &formats)?;
+    let kind = Kind::new(arguments, format)?;
     let begin = Instant::now();
     let progress = Progress::new(5, quiet);
     progress.step("reading the views");
@@ -173,7 +179,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
     let mesh = kind.mesh(&surface, &pair.views[0])?;
     progress.step("writing");
-    format::write(&arguments.out, &mesh, &format::Options::default())?;
+    let files = mesh_file::files(&arguments.out, format, &mesh, &Options::default())?;
+    output::write_together(files)?;
     drop(progress);
 
     let [width, height] = surface.size();
@@ -213,8 +220,7 @@ enum Kind {
 
 impl Kind {
     /// By the flags, or by the ending of the file.
-    fn new(arguments: &Arguments) -> Result<Self> {
-        let format = Format::of_path(&arguments.out)?;
+    fn new(arguments: &Arguments, format: Format) -> Result<Self> {
         ensure!(
             (0.0..=1.0).contains(&arguments.min_confidence),
             "--min-confidence {} is not from 0 to 1",
@@ -272,7 +278,7 @@ fn rectify(views: [Plane<[u8; 3]>; 2], path: &Path) -> Result<Pair> {
         );
         Ok(())
     };
-    if path.extension().and_then(OsStr::to_str) == Some("txt") {
+    if Format::Text.fits(path) {
         let calib = Calib::read(path)?;
         check(calib.size)?;
         return Ok(Pair {

@@ -11,6 +11,7 @@ use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
 use serde::Serialize;
 
 use super::pixels;
+use crate::files::Files;
 use crate::output::{self, File};
 use crate::progress::Progress;
 
@@ -90,7 +91,8 @@ struct Valid {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    output::check_place(&arguments.out, &[LEFT, RIGHT, RIG])?;
+    let inputs = [&arguments.left, &arguments.right, &arguments.rig];
+    Files::reading(inputs).write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
     let progress = Progress::new(4, quiet);
     progress.step("reading the views");
     let file = RigFile::read(&arguments.rig)?;

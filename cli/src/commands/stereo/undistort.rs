@@ -8,7 +8,9 @@ use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
-use super::{picture, pixels};
+use super::pixels;
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -59,7 +61,14 @@ struct Report {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    picture::check_ending(&arguments.out)?;
+    let mut files = Files::reading([&arguments.picture, &arguments.camera]);
+    files = files.printing("--json", arguments.json);
+    files.write("--out", &arguments.out, &[Format::Png])?;
+    files.write_if_given(
+        "--new-camera",
+        arguments.new_camera.as_ref(),
+        &[Format::Yaml],
+    )?;
     let progress = Progress::new(3, quiet);
     progress.step("reading the picture");
     let file = CameraFile::read(&arguments.camera)?;
@@ -84,7 +93,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     if let Some(path) = &arguments.new_camera {
         files.push((path, camera.encode().into_bytes()));
     }
-    ga_files::write_together(files.iter().map(|(path, bytes)| (path, &bytes[..])))?;
+    output::write_together(files)?;
     drop(progress);
 
     let report = Report {

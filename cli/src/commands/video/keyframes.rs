@@ -1,6 +1,5 @@
 //! The cuts, shots and key frames of a video.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
@@ -12,6 +11,8 @@ use super::input::{Analysed, Blocks, analyse};
 use super::report::Report;
 use super::spool::Spool;
 use super::{page, plot, sheet};
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -70,6 +71,9 @@ pub(super) struct Arguments {
     report: Option<PathBuf>,
 }
 
+/// The formats of tables of shots.
+const SCENES: [Format; 2] = [Format::Csv, Format::Edl];
+
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     arguments.check()?;
     let progress = Progress::new(1, quiet);
@@ -106,26 +110,20 @@ impl Arguments {
             "--threshold {}: it must be from 0 to 1",
             self.threshold
         );
+        let mut files = Files::reading([&self.video]).printing("--json", self.json);
+        if let Some(folder) = &self.out {
+            files.write_folder("--out", folder, [""; 0])?;
+        }
         for path in &self.scenes {
-            let ending = path.extension().and_then(OsStr::to_str);
-            ensure!(
-                matches!(ending, Some("csv" | "edl")),
-                "--scenes {}: its name must end in .csv or .edl",
-                path.display()
-            );
+            files.write("--scenes", path, &SCENES)?;
         }
-        for (name, path, ending) in [
-            ("plot", &self.plot, "svg"),
-            ("contact-sheet", &self.contact_sheet, "png"),
-            ("report", &self.report, "html"),
-        ] {
-            let Some(path) = path else { continue };
-            ensure!(
-                path.extension().is_some_and(|found| found == ending),
-                "--{name} {}: its name must end in .{ending}",
-                path.display()
-            );
-        }
+        files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
+        files.write_if_given(
+            "--contact-sheet",
+            self.contact_sheet.as_ref(),
+            &[Format::Png],
+        )?;
+        files.write_if_given("--report", self.report.as_ref(), &[Format::Html])?;
         Ok(())
     }
 
@@ -143,15 +141,15 @@ impl Arguments {
         let title = self.title();
         for path in &self.scenes {
             let shots = &analysed.analysis.shots;
-            let text = match path.extension().is_some_and(|ending| ending == "edl") {
+            let text = match Format::Edl.fits(path) {
                 true => scenes::edl(shots, analysed.rate(), &title),
                 false => scenes::csv(shots, analysed.rate()),
             };
-            files.add(path, text.as_bytes())?;
+            output::stage(&mut files, path, text.as_bytes())?;
         }
         if let Some(path) = &self.plot {
             let svg = plot::svg(&analysed.analysis, &title)?;
-            files.add(path, svg.as_bytes())?;
+            output::stage(&mut files, path, svg.as_bytes())?;
         }
         let Some(spool) = spool else {
             return Ok(files.finish()?);
@@ -159,7 +157,7 @@ impl Arguments {
         if let Some(folder) = &self.out {
             for key in &report.key_frames {
                 if let Some(bytes) = spool.png(key.index)? {
-                    files.add(key_path(folder, key.index), &bytes)?;
+                    output::stage(&mut files, &key_path(folder, key.index), &bytes)?;
                 }
             }
         }
@@ -168,10 +166,10 @@ impl Arguments {
             let bytes = png::encode(&sheet).context("cannot encode the contact sheet")?;
             if let Some(path) = &self.report {
                 let page = page::html(analysed, report, &bytes, &title)?;
-                files.add(path, page.as_bytes())?;
+                output::stage(&mut files, path, page.as_bytes())?;
             }
             if let Some(path) = &self.contact_sheet {
-                files.add(path, &bytes)?;
+                output::stage(&mut files, path, &bytes)?;
             }
         }
         Ok(files.finish()?)

@@ -164,7 +164,7 @@ fn tables_and_arguments_that_are_wrong_are_refused() {
     fails(&good, &["--fps", "-1"], &["--fps -1"]);
     fails(&good, &["--out", "a.txt"], &["a.txt", ".csv, .glb"]);
     fails(&good, &["--out", "a.glb"], &["a.glb", "--mesh"]);
-    fails(&good, &["--out", "new.csv"], &["new.csv", "twice"]);
+    fails(&good, &["--out", "new.csv"], &["new.csv", "another output"]);
     let mesh =
         |more: &[&'static str]| [&["--mesh", "face.obj", "--keys", "keys.csv"], more].concat();
     fails(&good, &mesh(&["--out", "a.obj"]), &["a.obj", "--frame"]);

@@ -11,6 +11,8 @@ use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh;
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
@@ -156,7 +158,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     if let Some(path) = &arguments.plot {
         let svg = plot::svg(&report.rows, &arguments.motion);
         let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
-        ga_files::write(path, svg.as_bytes())?;
+        output::write(path, svg.as_bytes())?;
     }
     if arguments.json {
         output::print_json(&report)
@@ -201,14 +203,8 @@ fn check(arguments: &Arguments) -> Result<()> {
             "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
         );
     }
-    if let Some(path) = &arguments.plot {
-        let ending = path.extension().unwrap_or_default();
-        ensure!(
-            ending.eq_ignore_ascii_case("svg"),
-            "--plot {}: the picture is a file of the kind .svg",
-            path.display()
-        );
-    }
+    let mut files = Files::reading([&arguments.motion]).printing("--json", arguments.json);
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
     Ok(())
 }
 

@@ -25,6 +25,10 @@ pub(super) struct CameraFiles {
 }
 
 impl CameraFiles {
+    pub(super) fn path(&self) -> Option<&PathBuf> {
+        self.rig.as_ref().or(self.views.as_ref())
+    }
+
     /// The camera of each view of the joints. The world of a rig has y up.
     pub(super) fn read(&self, joints: &JointViews) -> Result<Vec<Camera>> {
         match (&self.rig, &self.views) {

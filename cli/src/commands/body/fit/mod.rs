@@ -21,6 +21,8 @@ use ga_mannequin::Human;
 use ga_mesh::gltf;
 
 use crate::figure::Figure;
+use crate::files::Files;
+use crate::format::Format;
 use crate::progress::Progress;
 use crate::{model, output};
 use cameras::CameraFiles;
@@ -130,12 +132,12 @@ const MANNEQUIN: &str = "mannequin";
 const DEFAULT_RATE: f64 = 30.0;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let ending = arguments.out.extension().unwrap_or_default();
-    ensure!(
-        ending.eq_ignore_ascii_case("glb"),
-        "--out {}: the fitted character is a file of the kind .glb",
-        arguments.out.display()
-    );
+    let inputs = arguments.joints.iter().chain(arguments.cameras.path());
+    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    if !is_mannequin(&arguments.character) {
+        files = files.and_reading([&arguments.character]);
+    }
+    files.write("--out", &arguments.out, &[Format::Glb])?;
     let deviation = arguments.deviation;
     ensure!(
         deviation > 0.0 && deviation.is_finite(),
@@ -189,7 +191,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let document = body.with_clip("fitted", &clip);
     let document = document.with_context(|| arguments.character.display().to_string())?;
     let contents = gltf::to_glb(&document).context("the fitted character cannot be written")?;
-    ga_files::write(&arguments.out, &contents)?;
+    output::write(&arguments.out, &contents)?;
     drop(progress);
     let report = Report::new(arguments, &joints, &matched, &fitted, [rate, seconds]);
     match (arguments.json, quiet) {
@@ -207,9 +209,15 @@ fn names(paths: &[PathBuf]) -> String {
     names.join(", ")
 }
 
+/// Whether a character is the one that the program makes itself. A file of that name is written
+/// with its folder, as in `./mannequin`.
+fn is_mannequin(path: &Path) -> bool {
+    path.as_os_str() == MANNEQUIN
+}
+
 /// The character that is fitted.
 fn read_character(path: &Path) -> Result<Rigged> {
-    if path.as_os_str() == MANNEQUIN && !path.exists() {
+    if is_mannequin(path) {
         return mannequin();
     }
     let shown = || path.display().to_string();

@@ -16,6 +16,7 @@ use ga_mesh::Image;
 use ga_mesh::atlas;
 use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
 
+use crate::files::Files;
 use crate::output;
 use crate::progress::Progress;
 use coarse::{Coarse, Images};
@@ -134,7 +135,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         .map(|map| map.file())
         .chain(MESH_FILES)
         .collect();
-    output::check_place(&arguments.out, &names)?;
+    let mut files = Files::reading([&arguments.fine, &arguments.coarse]);
+    files.write_folder("--out", &arguments.out, names)?;
     let begin = Instant::now();
     let progress = Progress::new(maps.len() as u64 + 6, quiet);
     let mut steps = Steps::new(&progress);

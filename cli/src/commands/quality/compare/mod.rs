@@ -12,12 +12,14 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use ga_image::file::{self, Format};
+use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
 use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use report::{PictureReport, VideoReport};
@@ -84,7 +86,7 @@ impl Arguments {
 }
 
 /// Files that are written together, each with its place.
-type Files<'a> = Vec<(&'a Path, Vec<u8>)>;
+type Written<'a> = Vec<(&'a Path, Vec<u8>)>;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let paths = [&arguments.reference, &arguments.distorted];
@@ -92,6 +94,11 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         !paths.iter().all(|path| path.as_os_str() == "-"),
         "standard input can be one of the two videos only"
     );
+    let inputs = paths.into_iter().chain(&arguments.attention);
+    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    files.write_if_given("--csv", arguments.csv.as_ref(), &[Format::Csv])?;
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
+    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
     match paths.map(|path| is_picture(path)) {
         // What is missing beside a picture is a picture: its reader says what is wrong.
         [Some(true), Some(true) | None] | [None, Some(true)] => pictures(arguments, quiet),
@@ -120,7 +127,7 @@ fn is_picture(path: &Path) -> Option<bool> {
         .take(16)
         .read_to_end(&mut start)
         .ok()?;
-    Some(Format::detect(&start).is_some_and(|format| format != Format::Y4m))
+    Some(file::Format::detect(&start).is_some_and(|format| format != file::Format::Y4m))
 }
 
 fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
@@ -142,7 +149,7 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let report = PictureReport::new(&frame);
     let reason = too_small(size);
-    let mut files = Files::new();
+    let mut files = Written::new();
     if let Some(path) = &arguments.csv {
         files.push((path, table::csv(&[frame])?));
     }
@@ -151,7 +158,7 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
         let page = page::of_pictures(arguments, &report, reason.as_deref(), &map);
         files.push((path, page.into_bytes()));
     }
-    write(&files)?;
+    output::write_together(files)?;
     if arguments.json {
         if !quiet && let Some(reason) = reason {
             eprintln!("warning: ms_ssim is null: {reason}");
@@ -196,7 +203,7 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     report.error = failure.as_ref().map(ToString::to_string);
     report.ms_ssim_reason = too_small(size);
-    write(&video_files(arguments, &report, &frames)?)?;
+    output::write_together(video_files(arguments, &report, &frames)?)?;
     if arguments.json {
         output::print_json(&report)?;
     } else if !quiet {
@@ -215,8 +222,8 @@ fn video_files<'a>(
     arguments: &'a Arguments,
     report: &VideoReport,
     frames: &[FrameQuality],
-) -> Result<Files<'a>> {
-    let mut files = Files::new();
+) -> Result<Written<'a>> {
+    let mut files = Written::new();
     if let Some(path) = &arguments.csv {
         files.push((path, table::csv(frames)?));
     }
@@ -231,11 +238,6 @@ fn video_files<'a>(
         files.push((path, page.into_bytes()));
     }
     Ok(files)
-}
-
-fn write(files: &Files<'_>) -> Result<()> {
-    let files = files.iter().map(|(path, bytes)| (*path, bytes.as_slice()));
-    Ok(ga_files::write_together(files)?)
 }
 
 /// The weights of a picture in grey, as it states them.

@@ -12,6 +12,8 @@ use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap, Interval};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use table::Table;
@@ -119,6 +121,9 @@ struct AgainstReport {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let mut files = Files::reading([&arguments.scores]).printing("--json", arguments.json);
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
+    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
     let progress = Progress::new(4, quiet);
     let path = &arguments.scores;
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -163,10 +168,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         progress.step("drawing");
         let svg = plot::svg(&scores, &four.curve, &five.curve, &found)?;
         let page = page::html(arguments, &report, &svg);
-        output::write_texts([
-            (arguments.plot.as_deref(), &svg),
-            (arguments.report.as_deref(), &page),
-        ])?;
+        let plot = arguments.plot.iter().map(|path| (path, &svg));
+        output::write_together(plot.chain(arguments.report.iter().map(|path| (path, &page))))?;
     }
     drop(progress);
     if arguments.json {

@@ -12,6 +12,8 @@ use anyhow::{Context, Result};
 use ga_video::opinion::ratings::{MeanOpinion, Ratings};
 use serde::Serialize;
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 
 /// Evaluate a table of ratings: mean opinion scores with intervals, groups, agreement, screening.
@@ -100,6 +102,9 @@ struct ScreeningReport {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    let mut files = Files::reading([&arguments.table]).printing("--json", arguments.json);
+    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
+    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
     let path = &arguments.table;
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let all = table::parse(&bytes).with_context(|| path.display().to_string())?;
@@ -143,10 +148,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     if arguments.plot.is_some() || arguments.report.is_some() {
         let svg = plot::svg(&ratings, arguments.confidence)?;
         let page = page::html(arguments, &report, &svg);
-        output::write_texts([
-            (arguments.plot.as_deref(), &svg),
-            (arguments.report.as_deref(), &page),
-        ])?;
+        let plot = arguments.plot.iter().map(|path| (path, &svg));
+        output::write_together(plot.chain(arguments.report.iter().map(|path| (path, &page))))?;
     }
     if arguments.json {
         output::print_json(&report)

@@ -1,10 +1,10 @@
 //! Stereoscopic video without the defects that were measured in it.
 
-use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
+use ga_files::Staged;
 use ga_image::y4m::{Film, Writer};
 use ga_video::comfort::align::Plan;
 use ga_video::stereo::{Layout, StereoSource, joined};
@@ -12,6 +12,8 @@ use ga_video::{Frame, Samples};
 
 use super::super::input::mean_rate;
 use super::{LayoutName, input};
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 
@@ -55,26 +57,17 @@ pub(in crate::commands::video) struct Arguments {
 
 pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let out = arguments.out.as_path();
-    ensure!(
-        out.extension().is_some_and(|ending| ending == "y4m"),
-        "--out {}: its name must end in .y4m",
-        out.display()
-    );
     let right = arguments.right.as_deref();
-    for video in [Some(arguments.video.as_path()), right]
+    let videos = [Some(arguments.video.as_path()), right]
         .into_iter()
-        .flatten()
-    {
+        .flatten();
+    for video in videos.clone() {
         ensure!(
             video.as_os_str() != "-",
             "the video is read twice, which standard input does not allow: write it to a file first"
         );
-        ensure!(
-            !is_same_file(video, out),
-            "--out {}: it is the video that is read",
-            out.display()
-        );
     }
+    Files::reading(videos).write("--out", out, &[Format::Y4m])?;
     let name = match (arguments.layout, right) {
         (None, None) => Some(LayoutName::SideBySide),
         (name, _) => name,
@@ -82,13 +75,6 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
     let layout = input::layout(name, right)?;
     let open = || input::open(&arguments.video, right, layout);
     let mut source = open()?;
-    let folder = match out.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let cannot = || format!("cannot write {}", out.display());
-    // It is removed if it does not get its name in the end.
-    let mut file = tempfile::NamedTempFile::new_in(folder).with_context(cannot)?;
     let progress = Progress::new(1, quiet);
     let count = source.properties().frame_count;
     let show = |frame: usize| {
@@ -106,21 +92,17 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
     })?;
     progress.step("aligning");
     let halves = input::halves(layout).unwrap_or(Layout::SideBySide);
-    write(&plan, &mut source, halves, file.as_file_mut(), show).with_context(cannot)?;
-    file.persist(out).with_context(cannot)?;
+    let mut staged = Staged::default();
+    output::stage_with(&mut staged, out, |file| {
+        let written = write(&plan, &mut source, halves, file, show);
+        written.with_context(|| format!("cannot write {}", out.display()))
+    })?;
+    staged.finish()?;
     drop(progress);
     if quiet {
         return Ok(());
     }
     output::print(&said(&plan, out))
-}
-
-/// Whether both names are those of one file that exists.
-fn is_same_file(first: &Path, second: &Path) -> bool {
-    match (first.canonicalize(), second.canonicalize()) {
-        (Ok(first), Ok(second)) => first == second,
-        _ => false,
-    }
 }
 
 /// What was done.
@@ -158,7 +140,7 @@ fn write(
     plan: &Plan,
     source: &mut StereoSource,
     layout: Layout,
-    file: &mut File,
+    file: &mut dyn Write,
     mut show: impl FnMut(usize),
 ) -> Result<()> {
     let properties = *source.properties();

@@ -10,11 +10,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 use clap::ValueEnum;
-use ga_files::write_together;
 use ga_video::comfort::monitor::{Options, observe};
 use ga_video::comfort::{FrameMeasures, Observer, Record, Summary, Viewing};
 use ga_video::{Frame, Properties};
 
+use crate::files::Files;
+use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use report::{About, Report};
@@ -142,7 +143,7 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
         let text = serde_json::to_string_pretty(&table::json(&summary, &viewing))? + "\n";
         files.push((path, text.into_bytes()));
     }
-    write_together(files.iter().map(|(path, bytes)| (*path, &bytes[..])))?;
+    output::write_together(files)?;
     if !arguments.json && !arguments.csv && !quiet && summary.frames > 0 {
         output::print(&table::text(&summary, &viewing))?;
     }
@@ -150,29 +151,14 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
 }
 
 impl Arguments {
-    /// Fails before the work begins where the page could not be written after it.
+    /// Fails before the work begins where the files could not be written after it.
     fn check_out(&self) -> Result<()> {
-        let Some(path) = &self.out else {
-            return Ok(());
-        };
-        ensure!(
-            path.extension().is_some_and(|ending| ending == "html"),
-            "--out {}: its name must end in .html",
-            path.display()
-        );
-        let folder = path
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty());
-        ensure!(
-            folder.is_none_or(Path::is_dir),
-            "--out {}: there is no such folder",
-            path.display()
-        );
-        ensure!(
-            !path.is_dir(),
-            "--out {}: a folder of that name is in its place",
-            path.display()
-        );
+        let mut files = Files::reading([&self.video].into_iter().chain(&self.right));
+        files = files
+            .printing("--json", self.json)
+            .printing("--csv", self.csv);
+        files.write_if_given("--out", self.out.as_ref(), &[Format::Html])?;
+        files.write_if_given("--summary", self.summary.as_ref(), &[Format::Json])?;
         Ok(())
     }
 

@@ -1,0 +1,173 @@
+//! What is on disk only until the work is done: temporary files, and folders that were created.
+//!
+//! Both are listed while they exist, so that a program that is interrupted can remove them.
+
+use std::fs::{File, Metadata, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tempfile::{Builder, TempPath};
+
+/// What would be left if the program ended now.
+#[derive(Debug)]
+pub(crate) struct Leftovers {
+    files: Vec<PathBuf>,
+    /// Each after the one that contains it.
+    folders: Vec<PathBuf>,
+}
+
+static LEFTOVERS: Mutex<Leftovers> = Mutex::new(Leftovers {
+    files: Vec::new(),
+    folders: Vec::new(),
+});
+
+/// While the guard lives, [`remove_temporaries`] waits.
+pub(crate) fn leftovers() -> MutexGuard<'static, Leftovers> {
+    LEFTOVERS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Leftovers {
+    fn forget(&mut self, file: &Path) {
+        self.files.retain(|other| other != file);
+    }
+}
+
+/// Removes all temporary files, and the folders that were created for them, where a program ends
+/// before its work is done, such as at a signal. Files that are taking their names are completed
+/// before that.
+///
+/// Afterwards no thread of the program can write a file: those that try wait for the end of the
+/// program.
+pub fn remove_temporaries() {
+    let leftovers = leftovers();
+    // What cannot be removed is left: there is nobody to be told.
+    for file in &leftovers.files {
+        let _ = std::fs::remove_file(file);
+    }
+    for folder in leftovers.folders.iter().rev() {
+        let _ = std::fs::remove_dir(folder);
+    }
+    std::mem::forget(leftovers);
+}
+
+/// A file that is removed unless it takes the name of another.
+#[derive(Debug)]
+pub(crate) struct Temporary {
+    path: Option<TempPath>,
+}
+
+impl Temporary {
+    /// A new file in a folder. Without an earlier file its mode follows the umask; otherwise it
+    /// has the mode and the owner of that file, or there is an error of the kind
+    /// [`PermissionDenied`](io::ErrorKind::PermissionDenied).
+    pub(crate) fn new(folder: &Path, earlier: Option<&Metadata>) -> io::Result<(Self, File)> {
+        let named = Builder::new()
+            .prefix(".nullcone-")
+            .make_in(folder, |path| {
+                let mut leftovers = leftovers();
+                let file = create(path, earlier)?;
+                leftovers.files.push(path.to_path_buf());
+                Ok(file)
+            })?;
+        let (file, path) = named.into_parts();
+        let temporary = Self { path: Some(path) };
+        if let Some(earlier) = earlier {
+            keep_access(&file, temporary.path().unwrap_or(folder), earlier)?;
+        }
+        Ok((temporary, file))
+    }
+
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Takes the name of a file, in place of any there.
+    pub(crate) fn persist(&mut self, place: &Path, leftovers: &mut Leftovers) -> io::Result<()> {
+        let Some(path) = self.path.take() else {
+            return Ok(());
+        };
+        leftovers.forget(&path);
+        path.persist(place).map_err(|error| error.error)
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if let Some(path) = self.path.take() {
+            leftovers().forget(&path);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn create(path: &Path, earlier: Option<&Metadata>) -> io::Result<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    // A replacement is private until it has the owner of the earlier file.
+    let mode = if earlier.is_some() { 0o600 } else { 0o666 };
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true).mode(mode).open(path)
+}
+
+#[cfg(not(unix))]
+fn create(path: &Path, _: Option<&Metadata>) -> io::Result<File> {
+    OpenOptions::new().write(true).create_new(true).open(path)
+}
+
+/// Gives a file the owner and the mode of an earlier one.
+#[cfg(unix)]
+fn keep_access(file: &File, path: &Path, earlier: &Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, chown};
+    let owner = |metadata: &Metadata| (metadata.uid(), metadata.gid());
+    let (user, group) = owner(earlier);
+    if owner(&file.metadata()?) != (user, group) {
+        chown(path, Some(user), Some(group))
+            .map_err(|error| io::Error::new(io::ErrorKind::PermissionDenied, error))?;
+    }
+    // After the owner: a change of owner takes bits of the mode away.
+    file.set_permissions(earlier.permissions())
+}
+
+#[cfg(not(unix))]
+fn keep_access(file: &File, _: &Path, earlier: &Metadata) -> io::Result<()> {
+    file.set_permissions(earlier.permissions())
+}
+
+/// Folders that were created, and are removed where they are empty unless they are kept.
+#[derive(Debug, Default)]
+pub(crate) struct CreatedFolders(Vec<PathBuf>);
+
+impl CreatedFolders {
+    /// Creates a folder and those above it that are missing.
+    pub(crate) fn create(&mut self, folder: &Path) -> io::Result<()> {
+        let is_missing =
+            |path: &&Path| !path.as_os_str().is_empty() && path.symlink_metadata().is_err();
+        let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
+        let missing = missing.into_iter().rev().map(Path::to_path_buf);
+        let mut leftovers = leftovers();
+        let before = self.0.len();
+        self.0.extend(missing);
+        leftovers.folders.extend_from_slice(&self.0[before..]);
+        std::fs::create_dir_all(folder)
+    }
+
+    pub(crate) fn keep(&mut self) {
+        let mut leftovers = leftovers();
+        for folder in self.0.drain(..) {
+            let place = leftovers.folders.iter().position(|other| *other == folder);
+            if let Some(place) = place {
+                leftovers.folders.remove(place);
+            }
+        }
+    }
+}
+
+impl Drop for CreatedFolders {
+    fn drop(&mut self) {
+        for folder in self.0.iter().rev() {
+            // This fails for a folder that is not empty.
+            let _ = std::fs::remove_dir(folder);
+        }
+        self.keep();
+    }
+}
