@@ -72,9 +72,7 @@ fn a_plate_shadows_the_floor_below_it() {
 #[test]
 fn parts_that_are_cut_out_cast_no_shadow() {
     let (floor, plate) = (plate(4.0, 0.0), plate(0.5, 1.0));
-    let halves = Plane::from_fn(2, 1, |column, _| {
-        [255u8, 255, 255, [0, 255][column as usize]]
-    });
+    let halves = Plane::from_fn(2, 1, |column, _| [255u8, 255, 255, [0, 255][column]]);
     let sampler = Sampler {
         wrap: [Wrap::ClampToEdge; 2],
         filter: Filter::Nearest,

@@ -113,7 +113,7 @@ fn textures_go_on_beyond_their_edges() {
 #[test]
 fn a_checkerboard_far_away_is_half_bright() {
     let board = Plane::from_fn(256, 256, |column, row| {
-        [[0u8, 0, 0, 255], [255; 4]][((column + row) % 2) as usize]
+        [[0u8, 0, 0, 255], [255; 4]][(column + row) % 2]
     });
     let texture = Texture::colour(&board, Sampler::default()).unwrap();
     let materials = [Material {
@@ -415,7 +415,7 @@ fn colours_of_vertices_are_factors() {
 #[test]
 fn what_is_cut_out_is_not_there() {
     let holes = Plane::from_fn(8, 8, |column, row| {
-        [200u8, 100, 50, [255, 0][((column + row) % 2) as usize]]
+        [200u8, 100, 50, [255, 0][(column + row) % 2]]
     });
     let texture = Texture::colour(&holes, sampler(Filter::Nearest, Wrap::Repeat)).unwrap();
     let front = square(0.0);

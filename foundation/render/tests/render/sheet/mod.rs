@@ -92,7 +92,7 @@ fn places(sheet: &Plane<[u8; 3]>, picture: &Plane<[u8; 3]>) -> Vec<(u32, u32)> {
             let equal = |(column, row, pixel): (u32, u32, [u8; 3])| {
                 sheet.pixel(x + column, y + row) == pixel
             };
-            if enumerated(&picture).all(equal) {
+            if enumerated(picture).all(equal) {
                 places.push((x, y));
             }
         }
