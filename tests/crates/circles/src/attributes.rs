@@ -3,7 +3,7 @@
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta, Token};
 
-/// Whether what has these attributes is compiled for tests only.
+/// Whether what has these attributes is compiled for tests or for documentation only.
 pub(crate) fn for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let path = attribute.path();
@@ -12,10 +12,10 @@ pub(crate) fn for_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Whether a condition of `cfg` is never met without `test`.
+/// Whether a condition of `cfg` is never met without `test` and without `doc`.
 fn needs_test(condition: &Meta) -> bool {
     let Meta::List(list) = condition else {
-        return condition.path().is_ident("test");
+        return condition.path().is_ident("test") || condition.path().is_ident("doc");
     };
     let parts = list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated);
     let Ok(parts) = parts else {
