@@ -1,10 +1,10 @@
 //! The least cost near a state, by damped Gauss–Newton steps.
 
+use crate::normal::Normal;
 use nalgebra_035::{Cholesky, DVector};
 
 use super::branched;
 use super::chain::{Chain, State};
-use super::likelihood::Normal;
 
 const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-9;

@@ -1,5 +1,6 @@
 //! Which joint of a recording moves which joint of a skeleton.
 
+use super::structure::Parts;
 use std::collections::{HashMap, HashSet};
 
 use serde::de::{Deserialize, Deserializer, Error};
@@ -311,9 +312,6 @@ fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
 
 /// A part of the body and its side.
 pub(super) type Meaning = (Part, Option<Side>);
-
-/// The joints of each part of a body, from the root on.
-pub(super) type Parts = HashMap<Meaning, Vec<usize>>;
 
 fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
     skeleton.joints().iter().map(|joint| joint.name.as_str())

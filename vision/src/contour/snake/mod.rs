@@ -1,49 +1,19 @@
 //! Closed curves that settle at the edges of a picture: snakes.
 
+mod check;
 mod diffusion;
 mod error;
 mod flow;
+mod options;
 mod potential;
 
 pub use error::SnakeError;
 pub use flow::Flow;
+pub use options::SnakeOptions;
 pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};
 use super::ring::Ring;
-
-/// How a snake moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SnakeOptions {
-    /// α: how strongly the curve contracts, in square pixels.
-    pub tension: f64,
-    /// β: how strongly the curve resists bending, in fourth powers of a pixel.
-    pub rigidity: f64,
-    /// The snake has settled when no point moves farther than this in two steps, in pixels.
-    pub tolerance: f64,
-    /// The greatest distance that a point moves in a step, in pixels.
-    pub greatest_move: f64,
-    /// The greatest number of steps.
-    pub steps: usize,
-    /// After so many steps each, the points are placed at equal distances along the curve, if the
-    /// energy does not rise by that.
-    pub resampled_every: Option<usize>,
-}
-
-impl Default for SnakeOptions {
-    /// α = 0.5, β = 50, at most 2500 steps of at most 8 pixels until none is above 0.01 pixels,
-    /// without resampling.
-    fn default() -> Self {
-        Self {
-            tension: 0.5,
-            rigidity: 50.0,
-            tolerance: 0.01,
-            greatest_move: 8.0,
-            steps: 2500,
-            resampled_every: None,
-        }
-    }
-}
 
 /// A snake after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,7 +112,7 @@ pub fn settle(
     options: &SnakeOptions,
     mut each_step: impl FnMut(&SnakeStep<'_>),
 ) -> Result<Settled, SnakeError> {
-    error::check(start, potential, options)?;
+    check::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
     motion.check_energy()?;
     let mut has_converged = false;
@@ -310,7 +280,7 @@ impl<'a> Motion<'a> {
             let energy = self.evaluate();
             let gain = (self.energy - energy) / predicted;
             if gain > 0.1 {
-                error::check_inside(&self.next, self.potential.size())?;
+                check::check_inside(&self.next, self.potential.size())?;
                 self.accept(energy);
                 if gain > 0.7 {
                     self.damping = (0.5 * self.damping).max(self.least_damping);

@@ -81,17 +81,6 @@ pub(in crate::commands::video) struct Arguments {
     threads: usize,
 }
 
-/// How the two views are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::commands::video) enum LayoutName {
-    /// The left view in the left half of each frame.
-    SideBySide,
-    /// The left view in the upper half of each frame.
-    TopBottom,
-    /// One file for each view.
-    TwoFiles,
-}
-
 pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     ensure!(
         (1..=2).contains(&arguments.threads),

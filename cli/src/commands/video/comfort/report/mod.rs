@@ -57,11 +57,6 @@ impl Report {
         self.moments.complete(record);
     }
 
-    /// The page. `failure` says why the video could not be read further.
-    pub(super) fn html(&self, summary: &Summary, failure: Option<&str>) -> Result<String> {
-        page::html(self, summary, failure)
-    }
-
     /// Frames in a second.
     fn rate(&self, frames: usize) -> [u32; 2] {
         rate(&self.about.properties, frames, self.last_seconds)
