@@ -1,6 +1,5 @@
 //! Which joint of a recording moves which joint of a skeleton.
 
-use super::structure::Parts;
 use std::collections::{HashMap, HashSet};
 
 use serde::de::{Deserialize, Deserializer, Error};
@@ -8,7 +7,7 @@ use serde_json::Value;
 
 use super::Source;
 use super::convention::{Part, Side, meaning};
-use super::structure::parts_by_structure;
+use super::structure::{Meaning, Parts, parts_by_structure};
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
 
@@ -309,9 +308,6 @@ fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
     let found = parts.find(|(_, joints)| joints.contains(&joint));
     found.map(|(&meaning, _)| meaning)
 }
-
-/// A part of the body and its side.
-pub(super) type Meaning = (Part, Option<Side>);
 
 fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
     skeleton.joints().iter().map(|joint| joint.name.as_str())

@@ -58,8 +58,6 @@ mod soles;
 mod source;
 mod structure;
 
-use correspondence::Alignment;
-use error::RetargetError;
 use std::ops::RangeInclusive;
 
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
@@ -70,6 +68,8 @@ use crate::pose::{Pose, PoseError};
 use crate::skeleton::Skeleton;
 use correspondence::Correspondence;
 
+pub use correspondence::Alignment;
+pub use error::RetargetError;
 pub use foot_locking::{Contact, FootLocking, LockedFeet};
 pub use joint_map::{JointMap, JointMapError};
 pub use soles::Soles;

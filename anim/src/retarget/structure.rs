@@ -1,11 +1,13 @@
 //! What joints are by the shape of their hierarchy at rest, where their names do not say it.
 
-use crate::retarget::joint_map::Meaning;
 use std::collections::HashMap;
 
 use ga_runtime::vga3::Vector;
 
 use super::convention::{Part, Side};
+
+/// A part of the body and its side.
+pub(super) type Meaning = (Part, Option<Side>);
 
 /// The joints of each part of a body, from the root on.
 pub(super) type Parts = HashMap<Meaning, Vec<usize>>;

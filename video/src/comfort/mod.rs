@@ -32,7 +32,7 @@ mod timeline;
 mod tone;
 mod viewing;
 
-pub use dimension::Dimension;
+pub use dimension::{Dimension, Unit};
 pub use error::ComfortError;
 pub use frame::{FrameMeasures, FrameMeter};
 pub use geometry::Geometry;
@@ -41,7 +41,7 @@ pub use observer::Observer;
 pub use parallax::{Histogram, Parallax};
 pub use photometry::Photometry;
 pub use record::Record;
-pub use row::{Missing, Row, Unit};
+pub use row::{Missing, Row};
 pub use scale::{Level, SIZE, Scale, Score};
 pub use summary::{RowSummary, Summary, meaning};
 pub use timeline::{DepthSummary, Interval, Timeline};

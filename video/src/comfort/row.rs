@@ -1,51 +1,9 @@
 //! What is measured of a stereoscopic video, and how a measurement is stated.
 
-use super::dimension::Dimension;
 use std::fmt;
 
+use super::dimension::{Dimension, Unit};
 use super::scale::Score;
-
-/// The unit of a raw number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// Per cent: of luminance in [`Dimension::Brightness`], of the picture's width otherwise.
-    Percent,
-    /// Units of CIE 1976 L\*a\*b\*.
-    ColourDifference,
-    /// Sixtieths of a degree of visual angle.
-    Arcminutes,
-    /// Frames of the video.
-    Frames,
-    /// Degrees of visual angle.
-    Degrees,
-    /// The binary logarithm of a ratio.
-    Log2,
-    /// A number that is positive where the views are in their order, negative where they are
-    /// exchanged, and near zero where that cannot be told.
-    Evidence,
-}
-
-impl Unit {
-    /// The name in files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Percent => "percent",
-            Self::ColourDifference => "delta_ab",
-            Self::Arcminutes => "arcminutes",
-            Self::Frames => "frames",
-            Self::Degrees => "degrees",
-            Self::Log2 => "log2",
-            Self::Evidence => "evidence",
-        }
-    }
-}
-
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// Why there is no score.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,19 +1,10 @@
 //! The options of the command.
 
-use super::points::Points;
-use super::report::Report;
-use super::surface::{Motion, Surface};
-use crate::output;
-use crate::progress::Progress;
-use anyhow::{Context, Result, anyhow, bail, ensure};
-use ga_runtime::cga3::{Motor, Point};
-use ga_vision::capture::{
-    Capture, CaptureError, CapturedFrame, FrameError, PoseError, PoseOptions,
-};
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
-use std::time::Instant;
+
+use anyhow::Result;
+use ga_vision::capture::PoseOptions;
 
 /// Separate captured points of a face into the pose of the head and its expression.
 ///

@@ -11,7 +11,6 @@ pub(crate) use arguments::Arguments;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail, ensure};

@@ -1,9 +1,12 @@
 //! The options of the command.
 
-use super::super::stereo::Axes;
+use std::path::PathBuf;
+
 use anyhow::{Result, ensure};
 use clap::ValueEnum;
-use std::path::PathBuf;
+
+use super::super::stereo::Axes;
+use crate::contour::settling;
 
 /// Find contours: the borders of the bright regions of a picture, a closed curve that settles at
 /// edges, or a closed curve in space that two cameras see.

@@ -8,12 +8,7 @@ mod settling;
 
 pub(crate) use arguments::Arguments;
 
-use std::path::PathBuf;
-
-use anyhow::{Result, ensure};
-use clap::ValueEnum;
-
-use super::stereo::Axes;
+use anyhow::Result;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match (&arguments.images[..], &arguments.rig) {

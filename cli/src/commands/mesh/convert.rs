@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
+use super::input;
 use crate::output::print;
 
 /// Write a mesh in the format that the ending of the output's name says.
@@ -48,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     } = arguments;
     // An unknown ending is reported before a large file is read.
     format::Format::of_path(output)?;
-    let loaded = super::read(input, quiet)?;
+    let loaded = input::read(input, quiet)?;
     let mesh = format::relocated(&loaded.mesh, input, output)?;
     let options = Options {
         ply: if *ascii {

@@ -1,9 +1,9 @@
 //! Reading meshes.
 
-use anyhow::Result;
-use clap::Subcommand;
-use ga_mesh::format::{self, Loaded};
 use std::path::Path;
+
+use anyhow::Result;
+use ga_mesh::format::{self, Loaded};
 
 /// Reads a mesh, and says on standard error what its file refers to that is not there.
 pub(super) fn read(file: &Path, quiet: bool) -> Result<Loaded> {

@@ -6,11 +6,8 @@ mod info;
 mod input;
 mod subdivide;
 
-use std::path::Path;
-
 use anyhow::Result;
 use clap::Subcommand;
-use ga_mesh::format::{self, Loaded};
 
 /// Examine, convert and refine polygon meshes, and bake maps for them.
 ///

@@ -10,6 +10,7 @@ use ga_mesh::subdivision::{
 };
 use ga_mesh::{Mesh, obj};
 
+use super::input;
 use crate::output;
 use crate::progress::Progress;
 
@@ -84,7 +85,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     );
     let progress = Progress::new(3, quiet);
     progress.step("reading");
-    let loaded = super::read(input, quiet)?;
+    let loaded = input::read(input, quiet)?;
     let tags = match &arguments.creases {
         Some(path) => ga_files::read(path, TagText::parse)?,
         None => TagText::default(),

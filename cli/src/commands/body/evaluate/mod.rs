@@ -10,12 +10,12 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh;
-use serde::Serialize;
 
 use crate::output;
 use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
-use rows::{Case, Row};
+use report::Report;
+use rows::Case;
 use scene::{Motion, Unit};
 
 /// Measure how accurately bodies are reconstructed from their joints in pictures.

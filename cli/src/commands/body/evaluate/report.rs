@@ -1,14 +1,8 @@
 //! What is reported of an evaluation.
 
-use super::rows::{Case, Row};
-use super::scene::{Motion, Unit};
-use crate::output;
-use crate::progress::Progress;
-use crate::recording::begins_with_calibration;
-use anyhow::{Context, Result, bail, ensure};
-use ga_anim::bvh;
 use serde::Serialize;
-use std::path::PathBuf;
+
+use super::rows::Row;
 
 #[derive(Serialize)]
 pub(super) struct Report {

@@ -1,25 +1,11 @@
 //! The options of the command.
 
-use super::cameras::CameraFiles;
-use super::report::Report;
-use crate::figure::Figure;
-use crate::progress::Progress;
-use crate::{model, output};
-use anyhow::{Context, Result, ensure};
+use std::path::PathBuf;
+
 use clap::ValueEnum;
-use ga_anim::clip::Clip;
-use ga_anim::gltf::{Rigged, character};
-use ga_anim::pose::Pose;
-use ga_anim::skeleton::Skeleton;
-use ga_body::format::correspondence::correspondence;
-use ga_body::format::{DetectorOptions, JointViews};
-use ga_body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
-use ga_camera::Camera;
-use ga_mannequin::Human;
-use ga_mesh::gltf;
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::time::Instant;
+use ga_body::format::DetectorOptions;
+
+use super::cameras::CameraFiles;
 
 /// Fit a character to the joints of a person that calibrated views show, one or more.
 ///

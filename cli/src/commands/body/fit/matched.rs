@@ -1,25 +1,16 @@
 //! The joints of a file that a skeleton has.
 
-use super::cameras::CameraFiles;
-use super::report::Report;
-use crate::figure::Figure;
-use crate::progress::Progress;
-use crate::{model, output};
-use anyhow::{Context, Result, ensure};
-use clap::ValueEnum;
-use ga_anim::clip::Clip;
-use ga_anim::gltf::{Rigged, character};
-use ga_anim::pose::Pose;
-use ga_anim::skeleton::Skeleton;
-use ga_body::format::correspondence::correspondence;
-use ga_body::format::{DetectorOptions, JointViews};
-use ga_body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
-use ga_camera::Camera;
-use ga_mannequin::Human;
-use ga_mesh::gltf;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::time::Instant;
+
+use anyhow::Result;
+use ga_anim::gltf::Rigged;
+use ga_anim::skeleton::Skeleton;
+use ga_body::format::JointViews;
+use ga_body::format::correspondence::correspondence;
+use ga_body::{BodyModel, Lengths, Observation, fit_lengths};
+use ga_camera::Camera;
+
+use super::arguments::FitLengths;
 
 /// The joints of a file that a skeleton has.
 pub(super) struct Matched {

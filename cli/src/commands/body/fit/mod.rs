@@ -7,19 +7,15 @@ mod report;
 
 pub(crate) use arguments::Arguments;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use clap::ValueEnum;
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Rigged, character};
 use ga_anim::pose::Pose;
-use ga_anim::skeleton::Skeleton;
-use ga_body::format::correspondence::correspondence;
 use ga_body::format::{DetectorOptions, JointViews};
-use ga_body::{BodyFit, BodyModel, FittedPose, Lengths, Observation, fit_lengths};
+use ga_body::{BodyFit, BodyModel, FittedPose, Observation};
 use ga_camera::Camera;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
@@ -27,7 +23,8 @@ use ga_mesh::gltf;
 use crate::figure::Figure;
 use crate::progress::Progress;
 use crate::{model, output};
-use cameras::CameraFiles;
+use arguments::MANNEQUIN;
+use matched::Matched;
 use report::Report;
 
 const DEFAULT_RATE: f64 = 30.0;

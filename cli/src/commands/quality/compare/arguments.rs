@@ -1,19 +1,7 @@
 //! The options of the command.
 
-use super::report::{PictureReport, VideoReport};
-use crate::output;
-use crate::progress::Progress;
-use anyhow::{Context, Result, bail, ensure};
-use ga_image::file::{self, Format};
-use ga_image::grey::Luma;
-use ga_image::plane::Plane;
-use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
-use ga_video;
-use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Measure how much a picture or a video differs from its reference.
 ///

@@ -9,10 +9,9 @@ mod table;
 
 pub(crate) use arguments::Arguments;
 
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_image::file::{self, Format};

@@ -1,13 +1,5 @@
 //! The options of the command.
 
-use super::table::Table;
-use crate::output;
-use crate::progress::Progress;
-use anyhow::{Context, Result};
-use ga_video::opinion::Scores;
-use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
-use ga_video::opinion::performance::{self, Bootstrap, Interval};
-use serde::Serialize;
 use std::path::PathBuf;
 
 /// Fit opinion scores by a measure of quality, and say how well the measure predicts them.

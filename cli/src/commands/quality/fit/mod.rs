@@ -8,16 +8,14 @@ mod table;
 
 pub(crate) use arguments::Arguments;
 
-use std::path::PathBuf;
-
 use anyhow::{Context, Result};
 use ga_video::opinion::Scores;
 use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap, Interval};
-use serde::Serialize;
 
 use crate::output;
 use crate::progress::Progress;
+use report::{AgainstReport, CurveReport, Report};
 use table::Table;
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {

@@ -1,14 +1,6 @@
 //! What is reported of a fit.
 
-use super::table::Table;
-use crate::output;
-use crate::progress::Progress;
-use anyhow::{Context, Result};
-use ga_video::opinion::Scores;
-use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
-use ga_video::opinion::performance::{self, Bootstrap, Interval};
 use serde::Serialize;
-use std::path::PathBuf;
 
 /// A curve in the result.
 #[derive(Serialize)]

@@ -1,10 +1,5 @@
 //! The options of the command.
 
-use crate::output;
-use anyhow::{Context, Result};
-use ga_video::opinion::ratings::{MeanOpinion, Ratings};
-use serde::Serialize;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Evaluate a table of ratings: mean opinion scores with intervals, groups, agreement, screening.

@@ -10,13 +10,15 @@ mod table;
 pub(crate) use arguments::Arguments;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use ga_video::opinion::ratings::{MeanOpinion, Ratings};
-use serde::Serialize;
 
 use crate::output;
+use report::{
+    AgreementReport, DifferenceReport, OpinionReport, QuestionReport, Report, ScreeningReport,
+    number,
+};
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let path = &arguments.table;

@@ -1,11 +1,8 @@
 //! What is reported of ratings.
 
-use crate::output;
-use anyhow::{Context, Result};
-use ga_video::opinion::ratings::{MeanOpinion, Ratings};
-use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+
+use serde::Serialize;
 
 #[derive(Serialize)]
 pub(super) struct Report {

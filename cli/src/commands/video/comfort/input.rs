@@ -7,7 +7,7 @@ use ga_video::VideoError;
 use ga_video::stereo::{Layout, StereoSource};
 
 /// How the two views are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(in crate::commands::video) enum LayoutName {
     /// The left view in the left half of each frame.
     SideBySide,

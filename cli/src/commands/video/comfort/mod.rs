@@ -17,6 +17,7 @@ use ga_video::{Frame, Properties};
 
 use crate::output;
 use crate::progress::Progress;
+use input::LayoutName;
 use report::{About, Report};
 
 /// Measure how comfortable stereoscopic video is, frame by frame.

@@ -11,8 +11,7 @@ mod thumbnail;
 mod verdict;
 mod words;
 
-use anyhow::Result;
-use ga_video::comfort::{FrameMeasures, Record, Summary, Timeline, Viewing};
+use ga_video::comfort::{FrameMeasures, Record, Timeline, Viewing};
 use ga_video::{Frame, Properties};
 
 use crate::commands::video::input::rate;

@@ -5,10 +5,12 @@ mod picture;
 
 use anyhow::Result;
 use ga_image::plane::Plane;
-use ga_image::ycbcr::YCbCr;
-use ga_image::{jpeg, png};
+use ga_image::png;
+use ga_video::comfort::Dimension;
 use ga_video::comfort::stereoscopy::Stereoscopy;
-use ga_video::comfort::{Dimension, Match, Viewing};
+pub(super) use picture::{Thumbnail, Video};
+
+use picture::{GAP, HALF, THIRD, TITLE, WIDTH, put, put_title, some};
 
 use super::axis::INK;
 use super::kept::Kept;

@@ -1,16 +1,13 @@
 //! Pictures with titles, side by side.
 
-use super::axis::INK;
-use super::kept::Kept;
-use super::moments::Moment;
-use super::words;
-use crate::svg::{Anchor, Svg};
 use anyhow::Result;
+use ga_image::jpeg;
 use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
-use ga_image::{jpeg, png};
-use ga_video::comfort::stereoscopy::Stereoscopy;
-use ga_video::comfort::{Dimension, Match, Viewing};
+use ga_video::comfort::{Match, Viewing};
+
+use crate::commands::video::comfort::report::axis::INK;
+use crate::svg::{Anchor, Svg};
 
 /// The widths of the whole, of one of two pictures and of one of three.
 pub(super) const WIDTH: f64 = 980.0;
