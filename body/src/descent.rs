@@ -1,11 +1,11 @@
 //! The least cost near a state, by damped Gauss–Newton steps on the equations of a chain.
 
+use crate::normal::Normal;
 use ga_numerics::least_squares::{self, Attempt, Damping, Descent};
 use nalgebra_035::{Cholesky, DVector};
 
 use super::branched;
 use super::chain::{Chain, State};
-use super::likelihood::Normal;
 
 const DAMPING: Damping = Damping {
     first: 1e-3,

@@ -1,5 +1,6 @@
 //! Fits of poses to what views show.
 
+use crate::normal::Normal;
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
@@ -8,7 +9,7 @@ use rayon::prelude::*;
 use super::chain::{Chain, State};
 use super::clip::{self, tracks};
 use super::descent::{Found, Search, descend, log_determinant};
-use super::likelihood::{Likelihood, Near, Normal, Observed};
+use super::likelihood::{Likelihood, Near, Observed};
 use super::start::{Links, Start, WRONG, starts};
 use super::{BodyError, BodyModel, ClipError, Observation};
 use ga_camera::Camera;

@@ -83,6 +83,7 @@ mod likelihood;
 pub mod marked;
 pub mod marker;
 mod model;
+mod normal;
 pub mod pose_error;
 mod skinned;
 mod start;

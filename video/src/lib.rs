@@ -26,6 +26,7 @@ pub mod images;
 pub mod keyframe;
 #[cfg(feature = "mp4")]
 pub mod mp4;
+mod open;
 pub mod opinion;
 pub mod quality;
 pub mod source;
@@ -34,4 +35,5 @@ pub mod y4m;
 
 pub use error::VideoError;
 pub use frame::{Frame, Planes, Properties, Samples};
-pub use source::{Source, open, open_with_stills};
+pub use open::{open, open_with_stills};
+pub use source::Source;

@@ -1,5 +1,6 @@
 //! Evaluation at times that follow each other.
 
+use super::error::CurveError;
 use super::piecewise::{Curve, Place, derivative, second_derivative, value};
 use super::value::Value;
 
@@ -24,8 +25,43 @@ pub struct Cursor<'a, V> {
     end: f64,
 }
 
+impl<V: Value> Curve<V> {
+    /// The value at each of some times, which may be in any order; O(1) each where they rise.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError::Length`] when there is not one place for each time.
+    pub fn sample_into(&self, times: &[f64], values: &mut [V]) -> Result<(), CurveError> {
+        if values.len() != times.len() {
+            let (times, found) = (times.len(), values.len());
+            return Err(CurveError::Length {
+                what: "places",
+                times,
+                found,
+            });
+        }
+        let mut cursor = self.cursor();
+        let mut done = 0;
+        while done < times.len() {
+            // All that follow in the same piece, in a loop without branches.
+            done += cursor.run(&times[done..], &mut values[done..]);
+            if let Some(&time) = times.get(done) {
+                values[done] = cursor.value(time);
+                done += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// A cursor at the first key, for values at rising times.
+    #[must_use]
+    pub fn cursor(&self) -> Cursor<'_, V> {
+        Cursor::new(self)
+    }
+}
+
 impl<'a, V: Value> Cursor<'a, V> {
-    pub(super) fn new(curve: &'a Curve<V>) -> Self {
+    fn new(curve: &'a Curve<V>) -> Self {
         let start = curve.start();
         // No time lies in an empty piece.
         let mut cursor = Self {
@@ -82,7 +118,7 @@ impl<'a, V: Value> Cursor<'a, V> {
 
     /// The values at the first of some times, as many as are in the piece of the cursor. Returns
     /// their number.
-    pub(super) fn run(&self, times: &[f64], values: &mut [V]) -> usize {
+    fn run(&self, times: &[f64], values: &mut [V]) -> usize {
         let (start, end, piece) = (self.start, self.end, self.piece);
         let inside = times
             .iter()

@@ -1,6 +1,5 @@
 //! Curves as pieces of cubic polynomials.
 
-use super::cursor::Cursor;
 use super::error::CurveError;
 use super::value::Value;
 
@@ -102,7 +101,7 @@ impl<V: Value> Curve<V> {
     }
 
     /// The value at a time, found by bisection: O(log n). A time that is not a number counts as
-    /// that of the first key. For many times in order, a [`Cursor`] is faster.
+    /// that of the first key. For many times in order, a [`Cursor`](super::Cursor) is faster.
     #[must_use]
     pub fn value(&self, time: f64) -> V {
         match self.locate(time) {
@@ -129,39 +128,6 @@ impl<V: Value> Curve<V> {
             Some((index, s)) => second_derivative(&self.pieces[index], s),
             None => V::zero(),
         }
-    }
-
-    /// The value at each of some times, which may be in any order; O(1) each where they rise.
-    ///
-    /// # Errors
-    ///
-    /// [`CurveError::Length`] when there is not one place for each time.
-    pub fn sample_into(&self, times: &[f64], values: &mut [V]) -> Result<(), CurveError> {
-        if values.len() != times.len() {
-            let (times, found) = (times.len(), values.len());
-            return Err(CurveError::Length {
-                what: "places",
-                times,
-                found,
-            });
-        }
-        let mut cursor = self.cursor();
-        let mut done = 0;
-        while done < times.len() {
-            // All that follow in the same piece, in a loop without branches.
-            done += cursor.run(&times[done..], &mut values[done..]);
-            if let Some(&time) = times.get(done) {
-                values[done] = cursor.value(time);
-                done += 1;
-            }
-        }
-        Ok(())
-    }
-
-    /// A cursor at the first key, for values at rising times.
-    #[must_use]
-    pub fn cursor(&self) -> Cursor<'_, V> {
-        Cursor::new(self)
     }
 
     pub(super) fn first(&self) -> V {

@@ -1,12 +1,14 @@
 //! Aiming: an axis of a joint towards a target, another one upwards.
 
+use super::check::fits;
+use super::motion::{own_motion, total_motion};
+use super::rotation::{rotated, rotation_between_frames};
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
 use super::error::{KinematicsError, exists, finite};
-use super::limb::{own_motion, total_motion};
-use super::two_bone::rotated;
-use crate::pose::{Pose, PoseError, moved};
+
+use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 
 /// Below this sine of the angle between them, two directions count as parallel.
@@ -97,38 +99,6 @@ pub fn aim_joint(
     pose.joints[joint] = own_motion(rest.head, own, place);
     let reached = rotated(above.rotor() * own, aim.axis);
     Ok(reached.angle(towards).unwrap_or(0.0))
-}
-
-/// Whether pose and limits are for the skeleton.
-pub(super) fn fits(
-    skeleton: &Skeleton,
-    limits: Option<&JointLimits>,
-    pose: &Pose,
-) -> Result<(), KinematicsError> {
-    let (expected, found) = (skeleton.len(), pose.joints.len());
-    if expected != found {
-        return Err(PoseError { expected, found }.into());
-    }
-    match limits.map(JointLimits::joint_count) {
-        Some(found) if found != expected => Err(KinematicsError::Limits { expected, found }),
-        _ => Ok(()),
-    }
-}
-
-/// The rotor that takes a direction a to the direction a', and the half plane of a and b to that of
-/// a' and b'. `None` where one of the pairs is parallel.
-pub(super) fn rotation_between_frames(
-    from: [Vector<f64>; 2],
-    to: [Vector<f64>; 2],
-) -> Option<Rotor<f64>> {
-    let first = Rotor::between(from[0].into(), to[0].into())?;
-    let axis = to[0].normalized()?;
-    let across = |vector: Vector<f64>| (vector - axis * vector.dot(axis)).normalized();
-    let (side, goal) = (across(rotated(first, from[1]))?, across(to[1])?);
-    // About the axis, also where the two are opposite: cos ½θ and sin ½θ from cos θ and sin θ.
-    let (sine, cosine) = (side.cross(goal).dot(axis), side.dot(goal));
-    let angle = sine.atan2(cosine);
-    Some(Rotor::from_axis_angle(axis.into(), angle)? * first)
 }
 
 fn direction(what: &'static str, axis: [f64; 3]) -> Result<Vector<f64>, KinematicsError> {

@@ -1,13 +1,13 @@
 //! FABRIK: forward and backward reaching (Aristidou and Lasenby, FABRIK: a fast, iterative solver
 //! for the inverse kinematics problem, Graphical Models 73, 2011).
 
+use super::check::{below, fits};
+use super::motion::{own_motion, total_motion, with_rotation};
 use ga_runtime::cga3::{Line, Point, Rotor};
 use ga_runtime::ga;
 use ga_runtime::vga3::Vector;
 
-use super::aim::fits;
 use super::error::{KinematicsError, check_tolerance, exists, finite};
-use super::limb::{below, own_motion, total_motion, with_rotation};
 use super::two_bone::displaced;
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};

@@ -1,12 +1,13 @@
 //! Two bones of a skeleton.
 
+use super::check::{below, fits};
+use super::motion::total_motion;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
-use super::aim::fits;
 use super::error::{KinematicsError, exists, finite};
 use super::two_bone::{Bent, Reach, TwoBone};
 use crate::pose::{Pose, moved};
-use crate::skeleton::{JointLimits, Skeleton};
+use crate::skeleton::Skeleton;
 
 /// Bends a limb of a pose so that its end is at a target: `[thigh, shin, foot]`, for instance, by
 /// their joints. Only the own motions of these three change. The limb stays in its plane or, with
@@ -105,57 +106,4 @@ fn carried(motion: Motor<f64>, rotor: Rotor<f64>, from: Point<f64>, to: Point<f6
     let away = Translator::from_displacement(to.coordinates());
     let back = Translator::from_displacement(from.coordinates().map(|x| -x));
     away * rotor * (back * motion)
-}
-
-/// The total motion of one joint: that of its parent after its own.
-pub(super) fn total_motion(skeleton: &Skeleton, pose: &Pose, joint: usize) -> Motor<f64> {
-    let mut motion = pose.joints[joint];
-    let mut above = skeleton.joints()[joint].parent;
-    while let Some(parent) = above {
-        motion = pose.joints[parent] * motion;
-        above = skeleton.joints()[parent].parent;
-    }
-    pose.root * motion
-}
-
-/// The own motion of a joint that rotates by a rotor and takes its head at rest to a place, in the
-/// coordinates that its parent has at rest. The rotor is normalised: many small steps must not
-/// lengthen it.
-pub(super) fn own_motion(head: [f64; 3], rotor: Rotor<f64>, place: [f64; 3]) -> Motor<f64> {
-    let rotor = Rotor::normalize(rotor.into()).unwrap_or(rotor);
-    let [away, back] = [place, head.map(|x| -x)].map(Translator::from_displacement);
-    away * rotor * back
-}
-
-/// The own motion of a joint after a further rotation about its head, within the joint's limits.
-pub(super) fn with_rotation(
-    limits: Option<&JointLimits>,
-    joint: usize,
-    head: [f64; 3],
-    own: Motor<f64>,
-    rotor: Rotor<f64>,
-) -> Motor<f64> {
-    let wanted = rotor * own.rotor();
-    let wanted = limits.map_or(wanted, |limits| limits.clamp(joint, wanted));
-    own_motion(head, wanted, moved(own, head))
-}
-
-/// An error unless a joint is below another one.
-pub(super) fn below(
-    skeleton: &Skeleton,
-    above: usize,
-    below: usize,
-) -> Result<(), KinematicsError> {
-    let joints = skeleton.joints();
-    let mut joint = joints[below].parent;
-    while let Some(parent) = joint {
-        if parent == above {
-            return Ok(());
-        }
-        joint = joints[parent].parent;
-    }
-    Err(KinematicsError::NotBelow {
-        below: joints[below].name.clone(),
-        above: joints[above].name.clone(),
-    })
 }

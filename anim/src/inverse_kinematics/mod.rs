@@ -17,10 +17,13 @@
 //! on the line from shoulder to hand, there is a typed error.
 
 mod aim;
+mod check;
 mod error;
 mod fabrik;
 mod limb;
+mod motion;
 mod normal_equations;
+mod rotation;
 mod two_bone;
 mod whole_pose;
 

@@ -1,10 +1,10 @@
 //! Two bones in closed form: a limb of root, middle and end.
 
+use super::rotation::{rotated, rotation_between_frames};
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::ga;
 use ga_runtime::vga3::Vector;
 
-use super::aim::rotation_between_frames;
 use super::error::{KinematicsError, finite};
 
 ga! { ga_runtime::cga3;
@@ -267,11 +267,6 @@ impl Bent {
             rotation_between_frames([before[1], normal], [after[1], self.normal])?,
         ])
     }
-}
-
-/// A vector rotated.
-pub(super) fn rotated(rotor: Rotor<f64>, vector: Vector<f64>) -> Vector<f64> {
-    rotor.transform(Point::from(vector)).into()
 }
 
 /// A point displaced by a vector.

@@ -1,10 +1,21 @@
+use super::error::RetargetError;
 use std::f64::consts::FRAC_PI_2;
 
 use ga_runtime::cga3::{Direction, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::{Alignment, JointMap, RetargetError, Soles, Source};
+use super::{JointMap, Soles, Source};
 use crate::skeleton::Skeleton;
+
+/// Which bones of the target become parallel to those of the source.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Alignment {
+    /// The long bones of limbs. The trunk keeps its own form and rotates as the source's does.
+    #[default]
+    Limbs,
+    /// One bone of every matched joint.
+    EveryBone,
+}
 
 /// As fractions of the body's height: the least length of a long bone, the least distance of a limb
 /// from the middle, and the least length of a bone that has a direction.

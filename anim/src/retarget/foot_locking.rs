@@ -1,11 +1,12 @@
 //! Feet that stand where they stand in the source.
 
+use super::error::RetargetError;
 use std::ops::RangeInclusive;
 
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::{Retarget, RetargetError};
+use super::Retarget;
 use crate::clip::Clip;
 use crate::inverse_kinematics::{Bent, TwoBone, place_limb};
 use crate::pose::{Pose, moved};

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::Source;
 use super::convention::{Part, Side, meaning};
-use super::structure::parts_by_structure;
+use super::structure::{Meaning, Parts, parts_by_structure};
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
 
@@ -308,12 +308,6 @@ fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
     let found = parts.find(|(_, joints)| joints.contains(&joint));
     found.map(|(&meaning, _)| meaning)
 }
-
-/// A part of the body and its side.
-pub(super) type Meaning = (Part, Option<Side>);
-
-/// The joints of each part of a body, from the root on.
-pub(super) type Parts = HashMap<Meaning, Vec<usize>>;
 
 fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
     skeleton.joints().iter().map(|joint| joint.name.as_str())

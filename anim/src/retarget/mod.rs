@@ -51,6 +51,7 @@
 
 pub(crate) mod convention;
 mod correspondence;
+mod error;
 mod foot_locking;
 mod joint_map;
 mod soles;
@@ -63,25 +64,17 @@ use ga_numerics::order_statistics::Sorted;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
-use crate::clip::{Clip, ClipError};
+use crate::clip::Clip;
 use crate::pose::{Pose, PoseError};
 use crate::skeleton::Skeleton;
 use correspondence::Correspondence;
 
+pub use correspondence::Alignment;
+pub use error::RetargetError;
 pub use foot_locking::{Contact, FootLocking, LockedFeet};
 pub use joint_map::{JointMap, JointMapError};
 pub use soles::Soles;
 pub use source::Source;
-
-/// Which bones of the target become parallel to those of the source.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Alignment {
-    /// The long bones of limbs. The trunk keeps its own form and rotates as the source's does.
-    #[default]
-    Limbs,
-    /// One bone of every matched joint.
-    EveryBone,
-}
 
 /// A recording prepared to move a skeleton.
 #[derive(Clone, Debug)]
@@ -92,52 +85,6 @@ pub struct Retarget<'a> {
     correspondence: Correspondence,
     /// What is added to the height of the scaled source.
     lift: f64,
-}
-
-/// Why a recording cannot move a skeleton.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RetargetError {
-    /// No joint of the recording belongs to one of the skeleton, by name or by the map.
-    #[error("no joint of the motion belongs to a joint of the skeleton, by name or by the map")]
-    NoMatch,
-    /// No leg was found: matched long bones above a foot on the ground.
-    #[error(
-        "rig and motion have no leg in common; a leg is a chain of long bones above one that lies on the ground"
-    )]
-    NoLegs,
-    /// The recording has no frame.
-    #[error("the motion has no frames")]
-    NoFrames,
-    /// A range of frames is empty or goes beyond the recording.
-    #[error("frames {from} to {to} are not in a motion of {frames} frames, counted from 0")]
-    FrameRange {
-        /// The first frame.
-        from: usize,
-        /// The last frame.
-        to: usize,
-        /// How many frames the recording has.
-        frames: usize,
-    },
-    /// The recording's numbers are so large that computations overflow.
-    #[error("frame {frame} of the motion overflows")]
-    Overflow {
-        /// The frame, from 0.
-        frame: usize,
-    },
-    /// A setting of foot locking is not positive and finite.
-    #[error("{name} cannot be {value}")]
-    FootLocking {
-        /// What it is.
-        name: &'static str,
-        /// The number.
-        value: f64,
-    },
-    /// The poses do not form a clip.
-    #[error(transparent)]
-    Clip(#[from] ClipError),
-    /// A pose does not fit the skeleton.
-    #[error(transparent)]
-    Pose(#[from] PoseError),
 }
 
 impl<'a> Retarget<'a> {

@@ -5,7 +5,12 @@ use std::collections::HashMap;
 use ga_runtime::vga3::Vector;
 
 use super::convention::{Part, Side};
-use super::joint_map::Parts;
+
+/// A part of the body and its side.
+pub(super) type Meaning = (Part, Option<Side>);
+
+/// The joints of each part of a body, from the root on.
+pub(super) type Parts = HashMap<Meaning, Vec<usize>>;
 
 /// As fractions of the body's height: how far above the lowest joint the end of a leg is at most;
 /// how far beside the middle a hand is at least; and a length that is none.

@@ -4,8 +4,20 @@ use ga_runtime::batch::skin::{AffinePalette, MotorPalette, Skin, SkinScalar};
 use ga_runtime::cga3::Motor;
 use ga_runtime::geometry::Affine;
 
+use super::SkinError;
 use super::stretch::Stretched;
-use super::{Method, SkinError};
+
+/// How the motions of several joints are combined into that of a vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// The weighted mean of the positions to which the joints would take the vertex.
+    #[default]
+    Linear,
+    /// The weighted mean of the joints' motors, after that of their stretches.
+    Motor,
+    /// The weighted mean of the joints' motors alone: where joints scale, the scale is dropped.
+    DualQuaternion,
+}
 
 /// The motions of all joints in a frame, prepared for one [`Method`]; made by
 /// [`Binding::palette`](super::Binding::palette). Taking the motions of a further frame allocates

@@ -1,10 +1,11 @@
 //! The most likely motion of a stretch of frames, by Gauss–Newton steps of all frames together.
 
+use crate::normal::Normal;
 use nalgebra_035::DVector;
 
 use super::super::Observation;
 use super::super::chain::{Chain, State};
-use super::super::likelihood::{Likelihood, Normal};
+use super::super::likelihood::Likelihood;
 use super::differences::{difference, kinds};
 use super::variances::variances;
 use ga_numerics::banded::frames::{Blocks, Couplings};

@@ -20,6 +20,7 @@
 
 mod assembly;
 mod assignment;
+mod body;
 mod completion;
 mod error;
 mod parts;
@@ -28,10 +29,12 @@ mod space;
 use ga_anim::inverse_kinematics::KinematicsError;
 use ga_runtime::vga3::Vector;
 
+pub use body::MarkedBody;
 pub use error::MarkedError;
+pub use parts::Mark;
 
 use super::{BodyFit, BodyModel, FittedPose, Observation};
-use crate::marker::{Dot, Hue};
+use crate::marker::Dot;
 use assembly::{FIRST, assembled};
 use assignment::Assignment;
 use ga_camera::Camera;
@@ -49,25 +52,6 @@ struct Labelled {
     fitted: FittedPose,
     observation: Observation,
     assignment: Assignment,
-}
-
-/// What is painted at a point of the skin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mark {
-    /// The hue of the dot.
-    pub hue: Hue,
-    /// The normal of the skin at rest, outwards.
-    pub normal: [f64; 3],
-}
-
-/// A body with dots on its skin.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MarkedBody {
-    model: BodyModel,
-    marks: Vec<Mark>,
-    /// For each point the joint of its greatest weight.
-    strongest: Vec<usize>,
-    parts: Vec<Part>,
 }
 
 /// A pose that was fitted to dots.

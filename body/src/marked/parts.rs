@@ -3,11 +3,19 @@
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
-use super::Mark;
 use super::space::SpaceDot;
 use crate::BodyModel;
 use crate::chain::rotated;
 use crate::marker::Hue;
+
+/// What is painted at a point of the skin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// The hue of the dot.
+    pub hue: Hue,
+    /// The normal of the skin at rest, outwards.
+    pub normal: [f64; 3],
+}
 
 /// The range of distances by which dots are compared, in metres: smaller ones say less, and larger
 /// ones change where the skin bends.

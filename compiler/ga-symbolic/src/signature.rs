@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::define::{Definition, SCALAR_TYPE, TypeDefinition};
+use crate::define::{Definition, Parameter, SCALAR_TYPE, TypeDefinition};
 
 /// An operand of a function.
 #[derive(Clone, Debug)]
@@ -75,5 +75,13 @@ impl Shape {
                 format!("({})", parts.join(", "))
             }
         }
+    }
+}
+
+impl Parameter {
+    /// The shape of its values.
+    #[must_use]
+    pub fn shape(&self) -> Shape {
+        self.index.map_or(Shape::Scalar, Shape::Type)
     }
 }

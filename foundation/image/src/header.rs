@@ -1,6 +1,7 @@
 //! The headers of PNM and PFM: words in ASCII, divided by white space.
 
-use crate::file::{DecodeError, Format};
+use crate::error::DecodeError;
+use crate::format::Format;
 
 /// Reads the words of a header, then what follows it.
 pub(crate) struct Header<'a> {

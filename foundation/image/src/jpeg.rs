@@ -7,9 +7,11 @@ use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-use crate::file::{DecodeError, EncodeError, Format, check_claim, size_for};
+use crate::error::{DecodeError, EncodeError};
+use crate::format::Format;
 use crate::picture::Picture;
 use crate::plane::{Plane, PlaneView};
+use crate::size::{check_claim, size_for};
 
 /// A block of 8 × 8 pixels takes at least one bit, in a progressive picture whose blocks are all
 /// alike.

@@ -34,12 +34,15 @@
 
 pub mod canny;
 pub mod colour;
+mod error;
 pub mod file;
 pub mod filter;
+mod format;
 pub mod grey;
 mod header;
 pub mod interpolation;
 pub mod jpeg;
+mod luma;
 pub mod pfm;
 pub mod picture;
 pub mod plane;
@@ -49,6 +52,8 @@ pub mod pyramid;
 pub mod quality;
 pub mod resample;
 pub mod sample;
+mod save;
+mod size;
 pub mod threshold;
 pub mod warp;
 pub mod y4m;

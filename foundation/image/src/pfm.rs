@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use crate::file::{DecodeError, EncodeError, Format, SaveError, check_claim, save, size_for};
+use crate::error::{DecodeError, EncodeError};
+use crate::format::Format;
 use crate::header::Header;
 use crate::picture::{Picture, PictureView};
 use crate::plane::Plane;
 use crate::sample::Pixel;
+use crate::save::{SaveError, save};
+use crate::size::{check_claim, size_for};
 
 /// The order of the four bytes of a float.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,15 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::file::{DecodeError, EncodeError, Format, SaveError, check_claim, save, size_for};
+use crate::error::{DecodeError, EncodeError};
+use crate::format::Format;
 use crate::header::Header;
 use crate::picture::{Picture, PictureView};
 use crate::plane::{Plane, PlaneView};
 use crate::png::{big_endian, bytes_of};
 use crate::sample::{Pixel, Sample};
+use crate::save::{SaveError, save};
+use crate::size::{check_claim, size_for};
 
 /// The picture in the bytes of a PGM or PPM file: 8 bits for each channel where the greatest number
 /// of its header is at most 255, else 16. That number becomes white; where it is not 255 or 65535,

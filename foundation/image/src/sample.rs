@@ -2,8 +2,7 @@
 
 use std::fmt::Debug;
 
-use crate::grey::{Luma, weighted, weighted_bytes};
-use crate::quality::{squared_error, squared_error_of_bytes};
+use crate::luma::{Luma, weighted, weighted_bytes};
 
 /// The number that one channel of a pixel holds: `u8`, `u16` or `f32`.
 ///
@@ -164,6 +163,39 @@ where
     fn samples_mut(pixels: &mut [Self]) -> &mut [S] {
         pixels.as_flattened_mut()
     }
+}
+
+/// The sum of the squared differences of integers, exact.
+#[inline(always)]
+fn squared_error_of_bytes(a: &[u8], b: &[u8]) -> f64 {
+    // 2¹⁵ · 255² is less than 2³¹.
+    let pieces = a.chunks(1 << 15).zip(b.chunks(1 << 15));
+    let sums = pieces.map(|(a, b)| {
+        let squares = a.iter().zip(b).map(|(a, b)| {
+            let difference = i32::from(i16::from(*a) - i16::from(*b));
+            difference * difference
+        });
+        f64::from(squares.sum::<i32>())
+    });
+    sums.sum()
+}
+
+/// The sum of the squared differences, added in eight parts.
+#[inline(always)]
+fn squared_error<S: Sample>(a: &[S], b: &[S]) -> f64 {
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
+    let square = |a: S, b: S| {
+        let difference = f64::from(a.to_f32()) - f64::from(b.to_f32());
+        difference * difference
+    };
+    let mut sums = [0.0; 8];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..8 {
+            sums[lane] += square(a[lane], b[lane]);
+        }
+    }
+    let rest = a_rest.iter().zip(b_rest).map(|(a, b)| square(*a, *b));
+    sums.iter().sum::<f64>() + rest.sum::<f64>()
 }
 
 #[cfg(test)]

@@ -29,24 +29,18 @@ mod shape;
 mod skeleton;
 mod skin;
 mod surface;
+mod vector;
 mod walk;
 mod weights;
 
-use ga_mesh::{Faces, Mesh, Position};
-
 use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
+use ga_mesh::{Faces, Mesh, Position};
+
+use vector::{Vector, mirror};
 
 pub use markers::Marker;
 pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
-
-/// A vector or a place: x to the left of the body, y up, z to the front, in metres.
-type Vector = ga_runtime::vga3::Vector<f64>;
-
-/// The mirror image in the plane x = 0, the body's plane of symmetry.
-fn mirror(v: Vector) -> Vector {
-    Vector::new(-v.e1, v.e2, v.e3)
-}
 
 /// The person's height in metres.
 pub const STATURE: f64 = landmarks::STATURE;
@@ -97,7 +91,7 @@ impl Human {
         let mesh =
             mesh.expect("the triangles of a surface refer to its vertices, which are finite");
         Human {
-            mesh: skin::with_texture_coordinates(mesh),
+            mesh: skin::coordinates::with_texture_coordinates(mesh),
             skeleton,
             weights,
         }

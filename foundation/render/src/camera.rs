@@ -3,8 +3,7 @@
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::geometry::LookAtError;
 
-use crate::lens::Lens;
-use crate::world::is_rigid;
+use crate::space::is_rigid;
 use crate::{Intrinsics, LARGEST_COORDINATE, RenderError, Vector};
 
 /// A pinhole camera: position, viewing direction and projection.
@@ -336,22 +335,6 @@ impl Camera {
         let row = |axis: Vector| [axis.e1, axis.e2, axis.e3, -axis.dot(self.eye)];
         let rows = [row(self.right), row(-self.up), row(self.forward)];
         Motor::from_matrix(rows).unwrap_or_default()
-    }
-
-    /// Column, row and depth at which a picture of the given size shows `point`, with the centre of
-    /// pixel (0, 0) at (½, ½); `None` when it is nearer than the near depth, behind the camera, or
-    /// beyond the far depth. A picture of the camera with [`Intrinsics`] has one size, and the one
-    /// given here is not used.
-    pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
-        let Vector {
-            e1: x,
-            e2: y,
-            e3: depth,
-        } = self.view(point.into());
-        (depth >= self.near && depth <= self.far).then(|| {
-            let [column, row] = Lens::new(self, width, height).project([x, y], 1.0 / depth);
-            [column, row, depth]
-        })
     }
 
     /// The projection onto the pixels of a picture of the given size. That of a camera with

@@ -1,9 +1,10 @@
 //! Triangles with parts that are cut out.
 
 use crate::Vector;
+use crate::barycentric::barycentric;
 use crate::material::Material;
 use crate::raster::Corner;
-use crate::surface::barycentric;
+
 use crate::world::{Face, World};
 
 /// A triangle that is there only where it is opaque.

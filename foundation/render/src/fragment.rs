@@ -1,11 +1,11 @@
 //! A place of a surface: where it is, and what its attributes and textures say there.
 
+use crate::barycentric::{volumes, weights};
 use ga_image::colour::LinearColour;
 
 use crate::lens::Lens;
 use crate::material::{CoordinateSet, Material, Placement};
 use crate::shade::Surface;
-use crate::surface::{volumes, weights};
 use crate::texture::Texture;
 use crate::world::Face;
 use crate::{Camera, Vector};

@@ -1,5 +1,6 @@
 //! The transparent surfaces in front of the opaque ones, sample by sample.
 
+use crate::barycentric::barycentric;
 use std::ops::Range;
 
 use rayon::prelude::*;
@@ -7,7 +8,7 @@ use rayon::prelude::*;
 use crate::camera::Camera;
 use crate::cut::Cut;
 use crate::style::Style;
-use crate::surface::{Drawing, Pass, Samples, barycentric};
+use crate::surface::{Drawing, Pass, Samples};
 use crate::world::World;
 
 /// Every transparent surface that is seen at any sample of a picture.

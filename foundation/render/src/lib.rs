@@ -34,6 +34,7 @@
 //! # Ok::<(), ga_render::RenderError>(())
 //! ```
 
+mod barycentric;
 mod buffers;
 mod camera;
 mod check;
@@ -44,6 +45,7 @@ mod depth_contrast;
 mod error;
 mod fragment;
 mod ground;
+mod ground_shading;
 mod intrinsics;
 mod layers;
 mod lens;
@@ -57,6 +59,7 @@ mod shade;
 mod shadow;
 mod shadow_map;
 pub mod sheet;
+mod space;
 mod stroke;
 mod style;
 mod surface;
@@ -66,6 +69,7 @@ mod world;
 
 use ga_image::colour::SrgbEncoder;
 use ga_image::plane::Plane;
+use space::{LARGEST_COORDINATE, Vector};
 use surface::Pass;
 
 pub use buffers::{Buffers, SurfacePoint};
@@ -115,9 +119,3 @@ pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering
         .map_err(|_| RenderError::Style("it is too large"))?;
     Ok(Rendering { colour, depth })
 }
-
-/// A vector in the world, or in a camera's frame: right offset, up offset and depth.
-type Vector = ga_runtime::vga3::Vector<f64>;
-
-/// Squares and triple products of coordinates up to here stay finite.
-const LARGEST_COORDINATE: f64 = 1e30;

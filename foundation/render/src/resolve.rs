@@ -7,15 +7,14 @@ use rayon::prelude::*;
 use crate::camera::Camera;
 use crate::depth::DepthMap;
 use crate::fragment::Fragment;
-use crate::ground::{GroundShading, background};
+use crate::ground_shading::{GroundShading, background};
 use crate::layers::{Layer, Layers};
-use crate::occlusion;
 use crate::shade::{Reaching, WorldLighting};
 use crate::shadow::{Caster, GroundShadow};
 use crate::shadow_map::ShadowMap;
 use crate::surface::{NO_TRIANGLE, Samples};
 use crate::world::World;
-use crate::{Ground, Material, RenderError, Shading, Style, Vector};
+use crate::{Ground, Material, RenderError, Shading, Style, Vector, occlusion};
 
 /// Tangents of the half angles of the key light and of the part of the sky that counts for the
 /// contact shadow.

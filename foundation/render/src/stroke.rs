@@ -1,11 +1,12 @@
 //! Lines and dots drawn over a picture.
 
+use crate::barycentric::volumes;
 use ga_image::colour::LinearColour;
 use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::scene::{Scene, Visibility};
-use crate::surface::{NO_TRIANGLE, Samples, volumes};
+use crate::surface::{NO_TRIANGLE, Samples};
 use crate::world::World;
 use crate::{Ground, Style};
 

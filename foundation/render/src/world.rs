@@ -2,11 +2,12 @@
 
 use ga_mesh::normals::{area_vector, vertex_normals};
 use ga_runtime::batch;
-use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::cga3::{Motor, Point};
 use rayon::prelude::*;
 
 use crate::material::{CoordinateSet, Material};
 use crate::scene::{MaterialChoice, Normals, Object, Scene};
+use crate::space::is_rigid;
 use crate::{Camera, LARGEST_COORDINATE, RenderError, Vector};
 
 /// All objects of a scene. Their triangles are numbered one object after the other.
@@ -189,12 +190,6 @@ impl Placed<'_> {
         let [x, y, z] = self.rotation;
         Vector::new(x.dot(v), y.dot(v), z.dot(v))
     }
-}
-
-/// Whether a motor is one, within rounding.
-pub(crate) fn is_rigid(motor: Motor<f64>) -> bool {
-    let rotor = motor.rotor();
-    Rotor::try_new(rotor.scalar(), rotor.e12(), rotor.e13(), rotor.e23(), 1e-6).is_some()
 }
 
 /// The vertices of an object in the world; `None` where its transform is not usable.

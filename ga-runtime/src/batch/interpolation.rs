@@ -1,6 +1,7 @@
 //! Interpolation between motors, pair by pair.
 
-use super::{Batch, LengthMismatch, same_length};
+use super::error::same_length;
+use super::{Batch, LengthMismatch};
 use crate::cga3::Motor;
 use crate::scalar::{Lanes, Real};
 use crate::unsafe_code::{Work, run};

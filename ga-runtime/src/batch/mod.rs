@@ -37,53 +37,23 @@
 //! that is an error and nothing is written.
 
 mod blend;
+mod error;
 mod interpolation;
 mod moved;
 mod screw;
 pub mod skin;
 mod transform;
 
-use core::fmt;
-
 pub use crate::instruction_set::InstructionSet;
 /// An alias of [`InstructionSet`].
 #[doc(no_inline)]
 pub use crate::instruction_set::InstructionSet as Path;
 pub use crate::unsafe_code::Work;
-pub use blend::BlendError;
+pub use error::{BlendError, LengthMismatch};
 pub use moved::Moved;
 
 use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
-
-/// Two slices that must have the same length have different lengths.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LengthMismatch {
-    /// The length of the first operand.
-    pub expected: usize,
-    /// The other length.
-    pub found: usize,
-}
-
-impl fmt::Display for LengthMismatch {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { expected, found } = self;
-        write!(
-            f,
-            "a slice has {found} elements where {expected} are needed"
-        )
-    }
-}
-
-impl core::error::Error for LengthMismatch {}
-
-fn same_length(expected: usize, found: usize) -> Result<(), LengthMismatch> {
-    if expected == found {
-        Ok(())
-    } else {
-        Err(LengthMismatch { expected, found })
-    }
-}
 
 /// The operations on slices by a given set of instructions. The functions of this module take the
 /// best one.

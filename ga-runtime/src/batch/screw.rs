@@ -1,6 +1,7 @@
 //! Logarithms and exponentials of slices.
 
-use super::{Batch, LengthMismatch, same_length};
+use super::error::same_length;
+use super::{Batch, LengthMismatch};
 use crate::cga3::{Motor, MotorGenerator};
 use crate::scalar::Real;
 use crate::unsafe_code::{Work, run};

@@ -1,6 +1,7 @@
 //! Motors on slices.
 
-use super::{Batch, LengthMismatch, Moved, same_length};
+use super::error::same_length;
+use super::{Batch, LengthMismatch, Moved};
 use crate::cga3::Motor;
 use crate::scalar::Real;
 use crate::unsafe_code::{Work, run};

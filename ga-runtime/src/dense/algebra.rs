@@ -1,6 +1,8 @@
 //! A geometric algebra: basis vectors, their metric and their names.
 
 use alloc::format;
+
+use crate::Element;
 #[cfg(not(target_has_atomic = "ptr"))]
 use alloc::rc::Rc as Arc;
 use alloc::string::String;
@@ -9,12 +11,9 @@ use alloc::sync::Arc;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{DenseError, Multivector, blade};
-use crate::Element;
+use super::DenseError;
+use super::blade::{MAXIMUM_DIMENSION, blade_name};
 use crate::scalar::{Field, Ring};
-
-/// The largest number of basis vectors.
-pub(super) const MAXIMUM_DIMENSION: usize = 16;
 
 /// A geometric algebra over the scalars `S`, given by the inner products of its basis vectors.
 ///
@@ -202,11 +201,6 @@ impl<S: Ring> Algebra<S> {
         Self::new(rows.collect())?.with_names(basis.iter().copied())
     }
 
-    /// An element of a declared type with all its coefficients.
-    pub fn element<T: Element<Scalar = S>>(&self, element: &T) -> Multivector<S> {
-        self.zero().map(|blade, _| element.coefficient(blade))
-    }
-
     /// The number of basis vectors, n.
     pub fn dimension(&self) -> usize {
         self.definition.metric.len()
@@ -231,111 +225,6 @@ impl<S: Ring> Algebra<S> {
     pub fn names(&self) -> &[String] {
         &self.definition.names
     }
-
-    /// The multivector zero.
-    pub fn zero(&self) -> Multivector<S> {
-        Multivector::from_parts(self.clone(), vec![S::zero(); self.size()])
-    }
-
-    /// A scalar as a multivector.
-    pub fn scalar(&self, value: S) -> Multivector<S> {
-        let mut coefficients = vec![S::zero(); self.size()];
-        coefficients[0] = value;
-        Multivector::from_parts(self.clone(), coefficients)
-    }
-
-    /// The multivector 1.
-    pub fn one(&self) -> Multivector<S> {
-        self.scalar(S::one())
-    }
-
-    /// The vector of the given components, one for each basis vector.
-    ///
-    /// # Errors
-    ///
-    /// [`DenseError::CoefficientCount`].
-    pub fn vector(
-        &self,
-        components: impl IntoIterator<Item = S>,
-    ) -> Result<Multivector<S>, DenseError> {
-        let components: Vec<S> = components.into_iter().collect();
-        if components.len() != self.dimension() {
-            return Err(DenseError::CoefficientCount {
-                expected: self.dimension(),
-                found: components.len(),
-            });
-        }
-        let mut coefficients = vec![S::zero(); self.size()];
-        for (vector, component) in components.into_iter().enumerate() {
-            coefficients[1 << vector] = component;
-        }
-        Ok(Multivector::from_parts(self.clone(), coefficients))
-    }
-
-    /// The basis blade of a bitmask: the outer product of its vectors in rising order.
-    ///
-    /// # Errors
-    ///
-    /// [`DenseError::NoSuchBlade`].
-    pub fn blade(&self, blade: usize) -> Result<Multivector<S>, DenseError> {
-        self.sparse([(blade, S::one())])
-    }
-
-    /// The outer product of all basis vectors, I.
-    pub fn pseudoscalar(&self) -> Multivector<S> {
-        let mut coefficients = vec![S::zero(); self.size()];
-        coefficients[self.size() - 1] = S::one();
-        Multivector::from_parts(self.clone(), coefficients)
-    }
-
-    /// The multivector of the given coefficients, indexed by the bitmasks of the basis blades.
-    ///
-    /// # Errors
-    ///
-    /// [`DenseError::CoefficientCount`].
-    pub fn multivector(
-        &self,
-        coefficients: impl Into<Vec<S>>,
-    ) -> Result<Multivector<S>, DenseError> {
-        let coefficients = coefficients.into();
-        if coefficients.len() != self.size() {
-            return Err(DenseError::CoefficientCount {
-                expected: self.size(),
-                found: coefficients.len(),
-            });
-        }
-        Ok(Multivector::from_parts(self.clone(), coefficients))
-    }
-
-    /// The multivector with the given coefficients on the blades of the given bitmasks and zero on
-    /// all others.
-    ///
-    /// # Errors
-    ///
-    /// [`DenseError::NoSuchBlade`] or [`DenseError::RepeatedBlade`].
-    pub fn sparse(
-        &self,
-        terms: impl IntoIterator<Item = (usize, S)>,
-    ) -> Result<Multivector<S>, DenseError> {
-        let mut coefficients = vec![None; self.size()];
-        for (blade, value) in terms {
-            match coefficients.get_mut(blade) {
-                None => {
-                    return Err(DenseError::NoSuchBlade {
-                        blade,
-                        dimension: self.dimension(),
-                    });
-                }
-                Some(Some(_)) => return Err(DenseError::RepeatedBlade { blade }),
-                Some(coefficient) => *coefficient = Some(value),
-            }
-        }
-        let coefficients: Vec<S> = coefficients
-            .into_iter()
-            .map(|coefficient| coefficient.unwrap_or(S::zero()))
-            .collect();
-        Ok(Multivector::from_parts(self.clone(), coefficients))
-    }
 }
 
 impl<S> Algebra<S> {
@@ -350,40 +239,9 @@ impl<S> Algebra<S> {
     }
 }
 
-/// The name of a blade from the names of the basis vectors: see [`Algebra::blade_name`].
-pub(crate) fn blade_name<N: AsRef<str>>(names: &[N], blade: usize) -> String {
-    let mut members = blade::vectors(blade).filter_map(|vector| names.get(vector));
-    let Some(first) = members.next() else {
-        return String::from("1");
-    };
-    let shared = shared_beginning(names);
-    let is_long = |name: &N| name.as_ref()[shared..].chars().count() > 1;
-    let separator = if names.iter().any(is_long) { "_" } else { "" };
-    members.fold(String::from(first.as_ref()), |joined, name| {
-        joined + separator + &name.as_ref()[shared..]
-    })
-}
-
 impl<S: PartialEq> PartialEq for Algebra<S> {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.definition, &other.definition)
             || self.definition.metric == other.definition.metric
     }
-}
-
-/// The length in bytes of the common prefix of all names, leaving at least one character of each.
-fn shared_beginning<N: AsRef<str>>(names: &[N]) -> usize {
-    let Some(first) = names.first().map(N::as_ref) else {
-        return 0;
-    };
-    first
-        .char_indices()
-        .map(|(position, _)| position)
-        .take_while(|&position| {
-            names.iter().map(N::as_ref).all(|name| {
-                name.len() > position && name.as_bytes()[..position] == first.as_bytes()[..position]
-            })
-        })
-        .last()
-        .unwrap_or(0)
 }

@@ -1,5 +1,10 @@
 //! Basis blades as lists of vectors, and their products with one vector.
 
+use alloc::string::String;
+
+/// The largest number of basis vectors.
+pub(super) const MAXIMUM_DIMENSION: usize = 16;
+
 /// The vectors of a blade in rising order.
 pub(super) fn vectors(blade: usize) -> Vectors {
     Vectors { remaining: blade }
@@ -83,4 +88,35 @@ impl Iterator for Vectors {
         self.remaining ^= 1 << vector;
         Some(vector)
     }
+}
+
+/// The name of a blade from the names of the basis vectors: see [`Algebra::blade_name`](super::Algebra::blade_name).
+pub(crate) fn blade_name<N: AsRef<str>>(names: &[N], blade: usize) -> String {
+    let mut members = vectors(blade).filter_map(|vector| names.get(vector));
+    let Some(first) = members.next() else {
+        return String::from("1");
+    };
+    let shared = shared_beginning(names);
+    let is_long = |name: &N| name.as_ref()[shared..].chars().count() > 1;
+    let separator = if names.iter().any(is_long) { "_" } else { "" };
+    members.fold(String::from(first.as_ref()), |joined, name| {
+        joined + separator + &name.as_ref()[shared..]
+    })
+}
+
+/// The length in bytes of the common prefix of all names, leaving at least one character of each.
+fn shared_beginning<N: AsRef<str>>(names: &[N]) -> usize {
+    let Some(first) = names.first().map(N::as_ref) else {
+        return 0;
+    };
+    first
+        .char_indices()
+        .map(|(position, _)| position)
+        .take_while(|&position| {
+            names.iter().map(N::as_ref).all(|name| {
+                name.len() > position && name.as_bytes()[..position] == first.as_bytes()[..position]
+            })
+        })
+        .last()
+        .unwrap_or(0)
 }

@@ -71,7 +71,7 @@ impl fmt::Display for DenseError {
             Self::TooManyVectors { dimension } => write!(
                 formatter,
                 "an algebra of {dimension} basis vectors is too large, the maximum is {}",
-                super::algebra::MAXIMUM_DIMENSION
+                super::blade::MAXIMUM_DIMENSION
             ),
             Self::NotSquare {
                 row,

@@ -106,6 +106,7 @@
 
 mod algebra;
 mod blade;
+mod construction;
 mod duality;
 mod error;
 mod multivector;
@@ -115,6 +116,6 @@ mod product;
 mod versor;
 
 pub use algebra::Algebra;
-pub(crate) use algebra::blade_name;
+pub(crate) use blade::blade_name;
 pub use error::DenseError;
 pub use multivector::Multivector;

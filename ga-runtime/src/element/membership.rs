@@ -1,14 +1,12 @@
 //! Whether given coefficients are those of a member of a type.
 
-use alloc::format;
 use alloc::string::String;
 use core::fmt;
 
-use super::Element;
-use crate::scalar::{Real, Ring};
+use crate::scalar::Real;
 
 /// Why an element is not a member of a type: the error of `TryFrom` and of
-/// [`Element::try_from_element`].
+/// [`Element::try_from_element`](super::Element::try_from_element).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotMember {
@@ -75,49 +73,6 @@ impl fmt::Display for NotMember {
 
 impl core::error::Error for NotMember {}
 
-/// The member of `T` with these coefficients on these blades and zero on all others, up to a
-/// tolerance relative to the largest coefficient.
-pub(crate) fn member<T: Element>(
-    blades: &[usize],
-    coefficient: &dyn Fn(usize) -> T::Scalar,
-    tolerance: T::Scalar,
-) -> Result<T, NotMember>
-where
-    T::Scalar: Real<Mask = bool>,
-{
-    let type_name = T::NAME;
-    let mut largest = T::Scalar::zero();
-    for &blade in blades {
-        let size = coefficient(blade).abs();
-        if !size.is_finite() {
-            let blade = name(T::BASIS, blade);
-            return Err(NotMember::NotFinite { type_name, blade });
-        }
-        largest = largest.max(size);
-    }
-    let allowed = tolerance * largest;
-    let member = T::from_coefficients_unchecked(&mut |blade| coefficient(blade));
-    for &blade in blades.iter().chain(T::BLADES) {
-        let (found, expected) = (coefficient(blade), member.coefficient(blade));
-        if !are_within(&[found - expected], allowed) {
-            return Err(NotMember::Coefficient {
-                type_name,
-                blade: name(T::BASIS, blade),
-                found: format!("{found:?}"),
-                expected: format!("{expected:?}"),
-            });
-        }
-    }
-    if !member.satisfies_facts(tolerance) {
-        return Err(if T::IS_UNIT_VERSOR {
-            NotMember::NotUnitVersor { type_name }
-        } else {
-            NotMember::NotBlade { type_name }
-        });
-    }
-    Ok(member)
-}
-
 /// Whether no defect is larger than the tolerance, or not a number.
 #[inline]
 pub fn are_within<S: Real<Mask = bool>>(defects: &[S], tolerance: S) -> bool {
@@ -126,9 +81,4 @@ pub fn are_within<S: Real<Mask = bool>>(defects: &[S], tolerance: S) -> bool {
         let size = defect.abs();
         size.is_finite() && size.less_or_equal(tolerance)
     })
-}
-
-/// The name of a blade in rising order.
-fn name(basis: &[&str], blade: usize) -> String {
-    crate::dense::blade_name(basis, blade)
 }

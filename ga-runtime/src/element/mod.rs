@@ -1,25 +1,26 @@
 //! Elements of an algebra as lists of coefficients, for code that is generic over types.
 
-mod coefficients;
 mod emitted;
 mod membership;
 mod normalized;
 mod relative;
 mod text;
 
-pub use coefficients::Coefficients;
 pub use membership::NotMember;
 pub use text::ParseElementError;
 
 #[doc(hidden)]
 pub use membership::are_within;
-pub(crate) use membership::member;
 #[doc(hidden)]
 pub use normalized::{divided_by_largest, largest, scaled_norm};
 pub use relative::Relative;
 #[doc(hidden)]
 pub use text::{parse, write};
 
+use alloc::format;
+use core::iter::FusedIterator;
+
+use crate::dense::blade_name;
 use crate::scalar::{Mask, Real, Ring, Select};
 
 /// A type that `algebra!` has declared, seen as coefficients by blade.
@@ -173,8 +174,94 @@ pub trait Element: Copy {
     where
         Self::Scalar: Real<Mask = bool>,
     {
-        membership::member(U::BLADES, &|blade| element.coefficient(blade), tolerance)
+        member(U::BLADES, &|blade| element.coefficient(blade), tolerance)
     }
+}
+
+/// The coefficients of an element with the names of their blades, in the order of the declaration:
+/// see [`Element::coefficients`].
+///
+/// ```
+/// use ga_runtime::cga3::Point;
+/// let terms: Vec<_> = Point::new(1.0, 2.0, 2.0).coefficients().collect();
+/// assert_eq!(terms, [("e1", 1.0), ("e2", 2.0), ("e3", 2.0), ("eo", 1.0), ("ei", 4.5)]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Coefficients<T> {
+    element: T,
+    next: usize,
+}
+
+impl<T: Element> Coefficients<T> {
+    #[inline]
+    fn new(element: T) -> Self {
+        Self { element, next: 0 }
+    }
+}
+
+impl<T: Element> Iterator for Coefficients<T> {
+    type Item = (&'static str, T::Scalar);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        let (&blade, &name) = (T::BLADES.get(self.next)?, T::NAMES.get(self.next)?);
+        self.next += 1;
+        let value = self.element.coefficient(blade);
+        let is_reversed = T::REVERSED.contains(&blade);
+        Some((name, if is_reversed { -value } else { value }))
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let rest = T::BLADES.len() - self.next;
+        (rest, Some(rest))
+    }
+}
+
+impl<T: Element> ExactSizeIterator for Coefficients<T> {}
+impl<T: Element> FusedIterator for Coefficients<T> {}
+
+/// The member of `T` with these coefficients on these blades and zero on all others, up to a
+/// tolerance relative to the largest coefficient.
+pub(crate) fn member<T: Element>(
+    blades: &[usize],
+    coefficient: &dyn Fn(usize) -> T::Scalar,
+    tolerance: T::Scalar,
+) -> Result<T, NotMember>
+where
+    T::Scalar: Real<Mask = bool>,
+{
+    let type_name = T::NAME;
+    let mut largest = T::Scalar::zero();
+    for &blade in blades {
+        let size = coefficient(blade).abs();
+        if !size.is_finite() {
+            let blade = blade_name(T::BASIS, blade);
+            return Err(NotMember::NotFinite { type_name, blade });
+        }
+        largest = largest.max(size);
+    }
+    let allowed = tolerance * largest;
+    let member = T::from_coefficients_unchecked(&mut |blade| coefficient(blade));
+    for &blade in blades.iter().chain(T::BLADES) {
+        let (found, expected) = (coefficient(blade), member.coefficient(blade));
+        if !are_within(&[found - expected], allowed) {
+            return Err(NotMember::Coefficient {
+                type_name,
+                blade: blade_name(T::BASIS, blade),
+                found: format!("{found:?}"),
+                expected: format!("{expected:?}"),
+            });
+        }
+    }
+    if !member.satisfies_facts(tolerance) {
+        return Err(if T::IS_UNIT_VERSOR {
+            NotMember::NotUnitVersor { type_name }
+        } else {
+            NotMember::NotBlade { type_name }
+        });
+    }
+    Ok(member)
 }
 
 /// The tolerance of `TryFrom` and `FromStr`, relative to the largest coefficient.

@@ -6,8 +6,7 @@ use alloc::vec::Vec;
 use core::fmt::{self, Display, Formatter};
 use core::str::FromStr;
 
-use super::membership::{NotMember, member};
-use super::{Element, default_tolerance};
+use super::{Element, NotMember, default_tolerance, member};
 use crate::scalar::{Real, Ring};
 
 /// Writes a sum of blades such as `1 + 2 e12 - 0.5 e1i`; blades with the coefficient zero are left

@@ -53,7 +53,7 @@
 //! ```
 
 /// Passes the types with the number of their stored coefficients to a macro. That macro stands in
-/// `unsafe_code.rs`.
+/// `unsafe_code/plain_memory.rs`.
 macro_rules! declared_types {
     ($callback:ident) => {
         $callback! { cga3 {

@@ -6,8 +6,9 @@
 //! short chain of dependent ones: everything that does not need the quotient is computed beside
 //! the division.
 
+#[cfg(doc)]
 use super::Real;
-use super::half_angle::{angle_quotient, angle_quotient_single, pair, step};
+use super::half_angle::{Constant, angle_quotient, angle_quotient_single, pair, step};
 
 /// The factors of two rotors or motors in the interpolation between them, and their derivatives
 /// with respect to the cosine of half the angle; see [`Real::arc_factors`].
@@ -51,7 +52,7 @@ const PART_SINGLE: [[f64; 2]; 5] = [
 
 /// See [`Real::arc_factors`].
 #[inline(always)]
-pub(super) fn arc_factors<S: Real>(cosine: S, t: S) -> ArcFactors<S> {
+pub(super) fn arc_factors<S: Constant>(cosine: S, t: S) -> ArcFactors<S> {
     factors(cosine, t, angle_quotient(cosine), |y| {
         let square = y * y;
         let [c7, c6, c5, c4, c3, c2, c1, c0] = PART;
@@ -78,7 +79,7 @@ pub(super) fn arc_factors_single(cosine: f64, t: f64) -> ArcFactors<f64> {
 /// The derivatives with respect to c = cos φ follow from `dP/dc = (c P − 1)/sin² φ` and
 /// `d(cos tφ)/dc = t B`; in the first, the difference is `(1 − c)(c N/D − 1)`.
 #[inline(always)]
-fn factors<S: Real>(
+fn factors<S: Constant>(
     cosine: S,
     t: S,
     [numerator, denominator]: [S; 2],

@@ -2,6 +2,7 @@
 
 use core::ops::Mul;
 
+use super::real::angle_by_sine_one_by_one;
 use super::{ArcFactors, ConstRing, Field, Lanes, Real, Ring, Single, arc, half_angle};
 use crate::cga3::Motor;
 use crate::geometry::composition::compose_single;
@@ -199,7 +200,7 @@ implement_field!(f32);
 implement_field!(f64);
 implement_real!(
     f32, by sine_by_angle_single, angle_by_sine_single, arc_factors_single,
-    half_angle::angle_by_sine_one_by_one, compose_single,
+    angle_by_sine_one_by_one, compose_single,
     sqrtf, fabsf, sinf, cosf, atan2f, expf, logf, sinhf, coshf, tanhf, hypotf
 );
 implement_real!(

@@ -10,7 +10,15 @@
 //! error for a half turn would be 3 ε; its polynomials are shorter, with an error below 5·10⁻¹⁰,
 //! which is a hundredth of the rounding to `f32`.
 
-use super::{Lanes, Real};
+use super::Field;
+#[cfg(doc)]
+use super::Real;
+
+/// A field with a number for each constant.
+pub(super) trait Constant: Field {
+    /// The constant, rounded.
+    fn constant(value: f64) -> Self;
+}
 
 /// The coefficients of `c₂ − ¼` and `c₃ − ⅛` as polynomials in x − 5 for x from 0 to 9.95, the
 /// highest power first. The constants ¼ and ⅛ are exact, and what remains is small and so has a
@@ -66,7 +74,7 @@ const ANGLE_SINGLE: [[f64; 2]; 4] = [
 
 /// See [`Real::sine_by_angle`].
 #[inline(always)]
-pub(super) fn sine_by_angle<S: Real>(x: S) -> (S, S, S) {
+pub(super) fn sine_by_angle<S: Constant>(x: S) -> (S, S, S) {
     let u = x - S::from_integer(5);
     let [top, next, below @ ..] = STUMPFF;
     from_stumpff(x, polynomial(pair(top, next, u), below, u))
@@ -84,7 +92,7 @@ pub(super) fn sine_by_angle_single(x: f64) -> (f64, f64, f64) {
 
 /// The three functions from `c₂ − ¼` and `c₃ − ⅛`.
 #[inline(always)]
-fn from_stumpff<S: Real>(x: S, rest: [S; 2]) -> (S, S, S) {
+fn from_stumpff<S: Constant>(x: S, rest: [S; 2]) -> (S, S, S) {
     let exact = [S::from_ratio(1, 4), S::from_ratio(1, 8)];
     let start = exact.map(|part| x.neg_mul_add(part, S::one()));
     let [cosine, ratio] = [0, 1].map(|k| x.neg_mul_add(rest[k], start[k]));
@@ -94,7 +102,7 @@ fn from_stumpff<S: Real>(x: S, rest: [S; 2]) -> (S, S, S) {
 /// `high x⁸ + Σ cₖ xᵏ` for k = 7, …, 0, of several polynomials side by side. Evaluated in pairs,
 /// pairs of pairs and so on (Estrin's scheme), which shortens the chain of dependent operations.
 #[inline(always)]
-fn polynomial<S: Real, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> [S; N] {
+fn polynomial<S: Constant, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> [S; N] {
     let (x2, x4) = (x * x, (x * x) * (x * x));
     let middle = step(pair(c[0], c[1], x), x2, pair(c[2], c[3], x));
     let low = step(pair(c[4], c[5], x), x2, pair(c[6], c[7], x));
@@ -103,18 +111,18 @@ fn polynomial<S: Real, const N: usize>(high: [S; N], c: [[f64; N]; 8], x: S) -> 
 
 /// `a x + b`.
 #[inline(always)]
-pub(super) fn pair<S: Real, const N: usize>(a: [f64; N], b: [f64; N], x: S) -> [S; N] {
+pub(super) fn pair<S: Constant, const N: usize>(a: [f64; N], b: [f64; N], x: S) -> [S; N] {
     // Functions given to `array::map` are not always inlined.
     let mut sum = [x; N];
     for k in 0..N {
-        sum[k] = S::from_f64(a[k]).mul_add(x, S::from_f64(b[k]));
+        sum[k] = S::constant(a[k]).mul_add(x, S::constant(b[k]));
     }
     sum
 }
 
 /// `high x + low`.
 #[inline(always)]
-pub(super) fn step<S: Real, const N: usize>(high: [S; N], x: S, low: [S; N]) -> [S; N] {
+pub(super) fn step<S: Constant, const N: usize>(high: [S; N], x: S, low: [S; N]) -> [S; N] {
     let mut sum = low;
     for (sum, high) in sum.iter_mut().zip(high) {
         *sum = high.mul_add(x, *sum);
@@ -124,7 +132,7 @@ pub(super) fn step<S: Real, const N: usize>(high: [S; N], x: S, low: [S; N]) -> 
 
 /// See [`Real::angle_by_sine`].
 #[inline(always)]
-pub(super) fn angle_by_sine<S: Real>(cosine: S) -> (S, S) {
+pub(super) fn angle_by_sine<S: Constant>(cosine: S) -> (S, S) {
     from_quotient(cosine, angle_quotient(cosine))
 }
 
@@ -134,26 +142,13 @@ pub(super) fn angle_by_sine_single(cosine: f64) -> (f64, f64) {
     from_quotient(cosine, angle_quotient_single(cosine))
 }
 
-/// [`Real::angle_by_sine`] of one lane after the other.
-#[inline(always)]
-pub(super) fn angle_by_sine_one_by_one<S: Real, const N: usize>(
-    lanes: Lanes<S, N>,
-) -> (Lanes<S, N>, Lanes<S, N>) {
-    let numbers = lanes.to_array();
-    let (mut ratio, mut slope) = (numbers, numbers);
-    for lane in 0..N {
-        (ratio[lane], slope[lane]) = numbers[lane].angle_by_sine();
-    }
-    (Lanes::from_array(ratio), Lanes::from_array(slope))
-}
-
 /// The numerator and the denominator of `r = (φ/sin φ − 1)/(1 − c)` for c = cos φ.
 #[inline(always)]
-pub(super) fn angle_quotient<S: Real>(cosine: S) -> [S; 2] {
+pub(super) fn angle_quotient<S: Constant>(cosine: S) -> [S; 2] {
     let square = cosine * cosine;
     let [c6, c5, c4, c3, c2, c1, c0] = ANGLE;
     let [numerator, denominator] = c6;
-    let highest = [S::from_f64(numerator), S::from_f64(denominator)];
+    let highest = [S::constant(numerator), S::constant(denominator)];
     let high = step(highest, square, pair(c5, c4, cosine));
     let low = step(pair(c3, c2, cosine), square, pair(c1, c0, cosine));
     step(high, square * square, low)
@@ -169,7 +164,7 @@ pub(super) fn angle_quotient_single(cosine: f64) -> [f64; 2] {
 
 /// Both functions from `c = cos φ` and r: `A = 1 + (1 − c) r` and `B = −(1 + r)/(1 + c)`.
 #[inline(always)]
-fn from_quotient<S: Real>(cosine: S, [numerator, denominator]: [S; 2]) -> (S, S) {
+fn from_quotient<S: Constant>(cosine: S, [numerator, denominator]: [S; 2]) -> (S, S) {
     let one = S::one();
     let above = one + cosine;
     let inverse = (denominator * above).recip();

@@ -16,20 +16,20 @@
 //! reduced pixels. G has the standard deviation of 1/40 of the longer side: at three picture
 //! heights from a screen of 16:9, 0.85° of the field of view, about the radius of the fovea.
 
+mod block;
+mod cell;
 mod motion;
 mod reduction;
 mod saliency;
 mod search;
 
+use cell::{CELL, cells};
 use ga_image::filter::{Border, Gaussian, Gradient};
 use ga_image::plane::{Plane, PlaneView, SizeError};
 use ga_image::quality::{WeightError, Weights};
 
 use reduction::reduced;
 use saliency::{enlarged, normalised};
-
-/// The side of a cell in reduced pixels.
-const CELL: usize = 8;
 
 /// The greatest number of columns and of rows of the reduced picture.
 const LONGEST: usize = 480;
@@ -176,9 +176,4 @@ fn contours(picture: &Plane<u8>) -> Plane {
         let inside = (width - CELL * column).min(CELL) * (height - CELL * row).min(CELL);
         sums.row(row)[column] / inside as f32
     })
-}
-
-/// Columns and rows of cells.
-fn cells(picture: &Plane<u8>) -> [usize; 2] {
-    [picture.width(), picture.height()].map(|side| side.div_ceil(CELL))
 }

@@ -1,9 +1,8 @@
 //! The best match of a block in a whole range of motions.
 
+use super::block::{Frames, Vector};
+use super::cell::CELL;
 use ga_image::plane::Plane;
-
-use super::CELL;
-use super::motion::{Frames, Vector};
 
 /// The side of a quarter of a block.
 const QUARTER: usize = CELL / 2;

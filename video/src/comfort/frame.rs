@@ -1,5 +1,6 @@
 //! What is measured of one frame.
 
+use super::dimension::Dimension;
 use ga_image::plane::SizeError;
 use ga_image::ycbcr::YCbCr;
 
@@ -7,7 +8,7 @@ use super::geometry::{self, Geometry};
 use super::matching::{Match, Matcher};
 use super::parallax::Parallax;
 use super::photometry::{Colours, Photometry};
-use super::row::{Dimension, Missing, Row};
+use super::row::{Missing, Row};
 use super::scale::{SIZE, Scale};
 use super::sharpness;
 use super::viewing::Viewing;

@@ -1,8 +1,8 @@
 //! Scores from measurements.
 
+use super::dimension::Dimension;
 use std::fmt;
 
-use super::row::Dimension;
 use super::viewing::Viewing;
 
 /// How uncomfortable something is, from 0 to 15 as in Cui, table 6.

@@ -1,11 +1,12 @@
 //! The calibration of one camera.
 
+use super::error::LEAST_VIEWS;
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
+use super::CalibrationError;
 use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
-use super::{CalibrationError, check};
 use crate::homography::{Homography, in_plane};
 use ga_camera::frame::{Board, CameraFrame, Pose};
 use ga_camera::{CameraError, Intrinsics};
@@ -244,4 +245,31 @@ fn initial_boards(
         motion.ok_or(CalibrationError::View { view })
     };
     views.iter().enumerate().map(motor).collect()
+}
+
+/// Checks the corners of views of a board.
+fn check(views: &[Vec<[f64; 2]>], places: &[Point<f64>]) -> Result<(), CalibrationError> {
+    if views.len() < LEAST_VIEWS {
+        return Err(CalibrationError::TooFewViews { found: views.len() });
+    }
+    for (view, corners) in views.iter().enumerate() {
+        let (found, expected) = (corners.len(), places.len());
+        if found != expected {
+            return Err(CalibrationError::Corners {
+                view,
+                found,
+                expected,
+            });
+        }
+        let is_finite = |index: usize| {
+            let [u, v] = corners[index];
+            u.is_finite()
+                && v.is_finite()
+                && places[index].coordinates().iter().all(|x| x.is_finite())
+        };
+        if let Some(corner) = (0..found).find(|&index| !is_finite(index)) {
+            return Err(CalibrationError::NotFinite { view, corner });
+        }
+    }
+    Ok(())
 }

@@ -12,142 +12,27 @@
 //! W. Förstner and E. Gülch, "A fast operator for detection and precise location of distinct
 //! points, corners and centres of circular features", 1987.
 
+mod board_size;
 mod grid;
 mod margin;
 mod refinement;
 mod saddle;
 
 use std::borrow::Cow;
-use std::fmt;
-use std::str::FromStr;
 
-use ga_image::filter::SigmaError;
 use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::halved;
 use ga_image::sample::Sample;
-use ga_runtime::cga3::Point;
 use ga_runtime::vga2::Vector;
 
+pub use board_size::{BoardSize, ChessboardError};
 use refinement::Gradient;
-
-/// How many inner corners a chessboard has: 9 × 6 for one of 10 × 7 squares.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BoardSize {
-    columns: usize,
-    rows: usize,
-}
 
 /// The inner corners of a chessboard in a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chessboard {
     size: BoardSize,
     corners: Vec<[f64; 2]>,
-}
-
-/// Why no chessboard was found.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ChessboardError {
-    /// The board is too small to be told from other textures, or larger than any.
-    #[error("a board of {columns} × {rows} inner corners: each count must be from 3 to 100")]
-    Size {
-        /// Corners in a row.
-        columns: usize,
-        /// Rows.
-        rows: usize,
-    },
-    /// A text is not a size such as `9x6`.
-    #[error("{0:?} is not a number of inner corners such as 9x6")]
-    Text(String),
-    /// The picture shows no complete board of the size.
-    #[error(
-        "board not found: no complete grid of {size} inner corners; \
-         the largest grid has {corners} corners within {} columns and {} rows",
-        extent[0], extent[1]
-    )]
-    NotFound {
-        /// The wanted size.
-        size: BoardSize,
-        /// How many corners the largest grid has, 0 where there is none.
-        corners: usize,
-        /// Columns and rows of the smallest rectangle that contains this grid.
-        extent: [usize; 2],
-    },
-    /// The blur of a picture failed.
-    #[error(transparent)]
-    Blur(#[from] SigmaError),
-}
-
-impl BoardSize {
-    const LEAST: usize = 3;
-    const GREATEST: usize = 100;
-
-    /// A size from the number of inner corners in a row and of rows.
-    ///
-    /// # Errors
-    /// [`ChessboardError::Size`] where one of them is below 3 or above 100.
-    pub fn new(columns: usize, rows: usize) -> Result<Self, ChessboardError> {
-        let is_possible = |count: usize| (Self::LEAST..=Self::GREATEST).contains(&count);
-        match is_possible(columns) && is_possible(rows) {
-            true => Ok(Self { columns, rows }),
-            false => Err(ChessboardError::Size { columns, rows }),
-        }
-    }
-
-    /// Inner corners in a row.
-    #[must_use]
-    pub fn columns(self) -> usize {
-        self.columns
-    }
-
-    /// Rows of inner corners.
-    #[must_use]
-    pub fn rows(self) -> usize {
-        self.rows
-    }
-
-    /// All inner corners.
-    #[must_use]
-    pub fn count(self) -> usize {
-        self.columns * self.rows
-    }
-
-    /// The places of the corners on a board with squares of the given side: in the plane z = 0,
-    /// from the origin along x, then along y.
-    ///
-    /// ```
-    /// use ga_runtime::cga3::Point;
-    /// use ga_vision::chessboard::BoardSize;
-    ///
-    /// let places = "9x6".parse::<BoardSize>()?.places(0.025);
-    /// assert_eq!(places.len(), 54);
-    /// assert_eq!(places[9 + 2], Point::new(0.05, 0.025, 0.0));
-    /// # Ok::<(), ga_vision::chessboard::ChessboardError>(())
-    /// ```
-    #[must_use]
-    pub fn places(self, square: f64) -> Vec<Point<f64>> {
-        let place = |index: usize| {
-            let (column, row) = (index % self.columns, index / self.columns);
-            Point::new(column as f64 * square, row as f64 * square, 0.0)
-        };
-        (0..self.count()).map(place).collect()
-    }
-}
-
-impl fmt::Display for BoardSize {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{} × {}", self.columns, self.rows)
-    }
-}
-
-impl FromStr for BoardSize {
-    type Err = ChessboardError;
-
-    fn from_str(text: &str) -> Result<Self, ChessboardError> {
-        let wrong = || ChessboardError::Text(text.to_owned());
-        let (columns, rows) = text.split_once('x').ok_or_else(wrong)?;
-        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-        Self::new(number(columns)?, number(rows)?)
-    }
 }
 
 impl Chessboard {

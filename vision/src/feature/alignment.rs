@@ -3,8 +3,17 @@
 use ga_image::interpolation::bilinear;
 use nalgebra_035::{SMatrix, SVector};
 
+use super::Feature;
 use super::scale::Scale;
-use super::{Feature, PixelPair};
+
+/// The pixels at which two views show one point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PixelPair {
+    /// The pixel in the left view.
+    pub left: [f64; 2],
+    /// The pixel in the right view.
+    pub right: [f64; 2],
+}
 
 /// Pixels on either side of the middle one.
 const RADIUS: i32 = 7;

@@ -10,48 +10,20 @@ mod alignment;
 mod corner;
 mod descriptor;
 mod matching;
+mod point;
 mod scale;
 
 use ga_image::plane::PlaneView;
 
+pub use alignment::PixelPair;
 pub use descriptor::Descriptor;
 pub use matching::{Match, MatchOptions, match_features};
 
+pub use point::Feature;
+pub use scale::LEAST_SIDE;
+
 use alignment::align;
 use scale::Scale;
-
-/// A view with a side below this number of pixels has no features: there is no room for their
-/// surroundings.
-pub const LEAST_SIDE: usize = 64;
-
-/// The pixels at which two views show one point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PixelPair {
-    /// The pixel in the left view.
-    pub left: [f64; 2],
-    /// The pixel in the right view.
-    pub right: [f64; 2],
-}
-
-/// A corner and what surrounds it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Feature {
-    /// Where it is.
-    pub pixel: [f64; 2],
-    /// The size of a pixel of the scale in which it was found, in pixels of the view.
-    pub size: f64,
-    /// The direction from the corner to the brighter side of its surroundings, in radians from the
-    /// u axis towards the v axis.
-    pub angle: f64,
-    /// The smaller eigenvalue of the structure tensor, in squared grey levels per squared pixel.
-    pub strength: f64,
-    /// Bits that describe its surroundings, rotated by the angle.
-    pub descriptor: Descriptor,
-    /// Which of the scales of the view it was found in.
-    scale: usize,
-    /// Where it is in that scale.
-    place: [f64; 2],
-}
 
 /// How features are found.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,9 @@ use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::Pyramid;
 use ga_image::resample::{Method, resize};
 
-use super::LEAST_SIDE;
+/// A view with a side below this number of pixels has no features: there is no room for their
+/// surroundings.
+pub const LEAST_SIDE: usize = 64;
 
 /// A view in one size.
 pub(super) struct Scale {

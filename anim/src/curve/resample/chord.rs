@@ -1,7 +1,17 @@
 //! The proven distance between a chord and the part of a curve that it replaces.
 
-use super::Distance;
 use super::path::Path;
+
+/// Which distance between a curve and the polyline through its vertices is bounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Distance {
+    /// From each point of the curve to the nearest point of the chord that replaces it. The curve
+    /// is a path in space, and times do not matter.
+    Geometric,
+    /// From the curve at a time to the polyline at the same time, which goes at constant speed from
+    /// vertex to vertex. It is never less than the geometric distance.
+    EqualTime,
+}
 
 /// Half the distance from 1 to the next number: the relative error of one operation.
 const UNIT: f64 = 0.5 * f64::EPSILON;

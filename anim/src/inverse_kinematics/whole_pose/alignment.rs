@@ -1,9 +1,9 @@
 //! A pose near to one that fits, by rotations that are known in closed form.
 
+use crate::inverse_kinematics::motion::with_rotation;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
-use super::super::limb::with_rotation;
 use super::{PoseFit, Target};
 use crate::pose::Pose;
 

@@ -2,38 +2,24 @@
 
 mod alignment;
 mod levers;
+mod marker;
 
+use super::check::fits;
+use super::motion::with_rotation;
+use super::rotation::rotated;
 use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Motor, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
-use super::aim::fits;
 use super::error::{KinematicsError, check_tolerance, exists, finite};
-use super::limb::with_rotation;
+
 use super::normal_equations::{Blocked, NormalEquations};
-use super::two_bone::rotated;
+
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 use levers::{Levers, extent, levers, movers};
-
-/// A point that is fixed to a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Marker {
-    /// The joint that carries it.
-    pub joint: usize,
-    /// Where it is at rest, in the coordinates of the skeleton.
-    pub at_rest: [f64; 3],
-}
-
-/// Where a marker should be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Target {
-    /// The place.
-    pub position: Point<f64>,
-    /// How much its squared distance counts; 0 for a marker that was not seen.
-    pub weight: f64,
-}
+pub use marker::{Marker, Target};
 
 /// How a fit searches.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,15 @@
 //! `nullcone capture`: the pose of a head, its expression, and the motion of its surface.
 
+mod arguments;
 mod keys;
 mod points;
 mod report;
 mod surface;
 mod tables;
 
+pub(crate) use arguments::Arguments;
+
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, ensure};
@@ -23,144 +25,6 @@ use crate::progress::Progress;
 use points::Points;
 use report::Report;
 use surface::{Motion, Surface};
-
-/// Separate captured points of a face into the pose of the head and its expression.
-///
-/// POINTS.csv has a row for each frame and three columns for each point, in metres. The first line
-/// names them NAME_x, NAME_y, NAME_z; columns `frame` and `time_seconds` may come first. A point
-/// that was not seen has empty fields. Without a line of names, points are 0, 1, 2 and so on.
-///
-/// Calibrated points are four or more that no expression moves, such as temples, forehead and the
-/// bridge of the nose. They need not be in all frames, but four must be, and not on one line; four
-/// in a plane are enough. The pose of a frame is the motion of the head since the reference frame,
-/// and the expression of a point is its displacement beyond that, in the coordinates of the
-/// reference frame.
-///
-/// With --mesh, a surface follows the points: seen from its centre of gravity, the displacements
-/// of the keys are interpolated on the sphere by a smooth spline, exactly at the keys. KEYS.csv
-/// says where points are on the mesh, with the columns `point,vertex` (from 0) or `point,x,y,z`;
-/// without it, all points of the reference frame are in the coordinates of the mesh.
-///
-/// The ending of --out decides what is written, and --out may be given several times: .csv the
-/// expression of each point in each frame, .glb the surface with morph targets whose weights are
-/// animated together with the pose of the head, .obj or .ply the surface in one --frame.
-///
-/// For instance
-///
-///   nullcone capture points.csv --calibrated brow,nose,left,right --out expression.csv \
-///     --mesh face.obj --keys keys.csv --out face.glb --json
-///
-/// prints {"frames": …, "points": …, "calibrated": […], "reference_frame": …,
-/// "expression": {"rms_metres": …, "max_metres": …, "max_point": …, "max_frame": …,
-/// "points": [{"name": …, "frames_seen": …, "rms_metres": …, "max_metres": …}, …]},
-/// "poses": [{"frame": …, "translation_metres": […], "rotation_quaternion": [x, y, z, w],
-/// "rotation_axis": […], "rotation_degrees": …, "rms_metres": …, "inliers": …, "outliers": […],
-/// "missing": […]}, …], "surface": {"vertices": …, "keys": …, "keys_filled": …,
-/// "key_fit_rms_metres": …, "sphere_centre_metres": […], "folded_triangles": …,
-/// "morph_targets": …, "morph_error_max_metres": …, "metres_per_mesh_unit": …,
-/// "area": {"vertices": …, "centre_metres": […], "centre_kept": …,
-/// "centre_displacement_metres": [[…], …]}}, "seconds": …}. Places on the surface are in the
-/// coordinates of the mesh, scaled to metres.
-#[derive(Clone, Debug, clap::Args)]
-#[command(verbatim_doc_comment)]
-#[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]
-pub(crate) struct Arguments {
-    /// The points in each frame.
-    #[arg(value_name = "POINTS.csv")]
-    points: PathBuf,
-    /// The calibrated points, by name or by number from 0.
-    #[arg(long, value_name = "POINT,…", value_delimiter = ',', required = true)]
-    calibrated: Vec<String>,
-    /// The frame in which the head is at rest, by its name in the column `frame` or else by the
-    /// number of its row from 0 [default: the first].
-    #[arg(long, value_name = "FRAME")]
-    reference: Option<String>,
-    /// Leave out calibrated points that are farther than this from where the pose takes them, in
-    /// metres; by default all count.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
-    threshold: Option<f64>,
-    /// The seed of the random samples that find such points.
-    #[arg(long, value_name = "N", default_value_t = PoseOptions::default().seed)]
-    seed: u64,
-    /// The surface that follows the points: .obj, .ply, .glb or .gltf.
-    #[arg(long, value_name = "MESH")]
-    mesh: Option<PathBuf>,
-    /// Where points are on the mesh. Others do not move it.
-    #[arg(long, value_name = "KEYS.csv", requires = "mesh")]
-    keys: Option<PathBuf>,
-    /// Let the mesh have another size or unit than the head. Without this, its unit is the metre.
-    #[arg(long, requires = "keys")]
-    fit_scale: bool,
-    /// Move only what is within a radius of a key along the surface, in the unit of the mesh. The
-    /// motion falls smoothly to zero at the edge.
-    #[arg(long, value_name = "KEY:RADIUS", requires = "mesh")]
-    area: Option<Area>,
-    /// Keep the centre of gravity of the area, or of the whole surface, where it is at rest.
-    #[arg(long, requires = "mesh")]
-    keep_centre: bool,
-    /// Leave out the pose of the head, and write the surface in the coordinates of the mesh.
-    #[arg(long, requires = "mesh")]
-    still: bool,
-    /// How far a key may be from where morph targets take it, in metres.
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 1e-6,
-        allow_negative_numbers = true
-    )]
-    tolerance: f64,
-    /// Frames in a second, where the table has no times.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 30.0,
-        allow_negative_numbers = true
-    )]
-    fps: f64,
-    /// The frame of a surface without animation.
-    #[arg(long, value_name = "FRAME", requires = "mesh")]
-    frame: Option<String>,
-    /// What to write: .csv, .glb, .obj or .ply. May be given several times.
-    #[arg(long, value_name = "FILE", group = "results")]
-    out: Vec<PathBuf>,
-    /// Write the pose of each frame as CSV.
-    #[arg(long, value_name = "FILE.csv", group = "results")]
-    pose: Option<PathBuf>,
-    /// Write the capture matrix of each frame as CSV: the homogeneous coordinates of the points
-    /// with the pose taken out.
-    #[arg(long, value_name = "FILE.csv", group = "results")]
-    matrix: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long, group = "results")]
-    json: bool,
-}
-
-/// What is within a radius of a key.
-#[derive(Clone, Debug, PartialEq)]
-struct Area {
-    key: String,
-    radius: f64,
-}
-
-impl FromStr for Area {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parts = text.rsplit_once(':');
-        let radius = |word: &str| {
-            word.parse()
-                .ok()
-                .filter(|r: &f64| r.is_finite() && *r > 0.0)
-        };
-        match parts.map(|(key, word)| (key, radius(word))) {
-            Some((key, Some(radius))) if !key.is_empty() => Ok(Self {
-                key: key.to_owned(),
-                radius,
-            }),
-            _ => Err("expected a key and a positive radius, such as chin:0.04".to_owned()),
-        }
-    }
-}
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let formats = check(arguments)?;

@@ -6,9 +6,10 @@ use ga_runtime::vga3::Vector;
 use ga_vision::capture::CapturedFrame;
 use serde::Serialize;
 
+use super::Arguments;
+use super::arguments::Area;
 use super::points::Points;
 use super::surface::{Motion, Surface};
-use super::{Area, Arguments};
 use crate::rotation::smaller_rotation;
 
 #[derive(Serialize)]

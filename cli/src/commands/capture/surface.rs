@@ -16,9 +16,10 @@ use ga_vision::capture::{
     SurfaceMesh, SurfaceMotion,
 };
 
+use super::Arguments;
+use super::arguments::Area;
 use super::keys::{self, Key};
 use super::points::Points;
-use super::{Area, Arguments};
 use crate::format::Format;
 use crate::mesh_file;
 

@@ -15,8 +15,9 @@ use ga_vision::contour::space_curve::{
 };
 use serde::Serialize;
 
+use super::Arguments;
+use super::arguments::{Figure, check_out};
 use super::settling::Settled;
-use super::{Arguments, Figure, check_out};
 use crate::commands::stereo::{pixels, views};
 use crate::format::Format;
 use crate::mesh_file;

@@ -4,16 +4,16 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
-use ga_image::threshold;
+use ga_image::{file, threshold};
 use ga_runtime::cga2::{self, Point};
 use ga_vision::contour::{Contour, OutlineError, borders, fit, perimeter, signed_area};
 use serde::Serialize;
 
+use super::arguments::check_out;
 use super::settling::Settled;
-use super::{Arguments, check_out, drawing};
+use super::{Arguments, drawing};
 use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;

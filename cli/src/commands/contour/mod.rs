@@ -1,81 +1,14 @@
 //! `nullcone contour`: the contours of what pictures show, in the picture and in space.
 
+mod arguments;
 mod curve;
 mod drawing;
 mod flat;
 mod settling;
 
-use std::path::PathBuf;
+pub(crate) use arguments::Arguments;
 
 use anyhow::Result;
-use clap::ValueEnum;
-
-use super::stereo::Axes;
-use crate::files::Files;
-use crate::format::Format;
-
-/// Find contours: the borders of the bright regions of a picture, a closed curve that settles at
-/// edges, or a closed curve in space that two cameras see.
-///
-///   nullcone contour IMAGE --out c.svg --json
-///       The borders of the regions above Otsu's threshold and of their holes, with the circles and
-///       ellipses that are fitted to them.
-///   nullcone contour IMAGE --snake --out c.svg --json
-///       A snake: from the largest border that lies whole in the picture, or from --circle, a
-///       closed curve settles at edges. --json prints its energy before and after each step.
-///   nullcone contour LEFT RIGHT --rig rig.yml --out curve.obj --json
-///       A snake in each view. Both are matched along the epipolar lines, and triangulated into a
-///       closed curve in metres; --fit adds the circle or the line nearest to it. The views are as
-///       the cameras took them. --json prints {"length_metres": …, "gap_max_metres": …,
-///       "deviation_rms_px": …, "circle": {"centre_metres": […], "normal": […],
-///       "radius_metres": …, "rms_metres": …}, "points": [{"position_metres": […], …}, …], …}.
-///
-/// Pixel coordinates count from the centre of the top left pixel. The left camera is at the origin
-/// of the curve. As for nullcone stereo reconstruct, y is up and the camera looks along −z by
-/// default; with --axes camera, y is down and it looks along z.
-#[derive(Clone, Debug, clap::Args)]
-#[command(verbatim_doc_comment)]
-pub(crate) struct Arguments {
-    /// The picture, or the left and the right view.
-    #[arg(value_name = "IMAGE", required = true, num_args = 1..=2)]
-    images: Vec<PathBuf>,
-    /// The two cameras: YAML as nullcone stereo calibrate writes it, or a Middlebury calib.txt.
-    #[arg(long, value_name = "FILE")]
-    rig: Option<PathBuf>,
-    /// What is written: the picture with the contours over it (.svg), or for two views the curve as
-    /// a closed line (.obj).
-    #[arg(long, value_name = "FILE.svg or FILE.obj")]
-    out: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
-    /// The level above which pixels belong to regions, instead of Otsu's.
-    #[arg(long, value_name = "LEVEL", conflicts_with = "snake")]
-    threshold: Option<u8>,
-    /// Leave out borders that enclose less than this area, in pixels.
-    #[arg(long, value_name = "PIXELS", default_value_t = 0.0)]
-    least_area: f64,
-    /// Let a closed curve settle at edges; two views always do.
-    #[arg(long)]
-    snake: bool,
-    #[command(flatten)]
-    settings: settling::Settings,
-    /// Fit a figure to the curve of two views.
-    #[arg(long, value_enum, value_name = "FIGURE", requires = "rig")]
-    fit: Option<Figure>,
-    /// Which way the axes of the curve point.
-    #[arg(long, value_enum, default_value_t = Axes::YUp, requires = "rig")]
-    axes: Axes,
-}
-
-/// A figure that is fitted to a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Figure {
-    /// The circle with the least squared distances.
-    Circle,
-    /// The line with the least squared distances.
-    Line,
-}
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     match (&arguments.images[..], &arguments.rig) {
@@ -88,12 +21,4 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         ),
         _ => anyhow::bail!("two views need the cameras that took them: --rig rig.yml"),
     }
-}
-
-/// Fails where the file that is to be written is not of its format, or cannot be written.
-fn check_out(arguments: &Arguments, format: Format) -> Result<()> {
-    let inputs = arguments.images.iter().chain(&arguments.rig);
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
-    files.write_if_given("--out", arguments.out.as_ref(), &[format])?;
-    Ok(())
 }

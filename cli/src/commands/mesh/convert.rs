@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
+use super::input;
 use crate::files::Files;
 use crate::format::Format;
 use crate::{mesh_file, output};
@@ -46,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     } = arguments;
     let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
     let format = Files::reading([input]).write("OUT", out, &formats)?;
-    let loaded = super::read(input, quiet)?;
+    let loaded = input::read(input, quiet)?;
     let mesh = format::relocated(&loaded.mesh, input, out)?;
     let options = Options {
         ply: if *ascii {

@@ -7,6 +7,7 @@ use ga_mesh::topology::Report;
 use ga_mesh::{Group, Mesh};
 use serde::Serialize;
 
+use super::input;
 use crate::output;
 
 /// Count the elements of a mesh and say whether it is a regular surface.
@@ -32,7 +33,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let loaded = super::read(&arguments.file, quiet)?;
+    let loaded = input::read(&arguments.file, quiet)?;
     let info = Info::new(&loaded.mesh, loaded.warnings);
     if arguments.json {
         output::print_json(&info)

@@ -3,13 +3,11 @@
 mod bake;
 mod convert;
 mod info;
+mod input;
 mod subdivide;
-
-use std::path::Path;
 
 use anyhow::Result;
 use clap::Subcommand;
-use ga_mesh::format::{self, Loaded};
 
 /// Examine, convert and refine polygon meshes, and bake maps for them.
 ///
@@ -36,15 +34,4 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Command::Subdivide(arguments) => subdivide::run(arguments, quiet),
         Command::Bake(arguments) => bake::run(arguments, quiet),
     }
-}
-
-/// Reads a mesh, and says on standard error what its file refers to that is not there.
-fn read(file: &Path, quiet: bool) -> Result<Loaded> {
-    let loaded = format::read(file)?;
-    if !quiet {
-        for warning in &loaded.warnings {
-            eprintln!("warning: {}: {warning}", file.display());
-        }
-    }
-    Ok(loaded)
 }

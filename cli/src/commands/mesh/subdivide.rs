@@ -10,6 +10,7 @@ use ga_mesh::subdivision::{
     Boundary, CreaseMethod, Rules, Scheme, Subdivision, SubdivisionError, TagText,
 };
 
+use super::input;
 use crate::files::Files;
 use crate::format::Format;
 use crate::progress::Progress;
@@ -83,7 +84,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let format = Files::reading(inputs).write("--out", out, &[Format::Obj])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading");
-    let loaded = super::read(input, quiet)?;
+    let loaded = input::read(input, quiet)?;
     let tags = match &arguments.creases {
         Some(path) => ga_files::read(path, TagText::parse)?,
         None => TagText::default(),

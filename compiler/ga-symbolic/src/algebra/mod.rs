@@ -3,6 +3,7 @@
 mod blade;
 mod metric;
 mod names;
+mod operation;
 mod product;
 mod ratio;
 mod table;
@@ -12,16 +13,12 @@ pub use metric::Metric;
 pub use names::{BladeNames, NameError, NamedBlade, SCALAR};
 pub use product::{Product, Unary};
 pub use ratio::Ratio;
-
-use std::rc::Rc;
+pub use table::BladeSum;
 
 use table::Table;
 
 /// The largest number of basis vectors.
 pub const MAX_DIMENSION: usize = 16;
-
-/// A sum of basis blades with constant coefficients, sorted by blade.
-pub type BladeSum = Rc<[(Blade, Ratio)]>;
 
 /// A geometric algebra: named basis vectors and their inner products.
 #[derive(Debug)]
@@ -105,7 +102,8 @@ impl Algebra {
     /// The geometric product of two basis blades.
     #[must_use]
     pub fn geometric(&self, left: Blade, right: Blade) -> BladeSum {
-        Product::Geometric.of_blades(self, left, right)
+        let make = || self.metric.geometric(left, right).into();
+        self.products.get(Product::Geometric, left, right, make)
     }
 
     /// The dual of a basis blade: `a I⁻¹`, or the right complement (`a ∧ dual a = I`) where I is

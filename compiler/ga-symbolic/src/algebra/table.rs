@@ -1,10 +1,14 @@
 //! Products of basis blades, each computed once.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
-use super::{Blade, BladeSum, Product};
+use super::{Blade, Product, Ratio};
+
+/// A sum of basis blades with constant coefficients, sorted by blade.
+pub type BladeSum = Rc<[(Blade, Ratio)]>;
 
 /// The largest dimension whose products are found by their place in a table.
 const LARGEST: usize = 6;

@@ -2,15 +2,15 @@
 //!
 //! The crate `ga-compiler` makes it from what was parsed, with a check of everything.
 
-mod parameters;
+mod formulas;
 mod polynomial;
 mod products;
 mod types;
 
-pub use parameters::{Formulas, Parameter, Parameters};
+pub use formulas::Formulas;
 pub use polynomial::{Polynomial, PolynomialStep};
 pub use products::{Operation, ProductDefinition};
-pub use types::{CONSTANTS, Coefficient, Role, SCALAR_TYPE, TypeDefinition};
+pub use types::{CONSTANTS, Coefficient, Parameter, Parameters, Role, SCALAR_TYPE, TypeDefinition};
 
 use std::cell::OnceCell;
 

@@ -1,8 +1,10 @@
-//! The types of an algebra: their blades, where each coefficient comes from, and their facts.
+//! The types of an algebra: their blades, where each coefficient comes from, and their facts. Types
+//! by parameters have numbers that need not be coefficients, with the multivector that they give and
+//! the formulas by which they are read of one.
 
 use proc_macro2::{Ident, Span, TokenStream};
 
-use super::parameters::Parameters;
+use super::formulas::Formulas;
 use super::polynomial::Polynomial;
 use crate::algebra::{Blade, Ratio, SCALAR};
 use crate::ir::Facts;
@@ -55,6 +57,29 @@ pub enum Role {
     Constant(Ratio),
     /// It follows from the stored ones.
     Derived(Polynomial),
+}
+
+/// The parameters of a type.
+#[derive(Clone)]
+pub struct Parameters {
+    /// The parameters in the order of their declaration.
+    pub list: Vec<Parameter>,
+    /// The multivector of some parameters, which are the operands.
+    pub value: Formulas,
+    /// The parameters of a multivector, which is the operand. A type without them has no value of a
+    /// function.
+    pub readings: Option<Formulas>,
+}
+
+/// A parameter: a number, or a member of a type that has no parameters.
+#[derive(Clone)]
+pub struct Parameter {
+    /// The name.
+    pub name: Ident,
+    /// The type, as an index; none for a number.
+    pub index: Option<usize>,
+    /// The type.
+    pub kind: TypeDefinition,
 }
 
 impl TypeDefinition {

@@ -22,34 +22,26 @@
 mod classes;
 mod estimate;
 mod extract;
+mod form;
 mod frame;
 mod import;
 mod make;
 mod rules;
 mod shared;
+mod source;
 mod unnormalised;
+
+pub(crate) use form::Form;
+pub(crate) use source::Source;
 
 pub use crate::lower::FormRule;
 
-use crate::algebra::Algebra;
 use crate::define::{Role, TypeDefinition};
 use crate::limit::SearchLimit;
 use crate::lower::{Choices, Rule};
-use crate::program::{Program, Step, StepId, Witness};
+use crate::program::Step;
 use classes::{ClassId, Classes, Term};
 use extract::{Costs, Known, extract};
-
-/// A program that gives the same as another.
-pub(crate) struct Form<'a> {
-    /// The program.
-    pub(crate) program: Program<'a>,
-    /// The wanted steps in it.
-    pub(crate) wanted: Vec<StepId>,
-    /// The rules that led to it.
-    pub(crate) rules: Vec<FormRule>,
-    /// From which of the program's points it is seen, counted from 1; 0 is as it is written.
-    pub(crate) frame: usize,
-}
 
 /// The forms of a program that were found, and the limits that were reached.
 #[derive(Default)]
@@ -60,18 +52,6 @@ pub(crate) struct Found<'a> {
 
 /// The largest program that is taken apart.
 const MOST_STEPS: usize = 320;
-
-/// What forms are made of.
-pub(crate) struct Source<'s, 'a> {
-    pub(crate) algebra: &'a Algebra,
-    pub(crate) program: &'s Program<'a>,
-    /// The values of its steps.
-    pub(crate) witness: &'s Witness,
-    /// For each operand, whether it is uniform.
-    pub(crate) uniform: &'s [bool],
-    /// The steps that are wanted.
-    pub(crate) wanted: &'s [StepId],
-}
 
 /// How many forms are taken of a program that is seen from a point.
 const MOST_IN_FRAME: usize = 2;

@@ -1,6 +1,5 @@
 //! The action of a unit versor by commutators, on a multivector and blade by blade.
 
-use super::sandwich::is_odd;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Multivector, Value};
 
@@ -76,4 +75,9 @@ pub(super) fn grades(value: &Multivector) -> impl Fn(Blade) -> bool + use<> {
         .iter()
         .fold(0_u32, |set, (blade, _)| set | 1 << blade.grade());
     move |blade| grades & 1 << blade.grade() != 0
+}
+
+pub(super) fn is_odd(versor: &Multivector) -> bool {
+    let mut blades = versor.terms().iter().map(|(blade, _)| blade);
+    blades.len() > 0 && blades.all(|blade| blade.involute_is_negative())
 }

@@ -25,9 +25,8 @@
 //! coefficients of y but that of i. With `~V i V = ~B B i` the weight of y is `~B B` times that of
 //! x, and since `A ~A` is its reciprocal, `y² = 0` gives the last coefficient without a division.
 
-use super::linear_map::commutator;
+use super::linear_map::{commutator, is_odd};
 use super::null_pair::NullPair;
-use super::sandwich::is_odd;
 use crate::algebra::{Algebra, Blade, Product, Ratio, Unary};
 use crate::ir::{Arena, Multivector, Value};
 

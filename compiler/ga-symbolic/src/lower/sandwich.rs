@@ -1,6 +1,6 @@
 //! The action of a versor, by one of several rules that agree where they apply.
 
-use super::linear_map::{acted, kept, linear_map};
+use super::linear_map::{acted, is_odd, kept, linear_map};
 use super::reflection::Form;
 use super::{null_image, reflection, scaled_split, split};
 use crate::algebra::{Algebra, Product, Unary};
@@ -141,9 +141,4 @@ fn right_first(
         &half,
         kept(versor, image),
     )
-}
-
-pub(super) fn is_odd(versor: &Multivector) -> bool {
-    let mut blades = versor.terms().iter().map(|(blade, _)| blade);
-    blades.len() > 0 && blades.all(|blade| blade.involute_is_negative())
 }

@@ -1,12 +1,10 @@
 //! Elementary functions of scalars that are made of others, and powers.
 
 use super::build::{Builder, Outcome};
+use super::limits::MAX_EXPONENT;
 use super::{OperationError, Step, StepId};
 use crate::algebra::Ratio;
 use crate::ir::Function;
-
-/// The largest exponent, up to its sign.
-pub(super) const MAX_EXPONENT: i128 = 1024;
 
 /// The largest denominator of an exponent for which square roots of square roots are taken.
 const MOST_ROOTS: i128 = 16;

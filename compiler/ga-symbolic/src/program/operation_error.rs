@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use super::elementary::MAX_EXPONENT;
-use super::limits::MAX_STEPS;
+use super::limits::{MAX_EXPONENT, MAX_STEPS};
 
 /// Why an operation has no value here.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,13 +1,15 @@
 //! Elements of the algebra as Euclidean shapes.
 
 mod drawable;
+mod error;
 mod flat;
 mod motion;
 mod multivector;
 mod round;
 mod trajectory;
 
-pub use drawable::{Drawable, NotDrawable};
+pub use drawable::Drawable;
+pub use error::NotDrawable;
 pub(crate) use multivector::whole;
 pub use trajectory::Trajectory;
 

@@ -1,7 +1,9 @@
 //! Planes: grids of pixels, owned and borrowed.
 
+mod error;
 mod view;
 
+pub use error::SizeError;
 pub use view::{PlaneView, PlaneViewMut, same_size};
 
 /// A grid of pixels, row by row without gaps.
@@ -14,56 +16,6 @@ pub struct Plane<T = f32> {
     width: usize,
     height: usize,
     values: Vec<T>,
-}
-
-/// Sizes that do not fit together.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum SizeError {
-    /// The pixels do not fill, or do not suffice for, that many rows and columns.
-    #[error("{length} pixels do not make {width} columns and {height} rows")]
-    Length {
-        /// Columns.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// The number of pixels.
-        length: usize,
-    },
-    /// The rows of a view would overlap.
-    #[error("rows of {width} pixels cannot begin {stride} pixels apart")]
-    Stride {
-        /// Pixels from one row to the next.
-        stride: usize,
-        /// Columns.
-        width: usize,
-    },
-    /// Two planes that should have one size have two.
-    #[error(
-        "the sizes differ: {} × {} and {} × {}",
-        first[0], first[1], second[0], second[1]
-    )]
-    Differs {
-        /// Columns and rows of the first.
-        first: [usize; 2],
-        /// Columns and rows of the second.
-        second: [usize; 2],
-    },
-    /// There are too few pixels for the operation.
-    #[error("{width} × {height} pixels are too few; at least {least} × {least} are needed")]
-    TooSmall {
-        /// Columns.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// The least number of columns and of rows.
-        least: usize,
-    },
-    /// A measure needs the range of the numbers, and it is not positive and finite.
-    #[error("the range {range} of the numbers is not positive and finite")]
-    Range {
-        /// The length of the range, as text.
-        range: String,
-    },
 }
 
 impl<T: Copy> Plane<T> {
@@ -286,6 +238,34 @@ impl<T: Copy, const N: usize> Plane<[T; N]> {
     #[must_use]
     pub fn channel(&self, channel: usize) -> Option<Plane<T>> {
         (channel < N).then(|| self.map(|pixel| pixel[channel]))
+    }
+}
+
+impl<T: Copy> PlaneView<'_, T> {
+    /// A copy of the pixels.
+    #[must_use]
+    pub fn to_plane(self) -> Plane<T> {
+        self.map(|value| value)
+    }
+
+    /// The plane of what `change` gives for each pixel.
+    #[must_use]
+    pub fn map<U: Copy>(self, mut change: impl FnMut(T) -> U) -> Plane<U> {
+        let mut values = Vec::with_capacity(self.width * self.height);
+        for row in self.rows() {
+            values.extend(row.iter().map(|value| change(*value)));
+        }
+        Plane {
+            width: self.width,
+            height: self.height,
+            values,
+        }
+    }
+}
+
+impl<'a, T: Copy> From<&'a Plane<T>> for PlaneView<'a, T> {
+    fn from(plane: &'a Plane<T>) -> Self {
+        plane.view()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Borrowed planes, and rectangles of them, without copying.
 
-use super::{Plane, SizeError};
+use super::SizeError;
 
 /// The pixels of a plane, or of a rectangle in a plane, borrowed.
 ///
@@ -113,26 +113,6 @@ impl<'a, T: Copy> PlaneView<'a, T> {
             stride: self.stride,
         })
     }
-
-    /// A copy of the pixels.
-    #[must_use]
-    pub fn to_plane(self) -> Plane<T> {
-        self.map(|value| value)
-    }
-
-    /// The plane of what `change` gives for each pixel.
-    #[must_use]
-    pub fn map<U: Copy>(self, mut change: impl FnMut(T) -> U) -> Plane<U> {
-        let mut values = Vec::with_capacity(self.width * self.height);
-        for row in self.rows() {
-            values.extend(row.iter().map(|value| change(*value)));
-        }
-        Plane {
-            width: self.width,
-            height: self.height,
-            values,
-        }
-    }
 }
 
 impl<T> Default for PlaneView<'_, T> {
@@ -151,12 +131,6 @@ impl<T: Copy + PartialEq> PartialEq for PlaneView<'_, T> {
     /// Whether the sizes and all pixels are equal; strides may differ.
     fn eq(&self, other: &Self) -> bool {
         (self.width, self.height) == (other.width, other.height) && self.rows().eq(other.rows())
-    }
-}
-
-impl<'a, T: Copy> From<&'a Plane<T>> for PlaneView<'a, T> {
-    fn from(plane: &'a Plane<T>) -> Self {
-        plane.view()
     }
 }
 

@@ -5,9 +5,11 @@ use std::borrow::Borrow;
 use png::{Encoder, Filter};
 
 use super::encode::{kind, raw};
-use crate::file::{EncodeError, Format, size_for};
+use crate::error::EncodeError;
+use crate::format::Format;
 use crate::picture::PictureView;
 use crate::plane::Plane;
+use crate::size::size_for;
 
 /// How an animation is played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,9 +4,11 @@ use std::io::Cursor;
 
 use png::{BitDepth, ColorType, Decoder, Transformations};
 
-use crate::file::{DecodeError, Format, check_claim};
+use crate::error::DecodeError;
+use crate::format::Format;
 use crate::picture::Picture;
 use crate::plane::Plane;
+use crate::size::check_claim;
 
 /// Deflate makes at most 258 bytes of two bits, so at most 1,032 bytes of one.
 const BYTES_FROM_ONE: f64 = 1032.0;

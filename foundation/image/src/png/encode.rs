@@ -2,10 +2,12 @@
 
 use png::{BitDepth, ColorType, Encoder, Filter};
 
-use crate::file::{EncodeError, Format, size_for};
+use crate::error::EncodeError;
+use crate::format::Format;
 use crate::picture::PictureView;
 use crate::plane::PlaneView;
 use crate::sample::Pixel;
+use crate::size::size_for;
 
 /// The bytes of a PNG file.
 ///

@@ -11,8 +11,8 @@ pub use decode::decode;
 pub(crate) use encode::{big_endian, bytes_of};
 pub use encode::{encode, encode_indexed};
 
-use crate::file::{SaveError, save};
 use crate::picture::PictureView;
+use crate::save::{SaveError, save};
 
 /// Writes a PNG file, whole or not at all.
 ///

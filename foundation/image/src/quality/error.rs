@@ -78,36 +78,3 @@ impl<P: Pixel> Work for SquaredError<'_, '_, P> {
         }
     }
 }
-
-/// The sum of the squared differences of integers, exact.
-#[inline(always)]
-pub(crate) fn squared_error_of_bytes(a: &[u8], b: &[u8]) -> f64 {
-    // 2¹⁵ · 255² is less than 2³¹.
-    let pieces = a.chunks(1 << 15).zip(b.chunks(1 << 15));
-    let sums = pieces.map(|(a, b)| {
-        let squares = a.iter().zip(b).map(|(a, b)| {
-            let difference = i32::from(i16::from(*a) - i16::from(*b));
-            difference * difference
-        });
-        f64::from(squares.sum::<i32>())
-    });
-    sums.sum()
-}
-
-/// The sum of the squared differences, added in eight parts.
-#[inline(always)]
-pub(crate) fn squared_error<S: Sample>(a: &[S], b: &[S]) -> f64 {
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
-    let square = |a: S, b: S| {
-        let difference = f64::from(a.to_f32()) - f64::from(b.to_f32());
-        difference * difference
-    };
-    let mut sums = [0.0; 8];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..8 {
-            sums[lane] += square(a[lane], b[lane]);
-        }
-    }
-    let rest = a_rest.iter().zip(b_rest).map(|(a, b)| square(*a, *b));
-    sums.iter().sum::<f64>() + rest.sum::<f64>()
-}

@@ -9,7 +9,6 @@ mod weighted;
 
 use error::peak_ratio;
 pub use error::{mse, psnr};
-pub(crate) use error::{squared_error, squared_error_of_bytes};
 pub use information::{Information, MutualInformation, mutual_information};
 pub use multiscale::{MULTISCALE_LEAST_SIDE, MultiScale, SCALES};
 pub use ssim::{Similarity, Ssim, WeightedSimilarity};

@@ -4,8 +4,11 @@ use std::borrow::Borrow;
 use std::path::Path;
 
 use super::{Film, Sampling};
-use crate::file::{EncodeError, Format, SaveError, save, size_for};
+use crate::error::EncodeError;
+use crate::format::Format;
 use crate::plane::Plane;
+use crate::save::{SaveError, save};
+use crate::size::size_for;
 use crate::ycbcr::{Range, rounded};
 
 /// The bytes of a film of these frames, which may be borrowed, or made one after another by an

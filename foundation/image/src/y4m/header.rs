@@ -3,7 +3,8 @@
 use std::str::FromStr;
 
 use super::{Film, Sampling};
-use crate::file::{DecodeError, Format};
+use crate::error::DecodeError;
+use crate::format::Format;
 use crate::ycbcr::Range;
 
 /// What the first line of a film says.

@@ -2,9 +2,11 @@
 
 use super::header::{Header, parse, syntax};
 use super::{Film, Sampling};
-use crate::file::{DecodeError, Format, check_claim};
+use crate::error::DecodeError;
+use crate::format::Format;
 use crate::picture::Picture;
 use crate::plane::{Plane, PlaneView};
+use crate::size::check_claim;
 use crate::ycbcr::YCbCr;
 
 /// The frames of a film of 8 bits, one after another, borrowed from the bytes of its file. For

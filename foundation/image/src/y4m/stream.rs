@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, BufReader, Read};
 
 use super::header::{Header, MAGIC, parse, syntax};
-use crate::file::DecodeError;
+use crate::error::DecodeError;
 use crate::plane::Plane;
 
 /// The greatest number of bytes in the header, and in the line that begins a frame.

@@ -4,8 +4,10 @@ use std::io::{self, Write};
 
 use super::encode::header;
 use super::{Film, Number};
-use crate::file::{EncodeError, Format, size_for};
+use crate::error::EncodeError;
+use crate::format::Format;
 use crate::plane::Plane;
+use crate::size::size_for;
 
 /// A film that is written frame by frame, of planes as they are stored, with 8 or 10 bits: the
 /// counterpart of [`Stream`](super::Stream).

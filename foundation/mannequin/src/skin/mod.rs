@@ -1,22 +1,14 @@
 //! The painted skin: texture coordinates, and the texture that formulas paint.
 
+pub(crate) mod coordinates;
 mod noise;
 mod paint;
 
 use ga_image::plane::Plane;
-use ga_mesh::Mesh;
-use ga_mesh::atlas::{Options, unwrap};
 use rayon::prelude::*;
 
 use crate::landmarks::Landmarks;
 use crate::{Human, Vector};
-
-/// The side of the texture in texels for which the charts are placed.
-const SIZE: u32 = 1024;
-
-/// Texels around a chart that belong to it alone, so that smaller copies of the texture keep charts
-/// apart.
-const GAP: u32 = 3;
 
 /// Texels that triangles colour around themselves, so that interpolation finds no others.
 const MARGIN: f64 = 1.5;
@@ -72,20 +64,6 @@ impl Human {
         };
         filled(size, texels.values().par_iter().map(colour).collect())
     }
-}
-
-/// The mesh with texture coordinates.
-pub(crate) fn with_texture_coordinates(mesh: Mesh) -> Mesh {
-    let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
-    let options = Options {
-        size: SIZE,
-        margin_texels: GAP,
-        ..Options::default()
-    };
-    let atlas = unwrap(&positions, &mesh.triangles(), &options)
-        .expect("a closed surface of even triangles has an atlas");
-    mesh.with_texture_coordinates(vec![atlas.texture_coordinates()])
-        .expect("there are three finite coordinates for each triangle")
 }
 
 /// A texel: how far outside its triangle it lies, and the point on the body that it shows.

@@ -37,14 +37,11 @@ mod surface;
 pub use error::AtlasError;
 pub use measure::Report;
 
+use crate::TextureCoordinates;
 use chart::Flat;
 use flatten::Flattened;
 use pack::Effort;
-use surface::{NONE, Surface};
-
-use crate::TextureCoordinates;
-
-type Vector = ga_runtime::vga3::Vector<f64>;
+use surface::{NONE, Surface, Vector};
 
 /// The longest side of a texture, in texels.
 pub const MAX_SIZE: u32 = 16_384;

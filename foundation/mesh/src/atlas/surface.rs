@@ -1,9 +1,11 @@
 //! A triangle mesh prepared for cutting: only faces with area, and who lies across each side.
 
-use super::{AtlasError, Vector};
+use super::AtlasError;
 use crate::places::first_of_equal;
 use crate::topology::Edges;
 use crate::{MeshError, bounds};
+
+pub(super) type Vector = ga_runtime::vga3::Vector<f64>;
 
 /// No face, no side.
 pub(super) const NONE: u32 = u32::MAX;

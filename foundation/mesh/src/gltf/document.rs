@@ -1,9 +1,6 @@
 //! Documents: nodes, scenes and cameras, and the lists of everything that they refer to.
 
-use super::{Animation, GltfError, Image, Material, Mesh, Sampler, Skin, Texture};
-
-/// Data of an application, as JSON.
-pub type Extras = Option<serde_json::Value>;
+use super::{Animation, Extras, Image, Material, Mesh, Sampler, Skin, Texture};
 
 /// The contents of a glTF file. Elements refer to each other by their index in these lists.
 ///
@@ -153,48 +150,6 @@ pub enum Projection {
         /// The distance of the far clipping plane.
         far: f32,
     },
-}
-
-impl Document {
-    /// The parent of each node.
-    ///
-    /// # Errors
-    ///
-    /// [`GltfError`] for a child that does not exist, has two parents or is its own ancestor.
-    pub fn parents(&self) -> Result<Vec<Option<usize>>, GltfError> {
-        super::hierarchy::parents(&self.nodes)
-    }
-
-    /// All nodes, each after its parent.
-    ///
-    /// # Errors
-    ///
-    /// As [`Document::parents`].
-    pub fn parents_before_children(&self) -> Result<Vec<usize>, GltfError> {
-        let parents = self.parents()?;
-        super::hierarchy::parents_before_children(&self.nodes, &parents)
-    }
-
-    /// The frame of each node in the world, as the upper three rows of a 4 × 4 matrix: that of its
-    /// parent times its own.
-    ///
-    /// # Errors
-    ///
-    /// As [`Document::parents`].
-    pub fn world_matrices(&self) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
-        super::hierarchy::world_matrices(&self.nodes)
-    }
-
-    /// Whether every element refers to elements that exist, every list has the length that others
-    /// imply, and every number is finite and in its range. The reader returns only such documents,
-    /// and the writer writes only such.
-    ///
-    /// # Errors
-    ///
-    /// [`GltfError`] names the first element that is at fault.
-    pub fn validate(&self) -> Result<(), GltfError> {
-        super::validate::document(self)
-    }
 }
 
 impl Asset {

@@ -1,7 +1,38 @@
 //! The tree of the nodes.
 
 use super::error::{Element, Problem};
-use super::{GltfError, Node};
+use super::{Document, GltfError, Node};
+
+impl Document {
+    /// The parent of each node.
+    ///
+    /// # Errors
+    ///
+    /// [`GltfError`] for a child that does not exist, has two parents or is its own ancestor.
+    pub fn parents(&self) -> Result<Vec<Option<usize>>, GltfError> {
+        parents(&self.nodes)
+    }
+
+    /// All nodes, each after its parent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::parents`].
+    pub fn parents_before_children(&self) -> Result<Vec<usize>, GltfError> {
+        let parents = self.parents()?;
+        parents_before_children(&self.nodes, &parents)
+    }
+
+    /// The frame of each node in the world, as the upper three rows of a 4 × 4 matrix: that of its
+    /// parent times its own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::parents`].
+    pub fn world_matrices(&self) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+        world_matrices(&self.nodes)
+    }
+}
 
 /// The parent of each node.
 pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, GltfError> {
@@ -31,7 +62,7 @@ pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, GltfError> {
 }
 
 /// The frame of each node in the world.
-pub(super) fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
     let parents = parents(nodes)?;
     let mut world: Vec<_> = nodes
         .iter()
@@ -47,7 +78,7 @@ pub(super) fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfE
 
 /// All nodes, each after its parent. A node that cannot be reached from a root is in a cycle or
 /// below one.
-pub(super) fn parents_before_children(
+fn parents_before_children(
     nodes: &[Node],
     parents: &[Option<usize>],
 ) -> Result<Vec<usize>, GltfError> {

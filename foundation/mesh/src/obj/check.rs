@@ -2,7 +2,7 @@
 //! vertices it uses, so that these are known only at the end of the file.
 
 use super::lines::Lines;
-use super::parser::{List, Statements};
+use super::statements::{List, Statements};
 use super::{ObjError, ObjProblem};
 use crate::words::Words;
 

@@ -49,6 +49,7 @@ mod lines;
 pub mod mtl;
 mod parser;
 mod read;
+mod statements;
 mod write;
 
 pub use error::{ObjError, ObjProblem};

@@ -6,64 +6,11 @@ use ga_runtime::vga3::Vector;
 
 use super::check::check_indices;
 use super::lines::Lines;
+use super::statements::{List, Statements};
 use super::{ObjError, ObjProblem};
 use crate::lists::Lists;
 use crate::words::{Words, integer, numbers, text};
-use crate::{Faces, Group, Polylines};
-
-/// What an OBJ file says, indices checked and counted from 0.
-#[derive(Default)]
-pub(super) struct Statements {
-    pub(super) positions: Vec<[f64; 3]>,
-    /// Empty, or one for each position; the colour in the file's colour space.
-    pub(super) colours: Vec<[f64; 4]>,
-    pub(super) texture: Vec<[f64; 2]>,
-    pub(super) normals: Vec<Vector<f64>>,
-    pub(super) faces: Faces,
-    /// Empty, or one for each corner of the faces.
-    pub(super) texture_corners: Vec<Option<u32>>,
-    pub(super) normal_corners: Vec<Option<u32>>,
-    pub(super) groups: Vec<Group>,
-    pub(super) objects: Vec<Group>,
-    /// The names of `usemtl` lines, and where each is named first.
-    pub(super) materials: Vec<(String, usize)>,
-    /// Empty, or one for each face.
-    pub(super) face_materials: Vec<Option<u32>>,
-    /// What `mtllib` lines name, with their lines.
-    pub(super) libraries: Vec<(String, usize)>,
-    pub(super) polylines: Polylines,
-    pub(super) points: Vec<u32>,
-    pub(super) last_line: usize,
-}
-
-/// The lists that an index may refer to.
-#[derive(Clone, Copy)]
-pub(super) enum List {
-    Vertices,
-    Texture,
-    Normals,
-}
-
-impl List {
-    pub(super) fn keyword(self) -> &'static str {
-        match self {
-            List::Vertices => "v",
-            List::Texture => "vt",
-            List::Normals => "vn",
-        }
-    }
-}
-
-impl Statements {
-    /// How many elements a list has so far.
-    pub(super) fn count(&self, list: List) -> usize {
-        match list {
-            List::Vertices => self.positions.len(),
-            List::Texture => self.texture.len(),
-            List::Normals => self.normals.len(),
-        }
-    }
-}
+use crate::{Faces, Group};
 
 pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
     let mut parser = Parser {

@@ -1,14 +1,14 @@
 //! OBJ files as meshes with their materials.
 
 use std::collections::HashMap;
-use std::fmt;
-use std::io;
 use std::path::Path;
+use std::{fmt, io};
 
 use ga_files::ReadError;
 use ga_runtime::vga3::Vector;
 
-use super::parser::{Statements, statements};
+use super::parser::statements;
+use super::statements::Statements;
 use super::{ObjError, ObjProblem, mtl};
 use crate::colour_space::linear_from_srgb;
 use crate::{CornerAttribute, Image, Material, Mesh, MeshError};

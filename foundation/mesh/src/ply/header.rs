@@ -2,7 +2,19 @@
 
 use std::collections::HashSet;
 
-use super::{Encoding, Place, PlyError, PlyProblem};
+use super::{Place, PlyError, PlyProblem};
+
+/// How the numbers of a file are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Encoding {
+    /// As text.
+    Ascii,
+    /// Binary, the lowest byte first.
+    #[default]
+    LittleEndian,
+    /// Binary, the highest byte first.
+    BigEndian,
+}
 
 /// What a file declares.
 pub(super) struct Header {

@@ -42,19 +42,8 @@ use ga_files::{ReadError, WriteError};
 use crate::Mesh;
 
 pub use error::{Place, PlyError, PlyProblem};
+pub use header::Encoding;
 pub use write::to_bytes;
-
-/// How the numbers of a file are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Encoding {
-    /// As text.
-    Ascii,
-    /// Binary, the lowest byte first.
-    #[default]
-    LittleEndian,
-    /// Binary, the highest byte first.
-    BigEndian,
-}
 
 /// Reads the mesh in a file.
 ///

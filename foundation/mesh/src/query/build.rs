@@ -22,7 +22,24 @@ const SAH_DEPTH: usize = 9;
 /// [`DEPTH`], and the bits below [`LEAF`] can number their packets.
 const LIMIT: usize = 1 << 30;
 
-pub(super) fn build<P: Copy + Into<Point<f64>>>(
+impl Bvh {
+    /// The hierarchy over these triangles, by the surface area heuristic with bins. Positions that
+    /// no triangle uses are not looked at. Without triangles, rays hit nothing and the other
+    /// queries say so.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::IndexOutOfRange`]; [`MeshError::NotFinite`] for a corner of a triangle;
+    /// [`MeshError::TooLarge`] past 2³⁰ triangles.
+    pub fn new<P: Copy + Into<Point<f64>>>(
+        positions: &[P],
+        triangles: &[[u32; 3]],
+    ) -> Result<Self, MeshError> {
+        build(positions, triangles)
+    }
+}
+
+fn build<P: Copy + Into<Point<f64>>>(
     positions: &[P],
     triangles: &[[u32; 3]],
 ) -> Result<Bvh, MeshError> {

@@ -56,6 +56,7 @@
 mod build;
 mod error;
 mod frame;
+mod hierarchy;
 mod line;
 mod nearest;
 mod node;
@@ -66,66 +67,11 @@ mod ray;
 mod section;
 mod signed_distance;
 
-use ga_runtime::cga3::Point;
-use ga_runtime::vga3::Vector;
-
-use crate::MeshError;
 pub use error::QueryError;
+pub use hierarchy::Bvh;
 pub use nearest::Nearest;
 pub(crate) use nearest::closest_weights;
 pub use overlap::LineCrossing;
 pub use ray::MeshHit;
 pub use section::{Contour, Segment};
 pub use signed_distance::{ClosedSurface, NotClosed};
-
-use frame::Frame;
-use node::{LEAF, Node};
-use packet::{Packet, Screen};
-
-/// A bounding volume hierarchy over triangles; see the [module](self).
-#[derive(Clone, Debug)]
-pub struct Bvh {
-    frame: Frame,
-    bounds: Option<[Vector<f64>; 2]>,
-    /// The first one is the root.
-    nodes: Vec<Node>,
-    packets: Vec<Packet>,
-    /// One for each packet.
-    screens: Vec<Screen>,
-    triangle_count: usize,
-}
-
-impl Bvh {
-    /// The hierarchy over these triangles, by the surface area heuristic with bins. Positions that
-    /// no triangle uses are not looked at. Without triangles, rays hit nothing and the other
-    /// queries say so.
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError::IndexOutOfRange`]; [`MeshError::NotFinite`] for a corner of a triangle;
-    /// [`MeshError::TooLarge`] past 2³⁰ triangles.
-    pub fn new<P: Copy + Into<Point<f64>>>(
-        positions: &[P],
-        triangles: &[[u32; 3]],
-    ) -> Result<Self, MeshError> {
-        build::build(positions, triangles)
-    }
-
-    /// How many triangles there are.
-    #[must_use]
-    pub fn triangle_count(&self) -> usize {
-        self.triangle_count
-    }
-
-    /// The least and the greatest coordinates of the triangles; `None` if there are none.
-    #[must_use]
-    pub fn bounds(&self) -> Option<[Point<f64>; 2]> {
-        self.bounds.map(|bounds| bounds.map(Point::from))
-    }
-
-    /// The packet of a leaf, if it has one.
-    #[inline(always)]
-    fn packet(&self, leaf: u32) -> Option<&Packet> {
-        self.packets.get((leaf ^ LEAF) as usize)
-    }
-}

@@ -2,11 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::sharpness::Sharpness;
-use super::{
-    Boundary, Corner, Crease, INFINITELY_SHARP, Rules, Scheme, Stencils, SubdivisionError, Tags,
-    catmull_clark, loops,
-};
+use super::{Boundary, Corner, Crease, Rules, Scheme, SubdivisionError, Tags};
 use crate::Faces;
 use crate::topology::{self, Edges};
 
@@ -22,17 +18,17 @@ use crate::topology::{self, Edges};
 /// is an error here. Vertices without a face stay where they are.
 #[derive(Clone, Debug)]
 pub struct Cage {
-    faces: Faces,
-    vertices: usize,
-    rules: Rules,
-    smoothing: Smoothing,
+    pub(super) faces: Faces,
+    pub(super) vertices: usize,
+    pub(super) rules: Rules,
+    pub(super) smoothing: Smoothing,
     /// Sharp edges between two faces, by rising ends, the lower end first.
-    creases: Vec<Crease>,
+    pub(super) creases: Vec<Crease>,
     /// Sharp vertices, in rising order.
-    corners: Vec<Corner>,
+    pub(super) corners: Vec<Corner>,
     /// The vertices that the rules make infinitely sharp, in rising order.
-    fixed: Vec<u32>,
-    edges: OnceLock<Edges>,
+    pub(super) fixed: Vec<u32>,
+    pub(super) edges: OnceLock<Edges>,
 }
 
 /// How new values are computed.
@@ -44,15 +40,6 @@ pub(super) enum Smoothing {
     FixedBoundary,
     /// As means of the ends of edges and of the corners of faces.
     Linear,
-}
-
-/// One step of refinement.
-#[derive(Clone, Debug)]
-pub struct Refined {
-    /// The refined faces with what is left of the creases.
-    pub cage: Cage,
-    /// The refined vertices as weighted sums of the coarse ones.
-    pub stencils: Stencils,
 }
 
 impl Cage {
@@ -212,52 +199,6 @@ impl Cage {
         })
     }
 
-    /// The faces and vertices of the next level.
-    ///
-    /// Vertex v stays vertex v. With V vertices and E edges, the new vertex on edge e is V + e, and
-    /// in Catmull and Clark's scheme the new vertex in face f is V + E + f.
-    ///
-    /// Loop's scheme puts four triangles in the place of each: one at each corner, which begins
-    /// there, and the one in the middle, which begins with the vertex on the first side. Catmull
-    /// and Clark's puts a quadrilateral in the place of each corner, which begins at that corner.
-    ///
-    /// # Errors
-    ///
-    /// [`SubdivisionError::TooLarge`].
-    pub fn refine(&self) -> Result<Refined, SubdivisionError> {
-        let edges = self.edges();
-        let (old_corners, old_faces) = (self.faces.corners().len() as u64, self.faces.len() as u64);
-        let (new_vertices, corners) = match self.rules.scheme {
-            Scheme::Loop => (edges.len() as u64, 4 * old_corners),
-            Scheme::CatmullClark => (edges.len() as u64 + old_faces, 4 * old_corners),
-        };
-        let vertices = self.vertices as u64 + new_vertices;
-        for (what, count) in [("vertices", vertices), ("corners", corners)] {
-            if count > u64::from(u32::MAX) {
-                return Err(SubdivisionError::TooLarge { what, count });
-            }
-        }
-        let sharpness = Sharpness::new(self);
-        let (faces, stencils) = match self.rules.scheme {
-            Scheme::Loop => (loops::faces(self)?, loops::stencils(self, &sharpness)),
-            Scheme::CatmullClark => (
-                catmull_clark::faces(self)?,
-                catmull_clark::stencils(self, &sharpness),
-            ),
-        };
-        let cage = Self {
-            faces,
-            vertices: vertices as usize,
-            rules: self.rules,
-            smoothing: self.smoothing,
-            creases: sharpness.refined_creases(),
-            corners: sharpness.refined_corners(),
-            fixed: self.fixed.clone(),
-            edges: OnceLock::new(),
-        };
-        Ok(Refined { cage, stencils })
-    }
-
     pub(super) fn smoothing(&self) -> Smoothing {
         self.smoothing
     }
@@ -309,13 +250,4 @@ fn last_of_each(mut values: Vec<(u32, f64)>) -> impl Iterator<Item = (u32, f64)>
     values.dedup_by_key(|&mut (key, _)| key);
     values.reverse();
     values.into_iter().filter(|&(_, sharpness)| sharpness > 0.0)
-}
-
-/// What is left of a sharpness at the next level, by the normal method.
-pub(super) fn lessened(sharpness: f64) -> f64 {
-    if sharpness >= INFINITELY_SHARP {
-        sharpness
-    } else {
-        (sharpness - 1.0).max(0.0)
-    }
 }

@@ -1,6 +1,6 @@
 //! Which rule holds at each edge and vertex.
 
-use super::cage::{Smoothing, lessened};
+use super::cage::Smoothing;
 use super::{Cage, Corner, Crease, CreaseMethod, INFINITELY_SHARP};
 use crate::topology::Edges;
 
@@ -261,5 +261,14 @@ impl Rule {
             (Some(a), Some(b), None) => Self::Crease([a, b]),
             _ => Self::Corner,
         }
+    }
+}
+
+/// What is left of a sharpness at the next level, by the normal method.
+fn lessened(sharpness: f64) -> f64 {
+    if sharpness >= INFINITELY_SHARP {
+        sharpness
+    } else {
+        (sharpness - 1.0).max(0.0)
     }
 }

@@ -1,18 +1,10 @@
 //! The position of the camera for each frame.
 
+use super::options::Framing;
 use super::{Frame, Options, SheetError};
 use crate::resolve::KEY_TANGENT;
 use crate::shade::WorldLighting;
 use crate::{Camera, Ground, RenderError, Vector};
-
-/// Whether the camera follows the figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Framing {
-    /// One camera for all frames: the figure crosses the picture.
-    Fixed,
-    /// The camera moves level with the middle of the figure: the ground passes below it.
-    Following,
-}
 
 /// The cameras of the frames, and the ground they all see.
 pub(super) struct Stage {

@@ -1,16 +1,7 @@
 //! The places of the frames on a sheet.
 
+use super::options::Layout;
 use super::{Frame, Kind, Options, SheetError};
-
-/// Which pictures stand side by side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layout {
-    /// A row for each two neighbouring key frames: the one, the frames between, the other. A key
-    /// frame in the middle of an animation so ends one row and begins the next.
-    KeyToKey,
-    /// Rows of this many pictures, each frame once.
-    Columns(usize),
-}
 
 impl Layout {
     /// The indices of the frames in each row.

@@ -29,54 +29,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod error;
 mod film;
+mod frame;
 mod framing;
 mod layout;
+mod options;
 mod paint;
 
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::{
-    Camera, Ground, Material, Object, Polyline, RenderError, Rendering, Scene, Style,
-    ViewDirection, render,
-};
+use crate::{Camera, Ground, Material, Object, Rendering, Scene, Style, render};
+pub use error::SheetError;
 pub use film::{Film, Shooting};
-pub use framing::Framing;
-pub use layout::Layout;
+pub use frame::{Frame, Kind};
 
-/// A mesh at one moment.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame<'a> {
-    /// The frame's number, for the caption.
-    pub number: usize,
-    /// The frame's time in seconds, for the caption.
-    pub time: f64,
-    /// Whether it was given or computed.
-    pub kind: Kind,
-    /// The places of the vertices.
-    pub positions: &'a [[f64; 3]],
-    /// Segments to draw over the picture, none or the bones of a skeleton.
-    pub bones: &'a [[[f64; 3]; 2]],
-    /// Lines of the world to draw over the picture, such as the paths of joints. They have no
-    /// influence on the camera.
-    pub lines: &'a [Polyline<'a>],
-}
-
-impl<'a> Frame<'a> {
-    /// A key frame at the time 0, without bones and lines.
-    #[must_use]
-    pub fn new(number: usize, positions: &'a [[f64; 3]]) -> Self {
-        Self {
-            number,
-            time: 0.0,
-            kind: Kind::Key,
-            positions,
-            bones: &[],
-            lines: &[],
-        }
-    }
-}
+pub use options::{Framing, Layout, Options};
 
 /// What moves: all about it but the places of its vertices.
 #[derive(Clone, Debug)]
@@ -122,65 +91,6 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// The role of a frame in an animation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Given.
-    Key,
-    /// Computed: `step` of `steps` equal steps of time after a key frame, the next key frame being
-    /// at `steps`.
-    InBetween {
-        /// From 1 to `steps − 1`.
-        step: usize,
-        /// How many steps there are from key to key: one more than there are frames between.
-        steps: usize,
-    },
-}
-
-/// How a sheet is made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Written over the sheet, if not empty. Characters beyond Latin-1 become question marks.
-    pub title: String,
-    /// Size and look of each picture.
-    pub style: Style,
-    /// The side the figure is seen from.
-    pub view: ViewDirection,
-    /// Whether the camera follows the figure.
-    pub framing: Framing,
-    /// Which pictures stand side by side.
-    pub layout: Layout,
-    /// Whether there is a row of depth pictures under each row of pictures.
-    pub depth: bool,
-    /// The height of the ground; `None` for the level of the lowest vertex of all frames.
-    pub ground: Option<f64>,
-    /// The distance between the lines on the ground; `None` for a round number below a third of the
-    /// figure's height.
-    pub grid: Option<f64>,
-}
-
-impl Default for Options {
-    /// Pictures of 240 × 320 from three quarters that follow the figure, in rows from key to key,
-    /// with depth.
-    fn default() -> Self {
-        Self {
-            title: String::new(),
-            style: Style {
-                width: 240,
-                height: 320,
-                supersampling: 3,
-                ..Style::default()
-            },
-            view: ViewDirection::default(),
-            framing: Framing::Following,
-            layout: Layout::KeyToKey,
-            depth: true,
-            ground: None,
-            grid: None,
-        }
-    }
-}
-
 /// A contact sheet and what is on it.
 #[derive(Clone, Debug)]
 pub struct Sheet {
@@ -191,38 +101,6 @@ pub struct Sheet {
     /// The least and greatest depth in any picture: the range of all depth pictures on the sheet.
     /// `None` when no picture shows anything.
     pub depth_range: Option<(f64, f64)>,
-}
-
-/// Why a sheet cannot be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum SheetError {
-    /// There are no frames.
-    #[error("a contact sheet needs at least one frame")]
-    NoFrames,
-    /// A frame cannot be drawn.
-    #[error("frame {number}: {source}")]
-    Frame {
-        /// The frame's number.
-        number: usize,
-        /// Why not.
-        source: RenderError,
-    },
-    /// The figure has no camera that sees it, or the style is not usable.
-    #[error(transparent)]
-    Picture(#[from] RenderError),
-    /// Rows from key to key need at least two key frames, the first frame and the last among them.
-    #[error(
-        "rows from key to key, but the first and the last of the frames are not two key frames"
-    )]
-    NotKeyToKey,
-    /// A sheet without columns, or one that is too large.
-    #[error("a contact sheet of {columns} columns and {rows} rows cannot be made")]
-    Size {
-        /// Columns of pictures.
-        columns: usize,
-        /// Rows of pictures.
-        rows: usize,
-    },
 }
 
 /// Draws the frames of one mesh and lays them out on a sheet.

@@ -3,9 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::scalar::SkinScalar;
-use super::tile::TILE;
 use crate::cga3::Point;
+use crate::scalar::Real;
 use crate::vga3::Vector;
 
 /// Points with one number of influences, in the order of their indices. All lists but `order` are
@@ -34,7 +33,7 @@ pub struct Bucket<S> {
     pub(crate) weights: Vec<S>,
 }
 
-impl<S: SkinScalar> Bucket<S> {
+impl<S: Real<Mask = bool> + Default> Bucket<S> {
     pub(crate) fn new(influences: usize) -> Self {
         Self {
             influences,
@@ -98,3 +97,9 @@ impl<S: SkinScalar> Bucket<S> {
         gathered
     }
 }
+
+/// The number of points in a tile.
+pub(crate) const TILE: usize = 32;
+
+/// The coefficients of the sum of motors for each point of a tile.
+pub(crate) type Motors<S> = [[S; TILE]; 8];

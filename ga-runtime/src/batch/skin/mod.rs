@@ -47,57 +47,29 @@ mod bucket;
 mod error;
 mod maps;
 mod palette;
+mod points;
 mod pose;
+mod posed;
 mod scalar;
 mod tile;
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
-use core::ops::Range;
 
 pub use error::SkinError;
 pub use palette::{AffinePalette, MotorPalette};
-pub use pose::{Mix, Posed};
+pub use points::{Chunk, Skin};
+pub use pose::Mix;
+pub use posed::Posed;
 pub use scalar::SkinScalar;
 
-use super::same_length;
+use super::error::same_length;
 use crate::cga3::Point;
 use crate::vga3::Vector;
-pub(crate) use bucket::Bucket;
-pub(crate) use tile::Motors;
+pub(crate) use bucket::{Bucket, Motors};
 
 /// The largest number of points in a chunk.
 pub const CHUNK: usize = 4096;
-
-/// Points at rest and their influences, prepared for many frames.
-#[derive(Clone, Debug)]
-pub struct Skin<S> {
-    joints: usize,
-    points: usize,
-    has_normals: bool,
-    has_tangents: bool,
-    chunks: Vec<Chunk<S>>,
-    /// The pairs of the heaviest influence of a point and another one.
-    pairs: Vec<[u32; 2]>,
-}
-
-/// A part of a [`Skin`]: consecutive points.
-#[derive(Clone, Debug)]
-pub struct Chunk<S> {
-    first: usize,
-    len: usize,
-    joints: usize,
-    pairs: usize,
-    buckets: Vec<Bucket<S>>,
-}
-
-impl<S> Chunk<S> {
-    /// The indices of its points.
-    #[must_use]
-    pub fn range(&self) -> Range<usize> {
-        self.first..self.first + self.len
-    }
-}
 
 impl<S: SkinScalar> Skin<S> {
     /// Prepares points for motions of a number of joints. The influences of a point are pairs of a
@@ -246,43 +218,5 @@ impl<S: SkinScalar> Skin<S> {
             found,
         }
         .into()
-    }
-}
-
-impl<S> Skin<S> {
-    /// The number of points.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.points
-    }
-
-    /// Whether there are no points.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.points == 0
-    }
-
-    /// The number of joints.
-    #[must_use]
-    pub fn joints(&self) -> usize {
-        self.joints
-    }
-
-    /// Whether it has normals.
-    #[must_use]
-    pub fn has_normals(&self) -> bool {
-        self.has_normals
-    }
-
-    /// Whether it has tangents.
-    #[must_use]
-    pub fn has_tangents(&self) -> bool {
-        self.has_tangents
-    }
-
-    /// Its parts, in the order of the points.
-    #[must_use]
-    pub fn chunks(&self) -> &[Chunk<S>] {
-        &self.chunks
     }
 }

@@ -3,18 +3,20 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Chunk, Skin, SkinError, SkinScalar};
-use crate::batch::same_length;
+use super::SkinError;
+use super::points::{Chunk, Skin};
+use crate::batch::error::same_length;
 use crate::cga3::Motor;
 use crate::geometry::Affine;
 use crate::geometry::motion::relative_sign;
+use crate::scalar::Real;
 
 /// The columns of a matrix `[L | t]`, each filled up to four numbers by a zero.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(align(64))]
 pub(crate) struct Columns<S>(pub(crate) [S; 16]);
 
-impl<S: SkinScalar> Columns<S> {
+impl<S: Real<Mask = bool> + Default> Columns<S> {
     fn new(map: Affine<S>) -> Self {
         let ([a, b, c], [x, y, z], zero) = (map.linear, map.translation, S::zero());
         Self([
@@ -29,7 +31,7 @@ pub struct AffinePalette<S> {
     pub(crate) maps: Vec<Columns<S>>,
 }
 
-impl<S: SkinScalar> AffinePalette<S> {
+impl<S: Real<Mask = bool> + Default> AffinePalette<S> {
     /// Identity maps for the joints of a skin.
     #[must_use]
     pub fn new(skin: &Skin<S>) -> Self {
@@ -84,7 +86,7 @@ pub struct MotorPalette<S> {
 #[repr(align(32))]
 pub(crate) struct Coefficients<S>(pub(crate) [S; 8]);
 
-impl<S: SkinScalar> Coefficients<S> {
+impl<S: Real<Mask = bool> + Default> Coefficients<S> {
     pub(super) fn new(m: Motor<S>) -> Self {
         Self([
             m.scalar(),
@@ -105,7 +107,7 @@ impl<S: SkinScalar> Coefficients<S> {
     }
 }
 
-impl<S: SkinScalar> MotorPalette<S> {
+impl<S: Real<Mask = bool> + Default> MotorPalette<S> {
     /// Identity motors for the joints of a skin.
     #[must_use]
     pub fn new(skin: &Skin<S>) -> Self {
@@ -185,7 +187,7 @@ impl<S: SkinScalar> MotorPalette<S> {
 }
 
 /// Whether a motor is finite and has norm 1 within √ε.
-fn is_unit<S: SkinScalar>(motor: Motor<S>) -> bool {
+fn is_unit<S: Real<Mask = bool> + Default>(motor: Motor<S>) -> bool {
     let [s, a, b, c, x, y, z, volume] = Coefficients::new(motor).0;
     let square = s * s + a * a + b * b + c * c;
     let is_one = (square - S::one()).abs().less_than(S::epsilon().sqrt());

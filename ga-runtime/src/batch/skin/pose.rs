@@ -1,39 +1,17 @@
 //! Moving the chunks of a skin.
 
-use super::bucket::Bucket;
+use super::bucket::{Bucket, TILE};
 use super::palette::{AffinePalette, MotorPalette};
-use super::tile::{Asked, TILE, Tile, is_doubtful};
+use super::posed::Posed;
+use super::tile::{Asked, Tile, is_doubtful};
 use super::{Chunk, SkinError, SkinScalar, maps};
-use crate::batch::{Batch, same_length};
+use crate::batch::Batch;
+use crate::batch::error::same_length;
 use crate::cga3::Point;
 use crate::instruction_set::InstructionSet;
 use crate::scalar::Real;
 use crate::unsafe_code::{Work, run};
 use crate::vga3::Vector;
-
-/// Where the images of the points of a chunk are written to. A list of directions may be empty;
-/// then they are not computed.
-#[derive(Debug)]
-pub struct Posed<'a, S> {
-    /// The images of the points.
-    pub points: &'a mut [Point<S>],
-    /// The normals there.
-    pub normals: &'a mut [Vector<S>],
-    /// The tangents there.
-    pub tangents: &'a mut [Vector<S>],
-}
-
-impl<'a, S> Posed<'a, S> {
-    /// The points alone.
-    #[must_use]
-    pub fn of_points(points: &'a mut [Point<S>]) -> Self {
-        Self {
-            points,
-            normals: &mut [],
-            tangents: &mut [],
-        }
-    }
-}
 
 /// How much of the blend of motors is in a mixture with the mean of affine maps: 0 is the mean, 1
 /// the blend.

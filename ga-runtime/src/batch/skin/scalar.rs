@@ -1,12 +1,11 @@
 //! The numbers that skins can have, with the loops that are written for each.
 
-use super::bucket::Bucket;
+use super::bucket::{Bucket, Motors};
 use super::palette::{AffinePalette, MotorPalette};
-use super::pose::Posed;
-use super::tile::Motors;
+use super::posed::Posed;
 use crate::instruction_set::InstructionSet;
 use crate::scalar::Real;
-use crate::unsafe_code;
+use crate::unsafe_code::instructions;
 
 /// A number that a skin can have: `f32` or `f64`.
 pub trait SkinScalar:
@@ -61,7 +60,7 @@ impl sealed::Loops for f32 {
         palette: &AffinePalette<f32>,
         posed: &mut Posed<'_, f32>,
     ) -> bool {
-        unsafe_code::skin_by_affine_maps(set, bucket, palette, posed)
+        instructions::skin_by_affine_maps(set, bucket, palette, posed)
     }
 
     #[inline]
@@ -71,7 +70,7 @@ impl sealed::Loops for f32 {
         palette: &MotorPalette<f32>,
         posed: &mut Posed<'_, f32>,
     ) -> bool {
-        unsafe_code::skin_by_motors(set, bucket, palette, posed)
+        instructions::skin_by_motors(set, bucket, palette, posed)
     }
 
     #[inline]
@@ -82,7 +81,7 @@ impl sealed::Loops for f32 {
         palette: &MotorPalette<f32>,
         sums: &mut Motors<f32>,
     ) -> bool {
-        unsafe_code::sum_motors(set, bucket, start, palette, sums)
+        instructions::sum_motors(set, bucket, start, palette, sums)
     }
 }
 

@@ -1,19 +1,13 @@
 //! The loops over tiles, which the compiler translates into vector instructions: first the sums for
 //! all points of a tile, then their images.
 
-use super::bucket::Bucket;
+use super::bucket::{Bucket, Motors, TILE};
 use super::maps;
 use super::palette::{AffinePalette, Coefficients, Columns, MotorPalette};
 use super::scalar::SkinScalar;
 use crate::cga3::{Direction, Motor, Point};
 use crate::instruction_set::InstructionSet;
 use crate::vga3::Vector;
-
-/// The number of points in a tile.
-pub(crate) const TILE: usize = 32;
-
-/// The coefficients of the sum of motors for each point of a tile.
-pub(crate) type Motors<S> = [[S; TILE]; 8];
 
 /// The images of the points of a tile, coordinate by coordinate.
 pub(super) struct Tile<S> {

@@ -4,9 +4,14 @@ use std::collections::VecDeque;
 use std::ops::{Range, RangeInclusive};
 
 use super::super::jackknife::standard_error;
+use super::delay::{Asynchrony, Delay};
 use super::products::{BLOCKS, Explained, Products};
-use super::{Asynchrony, Delay, LAGS, REACH};
 use ga_numerics::order_statistics::Sorted;
+
+/// The greatest delay that is tried, in frames either way.
+pub const REACH: usize = 12;
+
+pub(super) const LAGS: usize = 2 * REACH + 1;
 
 /// The least part of the changes of the right eye that the left one must explain.
 const LEAST_EXPLAINED: f64 = 0.3;

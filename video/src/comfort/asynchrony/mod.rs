@@ -16,6 +16,7 @@
 //! Measured settings of our own.
 
 mod decision;
+mod delay;
 mod products;
 mod reduction;
 
@@ -24,48 +25,14 @@ use std::collections::VecDeque;
 use ga_image::plane::Plane;
 
 use crate::Samples;
+pub use decision::REACH;
+pub use delay::{Asynchrony, Delay};
+
 use decision::{Row, Window};
 use products::{Change, Products};
 
-/// The greatest delay that is tried, in frames either way.
-pub const REACH: usize = 12;
-const LAGS: usize = 2 * REACH + 1;
-
 /// The number of frames before a frame, and after it, that are in its window.
 pub const HALF_WINDOW: usize = 16;
-
-/// The delay of the right eye at a frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Asynchrony {
-    /// It is known.
-    Measured(Delay),
-    /// The pictures hardly change, or in a few frames only.
-    NoMotion,
-    /// The changes of one eye do not explain those of the other.
-    Unrelated,
-    /// Several delays explain them nearly equally well, as in repeated or constant motion.
-    Ambiguous,
-}
-
-/// A measured delay.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Delay {
-    /// How many frames the right eye is late; negative when the left one is late.
-    pub frames: f64,
-    /// The standard error, without that of the interpolation between frames.
-    pub uncertainty_frames: f64,
-}
-
-impl Asynchrony {
-    /// The delay, where it is known.
-    #[must_use]
-    pub fn delay(&self) -> Option<Delay> {
-        match self {
-            Self::Measured(delay) => Some(*delay),
-            Self::NoMotion | Self::Unrelated | Self::Ambiguous => None,
-        }
-    }
-}
 
 /// Measures the delay at each frame of a video. Memory does not depend on its length.
 ///

@@ -14,6 +14,7 @@
 //! [`StereoscopyMeter`]. Pictures without half-occlusions, such as flat ones, do not show the order
 //! of the eyes. Measured settings of our own.
 
+mod alignment;
 mod correspondence;
 mod strips;
 mod view;
@@ -22,8 +23,9 @@ use correspondence::{Correspondence, correspond};
 use ga_numerics::order_statistics::Sorted;
 use strips::{Cues, REGION_COUNT, collect};
 
-use super::geometry::Geometry;
 use crate::Samples;
+pub use alignment::Alignment;
+
 use ga_vision::matcher::MatchError;
 
 /// How a shot uses its two views.
@@ -52,41 +54,6 @@ impl Stereoscopy {
             Self::Unrelated => "unrelated",
             Self::Unknown => "unknown",
         }
-    }
-}
-
-/// By how many pixels points are lower in the right view than in the left one, over the picture.
-///
-/// At a place that is x pixels right of the middle and y below it, the difference is
-/// `shift − x tan(rotation) + y zoom / 100`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Alignment {
-    /// In the middle, in pixels.
-    pub shift_px: f64,
-    /// The angle by which the right view is rotated counter-clockwise, in degrees.
-    pub rotation_degrees: f64,
-    /// By how many per cent the right view is larger.
-    pub zoom_percent: f64,
-}
-
-impl From<&Geometry> for Alignment {
-    fn from(geometry: &Geometry) -> Self {
-        Self {
-            shift_px: geometry.shift_px,
-            rotation_degrees: geometry.rotation_degrees,
-            zoom_percent: geometry.zoom_percent,
-        }
-    }
-}
-
-impl Alignment {
-    fn is_none(&self) -> bool {
-        *self == Self::default()
-    }
-
-    /// The difference of heights at a place relative to the middle, in pixels.
-    fn difference(&self, [x, y]: [f64; 2]) -> f64 {
-        self.shift_px - x * self.rotation_degrees.to_radians().tan() + 0.01 * y * self.zoom_percent
     }
 }
 

@@ -1,21 +1,9 @@
 //! Fits of logistic curves by variable projection.
 
 use super::super::{OpinionError, Scores};
+use super::Curve;
+use super::curve::{Fit, logistic};
 use super::simplex::{self, Vertex};
-use super::{Curve, logistic};
-
-/// A curve that was fitted to scores.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit<C> {
-    /// The curve.
-    pub curve: C,
-    /// The sum of the squared differences from the opinion scores.
-    pub sum_of_squares: f64,
-    /// Place and logarithm of the steepness, in the unit of the scores' range.
-    place: [f64; 2],
-    /// Middle and half of the range of the scores for which the place stands.
-    range: [f64; 2],
-}
 
 /// A logistic function with a straight line, `height · logistic(steepness (x − middle)) + slope x +
 /// constant`.

@@ -1,11 +1,13 @@
 //! The curves by which measures of quality are mapped to opinion scores.
 
+mod curve;
 mod fit;
 mod simplex;
 
-pub use fit::Fit;
+pub use curve::{Curve, Fit};
 
 use super::{OpinionError, Scores};
+use curve::logistic;
 
 /// The logistic function with four parameters,
 /// `q(x) = β₂ + (β₁ − β₂) / (1 + exp(−(x − β₃) / |β₄|))`: it goes from β₂ to β₁, and is halfway at
@@ -24,37 +26,6 @@ pub struct Logistic4 {
 pub struct Logistic5 {
     /// β₁ to β₅.
     pub parameters: [f64; 5],
-}
-
-/// A curve that maps scores of a measure to opinion scores.
-pub trait Curve: Copy + Send + Sync {
-    /// How many parameters it has.
-    const PARAMETERS: usize;
-
-    /// The opinion score that is predicted for a score of the measure.
-    fn at(&self, objective: f64) -> f64;
-
-    /// The curve for which the sum of the squared errors is least.
-    ///
-    /// The curve is linear in all of its parameters but two, the place and the steepness of the
-    /// logistic function: for each pair of these, the others follow from linear equations (variable
-    /// projection: G. H. Golub, V. Pereyra, 1973). A grid of the two is searched for all local
-    /// minima, and the best are followed by the simplex method of J. A. Nelder and R. Mead, 1965.
-    /// So the result does not depend on a start, and is the least sum over the grid's range: from
-    /// curves that are nearly polynomials to steps between two neighbouring scores. With few or
-    /// scattered scores such a step may be the best curve.
-    ///
-    /// # Errors
-    ///
-    /// [`OpinionError::TooFew`] where there are fewer scores than parameters.
-    fn fit(scores: &Scores) -> Result<Fit<Self>, OpinionError>;
-
-    /// The curve of least error near another one, whose minimum is followed to the scores.
-    ///
-    /// # Errors
-    ///
-    /// [`OpinionError::TooFew`] where there are fewer scores than parameters.
-    fn fit_near(scores: &Scores, start: &Fit<Self>) -> Result<Fit<Self>, OpinionError>;
 }
 
 impl Curve for Logistic4 {
@@ -128,11 +99,4 @@ impl Logistic5 {
             ],
         }
     }
-}
-
-/// `1 / (1 + exp(−z))` without overflow.
-fn logistic(z: f64) -> f64 {
-    let falling = (-z.abs()).exp();
-    let small = falling / (1.0 + falling);
-    if z < 0.0 { small } else { 1.0 - small }
 }

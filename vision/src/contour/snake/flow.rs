@@ -66,7 +66,7 @@ impl Flow {
                 value: mu,
             });
         }
-        let size = super::potential::check_plane(strength)?;
+        let size = check_plane(strength)?;
         let greatest = strength.values().iter().fold(0.0f32, |a, b| a.max(b.abs()));
         if greatest == 0.0 {
             return Ok([(); 2].map(|()| Plane::filled(size[0], size[1], 0.0)));
@@ -143,4 +143,20 @@ fn central(plane: &Plane<f64>) -> [Plane<f64>; 2] {
         (plane.row(below)[column] - plane.row(above)[column]) / 2.0
     });
     [across, down]
+}
+
+/// Columns and rows of a plane that has slopes, all of whose values are finite.
+pub(super) fn check_plane(plane: &Plane<f32>) -> Result<[usize; 2], SnakeError> {
+    let (width, height) = (plane.width(), plane.height());
+    if width.min(height) < 2 {
+        return Err(SnakeError::TooSmall { width, height });
+    }
+    let wrong = plane.values().iter().position(|value| !value.is_finite());
+    match wrong {
+        None => Ok([width, height]),
+        Some(index) => Err(SnakeError::NotFinite {
+            column: index % width,
+            row: index / width,
+        }),
+    }
 }

@@ -1,50 +1,20 @@
 //! Closed curves that settle at the edges of a picture: snakes.
 
+mod check;
 mod diffusion;
 mod error;
 mod flow;
+mod options;
 mod potential;
 
 pub use error::SnakeError;
 pub use flow::Flow;
+pub use options::SnakeOptions;
 pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};
 use ga_numerics::banded::ring::Ring;
 use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
-
-/// How a snake moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SnakeOptions {
-    /// α: how strongly the curve contracts, in square pixels.
-    pub tension: f64,
-    /// β: how strongly the curve resists bending, in fourth powers of a pixel.
-    pub rigidity: f64,
-    /// The snake has settled when no point moves farther than this in two steps, in pixels.
-    pub tolerance: f64,
-    /// The greatest distance that a point moves in a step, in pixels.
-    pub greatest_move: f64,
-    /// The greatest number of steps.
-    pub steps: usize,
-    /// After each this number of steps, the points are placed at equal distances along the curve,
-    /// if the energy does not rise by that.
-    pub resampled_every: Option<usize>,
-}
-
-impl Default for SnakeOptions {
-    /// α = 0.5, β = 50, at most 2500 steps of at most 8 pixels until none is above 0.01 pixels,
-    /// without resampling.
-    fn default() -> Self {
-        Self {
-            tension: 0.5,
-            rigidity: 50.0,
-            tolerance: 0.01,
-            greatest_move: 8.0,
-            steps: 2500,
-            resampled_every: None,
-        }
-    }
-}
 
 /// A snake after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,7 +113,7 @@ pub fn settle(
     options: &SnakeOptions,
     mut each_step: impl FnMut(&SnakeStep<'_>),
 ) -> Result<Settled, SnakeError> {
-    error::check(start, potential, options)?;
+    check::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
     motion.check_energy()?;
     let mut search = motion.search();
@@ -294,7 +264,7 @@ impl<'a> Motion<'a> {
         while !search.is_exhausted() {
             let outcome = search.step(self);
             if outcome.is_accepted {
-                error::check_inside(&self.points, self.potential.size())?;
+                check::check_inside(&self.points, self.potential.size())?;
                 return Ok(self.greatest_move);
             }
             if outcome.has_converged {

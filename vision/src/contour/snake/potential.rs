@@ -1,5 +1,6 @@
 //! The energy that a picture gives to each place.
 
+use super::flow::check_plane;
 use ga_image::filter::{Border, Gaussian};
 use ga_image::interpolation::cubic_weights;
 use ga_image::plane::Plane;
@@ -114,22 +115,6 @@ pub(super) struct Expansion {
     pub(super) slope: [f64; 2],
     /// The second derivatives: by u twice, by u and v, by v twice.
     pub(super) curvature: [f64; 3],
-}
-
-/// Columns and rows of a plane that has slopes, all of whose values are finite.
-pub(super) fn check_plane(plane: &Plane<f32>) -> Result<[usize; 2], SnakeError> {
-    let (width, height) = (plane.width(), plane.height());
-    if width.min(height) < 2 {
-        return Err(SnakeError::TooSmall { width, height });
-    }
-    let wrong = plane.values().iter().position(|value| !value.is_finite());
-    match wrong {
-        None => Ok([width, height]),
-        Some(index) => Err(SnakeError::NotFinite {
-            column: index % width,
-            row: index / width,
-        }),
-    }
 }
 
 /// The four pixels round a place along one axis, their weights, and the first and second

@@ -1,6 +1,7 @@
 //! `nullcone body evaluate`: how accurately bodies are reconstructed.
 
 mod plot;
+mod report;
 mod rows;
 mod scene;
 mod table;
@@ -9,14 +10,14 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_anim::bvh;
-use serde::Serialize;
 
 use crate::files::Files;
 use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
-use rows::{Case, Row};
+use report::Report;
+use rows::Case;
 use scene::{Motion, Unit};
 
 /// Measure how accurately bodies are reconstructed from their joints in pictures.
@@ -100,22 +101,6 @@ pub(crate) struct Arguments {
 
 /// Greater numbers of cameras say nothing new and take long.
 const MOST_VIEWS: usize = 32;
-
-#[derive(Serialize)]
-struct Report {
-    motion: String,
-    /// What the numbers were measured on.
-    data: &'static str,
-    metres_per_unit: f64,
-    joints: usize,
-    frames: usize,
-    frames_per_second: f64,
-    distance_metres: f64,
-    baseline_metres: f64,
-    focal_length_px: f64,
-    seed: u64,
-    rows: Vec<Row>,
-}
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     check(arguments)?;

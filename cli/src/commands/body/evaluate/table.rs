@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::Report;
+use super::report::Report;
 use super::rows::Row;
 
 /// Cui, table 2: reconstruction errors on Human3.6M, protocol 2, in millimetres.

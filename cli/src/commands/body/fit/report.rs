@@ -7,7 +7,8 @@ use ga_body::FittedPose;
 use ga_body::format::JointViews;
 use serde::Serialize;
 
-use super::{Arguments, Matched};
+use super::Arguments;
+use super::matched::Matched;
 
 #[derive(Serialize)]
 pub(super) struct Report {

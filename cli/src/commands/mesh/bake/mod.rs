@@ -12,10 +12,10 @@ use std::time::Instant;
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use clap::builder::RangedI64ValueParser;
-use ga_mesh::Image;
-use ga_mesh::atlas;
 use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
+use ga_mesh::{Image, atlas};
 
+use crate::commands::mesh::input;
 use crate::files::Files;
 use crate::output;
 use crate::progress::Progress;
@@ -142,9 +142,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut steps = Steps::new(&progress);
 
     steps.begin("read");
-    let fine = super::read(&arguments.fine, quiet)?;
+    let fine = input::read(&arguments.fine, quiet)?;
     let (fine_mesh, known) = (fine.mesh, fine.warnings);
-    let coarse_mesh = super::read(&arguments.coarse, quiet)?.mesh;
+    let coarse_mesh = input::read(&arguments.coarse, quiet)?.mesh;
     let mut warnings = Vec::new();
     let colours = match maps.contains(&Map::Colour) {
         true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut warnings)?),

@@ -1,124 +1,24 @@
 //! `nullcone quality fit`: how well a measure predicts what people say.
 
+mod arguments;
 mod page;
 mod plot;
+mod report;
 mod table;
 
-use std::path::PathBuf;
+pub(crate) use arguments::Arguments;
 
 use anyhow::{Context, Result};
 use ga_video::opinion::Scores;
 use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap, Interval};
-use serde::Serialize;
 
 use crate::files::Files;
 use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
+use report::{AgainstReport, CurveReport, Report};
 use table::Table;
-
-/// Fit opinion scores by a measure of quality, and say how well the measure predicts them.
-///
-/// SCORES.csv has a line of names and the columns objective (the scores of the measure) and
-/// subjective (the mean opinion scores), perhaps also deviation (the standard deviation of each
-/// mean opinion score). Logistic curves with four and five parameters are fitted. Of the prediction
-/// by the curve with five follow the linear correlation (PLCC), the error (RMSE) and the part of
-/// outliers; the rank correlations SROCC and KROCC need no curve. Intervals come from the
-/// bootstrap.
-#[derive(Clone, Debug, clap::Args)]
-pub(crate) struct Arguments {
-    /// The scores.
-    #[arg(value_name = "SCORES.csv")]
-    scores: PathBuf,
-    /// Compare with another measure, whose scores stand in this column, and say whether the
-    /// difference is significant.
-    #[arg(long, value_name = "COLUMN")]
-    against: Option<String>,
-    /// The confidence of the intervals.
-    #[arg(long, value_name = "PART", default_value_t = 0.95)]
-    confidence: f64,
-    /// How often the scores are drawn again for the intervals.
-    #[arg(long, value_name = "N", default_value_t = 1000,
-        value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    draws: u32,
-    /// The seed of the draws.
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    seed: u64,
-    /// Print a JSON object.
-    #[arg(long)]
-    json: bool,
-    /// Write a picture of the scores with the fitted curves.
-    #[arg(long, value_name = "FILE.svg")]
-    plot: Option<PathBuf>,
-    /// Write a page with the picture and all numbers that needs no other file.
-    #[arg(long, value_name = "FILE.html")]
-    report: Option<PathBuf>,
-}
-
-/// A curve in the result.
-#[derive(Serialize)]
-struct CurveReport {
-    parameters: Vec<f64>,
-    sse: f64,
-    plcc: f64,
-    rmse: f64,
-    outlier_ratio: f64,
-}
-
-/// The result. Numbers of the prediction are those of the curve with five parameters.
-#[derive(Serialize)]
-struct Report {
-    scores: usize,
-    logistic4: CurveReport,
-    logistic5: CurveReport,
-    plcc: f64,
-    plcc_interval: [f64; 2],
-    srocc: f64,
-    srocc_interval: [f64; 2],
-    krocc: f64,
-    krocc_interval: [f64; 2],
-    rmse: f64,
-    rmse_interval: [f64; 2],
-    outlier_ratio: f64,
-    outlier_ratio_interval: [f64; 2],
-    confidence: f64,
-    draws: u32,
-    seed: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    against: Option<AgainstReport>,
-}
-
-impl Report {
-    /// What the measure is worth: names, numbers and intervals.
-    fn measures(&self) -> [(&'static str, f64, [f64; 2]); 5] {
-        [
-            ("PLCC", self.plcc, self.plcc_interval),
-            ("SROCC", self.srocc, self.srocc_interval),
-            ("KROCC", self.krocc, self.krocc_interval),
-            ("RMSE", self.rmse, self.rmse_interval),
-            (
-                "outlier ratio",
-                self.outlier_ratio,
-                self.outlier_ratio_interval,
-            ),
-        ]
-    }
-}
-
-/// The difference to another measure: this one's number minus the other's.
-#[derive(Serialize)]
-struct AgainstReport {
-    column: String,
-    plcc: f64,
-    plcc_difference: f64,
-    plcc_difference_interval: [f64; 2],
-    srocc_difference: f64,
-    srocc_difference_interval: [f64; 2],
-    /// Meng, Rosenthal and Rubin's test of the correlations, and the F test of the errors.
-    correlation_p_value: f64,
-    error_p_value: f64,
-}
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut files = Files::reading([&arguments.scores]).printing("--json", arguments.json);

@@ -1,6 +1,7 @@
 //! The report as a page.
 
-use super::{Arguments, Report};
+use super::Arguments;
+use super::report::Report;
 use crate::output::percent;
 use crate::page::Page;
 

@@ -1,105 +1,26 @@
 //! `nullcone quality ratings`: what people say about a video.
 
+mod arguments;
 mod classes;
 mod page;
 mod plot;
+mod report;
 mod table;
 
+pub(crate) use arguments::Arguments;
+
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use ga_video::opinion::ratings::{MeanOpinion, Ratings};
-use serde::Serialize;
 
 use crate::files::Files;
 use crate::format::Format;
 use crate::output;
-
-/// Evaluate a table of ratings: mean opinion scores with intervals, groups, agreement, screening.
-///
-/// TABLE.csv has a line of names, a row for each rater and a column for each question. A column
-/// rater has the raters' names; a column group, such as expert and lay, is compared by the test of
-/// Welch. A rating may be missing. Raters who answer without order are found by the rule of ITU-R
-/// BT.500; with --screen they are left out.
-#[derive(Clone, Debug, clap::Args)]
-pub(crate) struct Arguments {
-    /// The ratings.
-    #[arg(value_name = "TABLE.csv")]
-    table: PathBuf,
-    /// The confidence of the intervals.
-    #[arg(long, value_name = "PART", default_value_t = 0.95)]
-    confidence: f64,
-    /// Leave out the raters who are rejected by the screening.
-    #[arg(long)]
-    screen: bool,
-    /// Print a JSON object.
-    #[arg(long)]
-    json: bool,
-    /// Write a picture of the opinions and of how many people gave which rating.
-    #[arg(long, value_name = "FILE.svg")]
-    plot: Option<PathBuf>,
-    /// Write a page with the picture and all numbers that needs no other file.
-    #[arg(long, value_name = "FILE.html")]
-    report: Option<PathBuf>,
-}
-
-#[derive(Serialize)]
-struct Report {
-    raters: usize,
-    questions: Vec<QuestionReport>,
-    agreement: AgreementReport,
-    screening: Vec<ScreeningReport>,
-    rejected: Vec<String>,
-    /// Whether the rejected raters were left out.
-    screened: bool,
-    confidence: f64,
-}
-
-#[derive(Serialize)]
-struct QuestionReport {
-    question: String,
-    #[serde(flatten)]
-    opinion: OpinionReport,
-    /// How many people gave each rating.
-    counts: BTreeMap<String, usize>,
-    groups: BTreeMap<String, OpinionReport>,
-    /// The differences between two groups.
-    differences: Vec<DifferenceReport>,
-}
-
-#[derive(Serialize)]
-struct OpinionReport {
-    mean_opinion_score: f64,
-    interval: Option<[f64; 2]>,
-    standard_deviation: Option<f64>,
-    ratings: usize,
-}
-
-#[derive(Serialize)]
-struct DifferenceReport {
-    first: String,
-    second: String,
-    difference: f64,
-    p_value: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct AgreementReport {
-    krippendorff_alpha_interval: Option<f64>,
-    krippendorff_alpha_ordinal: Option<f64>,
-    kendall_w: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct ScreeningReport {
-    rater: String,
-    above: usize,
-    below: usize,
-    ratings: usize,
-    correlation: Option<f64>,
-    rejected: bool,
-}
+use report::{
+    AgreementReport, DifferenceReport, OpinionReport, QuestionReport, Report, ScreeningReport,
+    number,
+};
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut files = Files::reading([&arguments.table]).printing("--json", arguments.json);
@@ -234,9 +155,4 @@ fn text(report: &Report) -> String {
     };
     let done = if report.screened { "left out" } else { "found" };
     text + &format!("raters without order {done} (ITU-R BT.500): {rejected}\n")
-}
-
-/// A number that may not exist.
-fn number(value: Option<f64>) -> String {
-    value.map_or_else(|| "none".to_owned(), |value| format!("{value:.3}"))
 }

@@ -1,6 +1,7 @@
 //! The report as a page.
 
-use super::{Arguments, OpinionReport, Report, number};
+use super::Arguments;
+use super::report::{OpinionReport, Report, number};
 use crate::output::percent;
 use crate::page::Page;
 

@@ -11,7 +11,8 @@ use ga_video::stereo::{Layout, StereoSource, joined};
 use ga_video::{Frame, Samples};
 
 use super::super::input::mean_rate;
-use super::{LayoutName, input};
+use super::input;
+use super::input::LayoutName;
 use crate::files::Files;
 use crate::format::Format;
 use crate::output;

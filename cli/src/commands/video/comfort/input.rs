@@ -6,7 +6,16 @@ use anyhow::{Result, bail};
 use ga_video::VideoError;
 use ga_video::stereo::{Layout, StereoSource};
 
-use super::LayoutName;
+/// How the two views are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(in crate::commands::video) enum LayoutName {
+    /// The left view in the left half of each frame.
+    SideBySide,
+    /// The left view in the upper half of each frame.
+    TopBottom,
+    /// One file for each view.
+    TwoFiles,
+}
 
 /// The layout that was asked for, or the one that the number of files says.
 pub(super) fn layout(name: Option<LayoutName>, right: Option<&Path>) -> Result<LayoutName> {

@@ -18,6 +18,7 @@ use crate::files::Files;
 use crate::format::Format;
 use crate::output;
 use crate::progress::Progress;
+use input::LayoutName;
 use report::{About, Report};
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
@@ -80,17 +81,6 @@ pub(in crate::commands::video) struct Arguments {
     /// The number of threads, 1 or 2. Results do not depend on it.
     #[arg(long, value_name = "COUNT", default_value_t = 2)]
     threads: usize,
-}
-
-/// How the two views are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::commands::video) enum LayoutName {
-    /// The left view in the left half of each frame.
-    SideBySide,
-    /// The left view in the upper half of each frame.
-    TopBottom,
-    /// One file for each view.
-    TwoFiles,
 }
 
 pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {

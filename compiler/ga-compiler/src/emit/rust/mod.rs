@@ -4,6 +4,7 @@ mod arithmetic;
 mod blades;
 mod blocks;
 mod body;
+mod coefficients;
 mod context;
 mod conversions;
 mod functions;

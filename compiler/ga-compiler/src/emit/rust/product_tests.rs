@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use super::body::Needs;
+use super::coefficients::needs;
 use super::context::Context;
 use super::surface::{has_product, takes_references};
-use super::types::needs;
 use crate::algebra::{Product, Ratio};
 use crate::define::{Definition, Operation, ProductDefinition, Role, TypeDefinition};
 

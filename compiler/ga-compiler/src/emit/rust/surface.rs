@@ -7,8 +7,9 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
 use super::arithmetic::type_of_multiples;
+use super::coefficients::needs;
 use super::context::Context;
-use super::types::{is_identity, needs};
+use super::types::is_identity;
 use super::versors::in_norm;
 use crate::algebra::{Blade, Product, Ratio};
 use crate::define::{Coefficient, Definition, Operation, ProductDefinition, TypeDefinition};

@@ -4,14 +4,14 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 
-use super::body::{Needs, body, constant};
-use super::context::{Context, receiver};
+use super::body::{Needs, constant};
+use super::coefficients::{coefficient_body, needs};
+use super::context::Context;
 use super::versors;
-use crate::algebra::{Blade, NamedBlade, Ratio};
+use crate::algebra::{Blade, Ratio};
 use crate::define::{Coefficient, Parameter, Parameters, PolynomialStep, Role, TypeDefinition};
 use crate::expression::Expression;
 use crate::ir::Facts;
-use crate::task::Task;
 use crate::verify;
 
 pub(super) fn emit<'a>(context: &Context<'a>, kind: &'a TypeDefinition) -> TokenStream {
@@ -205,47 +205,6 @@ fn accessors(context: &Context<'_>, kind: &TypeDefinition) -> TokenStream {
         }
     });
     quote! { impl<S> #path { #(#methods)* } }
-}
-
-/// The coefficient of a blade as declared, computed from `self`.
-fn coefficient_body(
-    context: &Context<'_>,
-    kind: &TypeDefinition,
-    coefficient: &Coefficient,
-) -> (TokenStream, Needs) {
-    let wanted = vec![NamedBlade {
-        blade: coefficient.blade,
-        is_negative: coefficient.is_negative,
-    }];
-    let (algebra, operand) = (&context.definition.algebra, Expression::Operand(0));
-    let kernel = Task::of_expression(algebra, &[kind], &operand, wanted).compile();
-    let inputs = super::context::fields(&[(kind, receiver())]);
-    let body = body(&kernel, context.runtime, &inputs);
-    let (statements, output) = (body.statements, &body.outputs[0]);
-    (quote! { #statements #output }, body.needs)
-}
-
-/// What the coefficients of the type require of the scalar, and its readings, which divide.
-pub(super) fn needs(context: &Context<'_>, kind: &TypeDefinition) -> Needs {
-    if kind.parameters.is_some() {
-        let hull = context.hull(kind);
-        let of = |from, to| {
-            let (_, needs) =
-                context.compile(&[(from, receiver())], &Expression::Operand(0), Some(to));
-            needs
-        };
-        let read = match kind.is_readable() {
-            true => of(hull, kind),
-            false => Needs::Ring,
-        };
-        return of(kind, hull).max(read).max(Needs::Field);
-    }
-    let each = kind.coefficients.iter().map(|c| match &c.role {
-        Role::Constant(value) if !value.is_integer() => Needs::Field,
-        Role::Stored | Role::Constant(_) => Needs::Ring,
-        Role::Derived(_) => coefficient_body(context, kind, c).1,
-    });
-    each.max().unwrap_or(Needs::Ring)
 }
 
 /// The identity for unit versors with a scalar, else the member whose stored coefficients are zero,

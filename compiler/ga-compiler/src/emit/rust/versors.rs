@@ -5,8 +5,8 @@ use quote::{format_ident, quote};
 
 use super::arithmetic::type_of_multiples;
 use super::body::{Needs, body, constant};
+use super::coefficients::needs;
 use super::context::{Context, fields, receiver};
-use super::types::needs;
 use crate::algebra::{Blade, NamedBlade, Product, Ratio, Unary};
 use crate::define::{Coefficient, Role, TypeDefinition};
 use crate::expression::Expression;

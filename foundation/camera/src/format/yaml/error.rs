@@ -138,3 +138,11 @@ pub enum YamlError {
     #[error("a file cannot hold a fisheye and another lens in one rig")]
     MixedLenses,
 }
+
+pub(super) fn wrong_type(name: &str, line: usize, expected: &'static str) -> YamlError {
+    YamlError::Type {
+        name: name.to_owned(),
+        line,
+        expected,
+    }
+}

@@ -1,7 +1,8 @@
 //! Matrices of numbers.
 
+use super::YamlError;
+use super::error::wrong_type;
 use super::tree::{Content, Node};
-use super::{YamlError, wrong_type};
 
 /// Numbers in rows and columns.
 #[derive(Clone, Debug, PartialEq)]

@@ -24,6 +24,7 @@
 //! # Ok::<(), ga_camera::format::yaml::YamlError>(())
 //! ```
 
+mod entry;
 mod error;
 mod matrix;
 mod tree;
@@ -32,21 +33,14 @@ mod write;
 pub use error::YamlError;
 pub use matrix::Matrix;
 
+use entry::Entry;
+use error::wrong_type;
 use tree::{Content, Node};
 
 /// Named values of a file, in its order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Storage {
     entries: Vec<(String, Entry)>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum Entry {
-    /// As read: its type shows when it is asked for.
-    Read(Node),
-    Number(f64),
-    Text(String),
-    Matrix(Matrix),
 }
 
 impl Storage {
@@ -153,13 +147,5 @@ impl Storage {
     #[must_use]
     pub fn encode(&self) -> String {
         write::encode(&self.entries)
-    }
-}
-
-fn wrong_type(name: &str, line: usize, expected: &'static str) -> YamlError {
-    YamlError::Type {
-        name: name.to_owned(),
-        line,
-        expected,
     }
 }

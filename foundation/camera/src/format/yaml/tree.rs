@@ -4,7 +4,8 @@ use std::collections::HashSet;
 
 use saphyr_parser::{Event, Parser, Span};
 
-use super::{YamlError, wrong_type};
+use super::YamlError;
+use super::error::wrong_type;
 
 /// How deeply lists and maps may be nested: files of cameras have four levels.
 const DEPTH: usize = 16;

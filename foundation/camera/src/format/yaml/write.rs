@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+use super::Matrix;
+use super::entry::Entry;
 use super::tree::{Content, Node};
-use super::{Entry, Matrix};
 
 /// The column after which no number begins.
 const WIDTH: usize = 70;

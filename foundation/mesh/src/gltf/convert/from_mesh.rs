@@ -7,9 +7,18 @@ use ga_runtime::vga3::Vector;
 use serde_json::json;
 
 use super::super::{self as gltf, Asset, Document, Mode, MorphTarget, Node, Primitive, Scene};
-use super::{Target, material};
+use super::material;
 use crate::normals::vertex_normals;
 use crate::{Mesh, tangents};
+
+/// A morph target of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The displacement of each vertex of the mesh where its weight is 1.
+    pub displacements: &'a [Vector<f64>],
+}
 
 /// What all faces of a primitive have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,11 +8,11 @@ mod to_mesh;
 use std::path::Path;
 
 use ga_files::ReadError;
-use ga_runtime::vga3::Vector;
 
 use super::{Document, Element, GltfError, Problem, WriteGltfError};
 use crate::{Mesh, MeshError};
 
+pub use from_mesh::Target;
 pub use to_mesh::Vertices;
 
 impl Document {
@@ -92,15 +92,6 @@ impl Document {
         document.validate()?;
         Ok(document)
     }
-}
-
-/// A morph target of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Target<'a> {
-    /// Its name.
-    pub name: &'a str,
-    /// The displacement of each vertex of the mesh where its weight is 1.
-    pub displacements: &'a [Vector<f64>],
 }
 
 /// Reads the mesh of a `.glb` or `.gltf` file; see [`Document::to_mesh`], with every vertex of the

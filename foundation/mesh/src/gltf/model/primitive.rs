@@ -3,7 +3,8 @@
 use ga_runtime::vga3::Vector;
 
 use super::super::Primitive;
-use super::{Model, ModelError, single, skin};
+use super::precision::single;
+use super::{Model, ModelError, skin};
 
 /// The primitive of the model, with the first material.
 pub(super) fn primitive(model: &Model) -> Result<Primitive, ModelError> {

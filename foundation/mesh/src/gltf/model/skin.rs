@@ -3,8 +3,9 @@
 use ga_runtime::cga3::Motor;
 
 use super::super::{self as gltf, Document, Node, Primitive, Transform};
+use super::precision::single;
 use super::rigid::{inverse_matrix, normalized, rotation, translation};
-use super::{JointNode, ModelError, Skin, single};
+use super::{JointNode, ModelError, Skin};
 
 /// Appends the nodes of a skin, numbered as its joints, and the skin; one more node follows if the
 /// joints have several roots. Returns the node above all joints.

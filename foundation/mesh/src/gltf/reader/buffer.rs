@@ -1,11 +1,11 @@
 //! Buffers, and the parts of them that accessors and images refer to.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use super::super::error::{Element, Problem};
 use super::super::uri::{self, Uri};
 use super::super::{GltfError, json};
-use super::Files;
 
 /// The bytes of every buffer.
 pub(super) struct Buffers<'a> {
@@ -92,3 +92,6 @@ pub(super) fn uri_problem(uri: &str) -> Problem {
     }
     Problem::Uri(shown)
 }
+
+/// Reads the file of a path relative to the glTF file, up to a number of bytes.
+pub(super) type Files<'f> = dyn FnMut(&Path, u64) -> Result<Vec<u8>, Problem> + 'f;

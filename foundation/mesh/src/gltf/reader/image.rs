@@ -7,7 +7,7 @@ use super::super::uri::{self, Uri};
 use super::super::{GltfError, Image, ImageSource, json};
 use super::accessor::Accessors;
 use super::buffer::{Buffers, uri_problem};
-use super::read_file;
+use super::file::read_file;
 
 /// No picture file that is longer is read.
 const LIMIT: u64 = 1 << 30;

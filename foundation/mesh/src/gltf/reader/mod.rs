@@ -3,13 +3,13 @@
 mod accessor;
 mod animation;
 mod buffer;
+mod file;
 mod image;
 mod material;
 mod node;
 mod primitive;
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
@@ -17,7 +17,8 @@ use ga_files::ReadError;
 use super::error::{Element, Problem};
 use super::{Asset, Document, GltfError, ImageSource, Mesh, Skin, glb, json};
 use accessor::{Accessors, Format};
-use buffer::Buffers;
+use buffer::{Buffers, Files};
+use file::read_file;
 
 /// The extensions that a file may require.
 pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
@@ -28,9 +29,6 @@ pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
 ];
 
 const QUANTIZATION: &str = "KHR_mesh_quantization";
-
-/// Reads the file of a path relative to the glTF file, up to a number of bytes.
-type Files<'f> = dyn FnMut(&Path, u64) -> Result<Vec<u8>, Problem> + 'f;
 
 /// Reads a `.glb` or `.gltf` file and the files of its buffers. Its first bytes decide which it is,
 /// not its name. Files of images are not opened; see [`Document::load_images`].
@@ -89,23 +87,6 @@ impl Document {
 /// The folder that contains a file.
 pub(super) fn folder_of(path: &Path) -> PathBuf {
     path.parent().unwrap_or(Path::new("")).to_path_buf()
-}
-
-/// The first `limit` bytes of a file.
-fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
-    let read = || -> io::Result<Vec<u8>> {
-        let file = File::open(path)?;
-        if !file.metadata()?.is_file() {
-            return Err(io::ErrorKind::InvalidInput.into());
-        }
-        let mut bytes = Vec::new();
-        file.take(limit).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    };
-    read().map_err(|error| {
-        let (path, kind) = (path.to_path_buf(), error.kind());
-        Problem::Io { path, kind }
-    })
 }
 
 fn document(file: &[u8], files: &mut Files) -> Result<Document, GltfError> {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::super::error::{Element, Problem};
 use super::super::{Animation, Channel, Document, Keys};
-use super::{Checked, count, exists, fault, finite, targets_of};
+use super::check::{Checked, count, exists, fault, finite, targets_of};
 
 pub(super) fn animation(index: usize, animation: &Animation, document: &Document) -> Checked {
     let mut seen = HashSet::new();

@@ -1,18 +1,30 @@
 //! What a document must be: references that exist, lists of matching lengths, numbers in range.
 
 mod animation;
+mod check;
 mod primitive;
 
 use std::collections::HashSet;
 
 use super::error::{Element, Problem};
 use super::{Camera, Document, GltfError, Material, Node, Projection, Skin, Transform};
-
 use crate::AlphaMode;
+use check::{Checked, count, distinct, exists, fault, finite, in_range, targets_of};
 
-type Checked = Result<(), GltfError>;
+impl Document {
+    /// Whether every element refers to elements that exist, every list has the length that others
+    /// imply, and every number is finite and in its range. The reader returns only such documents,
+    /// and the writer writes only such.
+    ///
+    /// # Errors
+    ///
+    /// [`GltfError`] names the first element that is at fault.
+    pub fn validate(&self) -> Result<(), GltfError> {
+        document(self)
+    }
+}
 
-pub(super) fn document(document: &Document) -> Checked {
+fn document(document: &Document) -> Checked {
     let parents = document.parents()?;
     if let Some(scene) = document.scene {
         exists("scene", scene, document.scenes.len())?;
@@ -206,63 +218,4 @@ fn camera(camera: &Camera) -> Checked {
         }
     };
     in_range("zfar", far.unwrap_or(f32::MAX), near.next_up()..=f32::MAX)
-}
-
-/// The number of morph targets of a mesh.
-fn targets_of(document: &Document, mesh: usize) -> usize {
-    let mesh = document.meshes.get(mesh);
-    let primitive = mesh.and_then(|mesh| mesh.primitives.first());
-    primitive.map_or(0, |primitive| primitive.targets.len())
-}
-
-fn fault<T>(element: Element, problem: Problem) -> Result<T, GltfError> {
-    Err(GltfError::new(element, problem))
-}
-
-fn exists(what: &'static str, index: usize, count: usize) -> Checked {
-    if index < count {
-        Ok(())
-    } else {
-        Err(GltfError::dangling(what, index, count))
-    }
-}
-
-fn distinct(what: &'static str, indices: &[usize]) -> Checked {
-    let mut sorted = indices.to_vec();
-    sorted.sort_unstable();
-    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
-        Some(pair) => {
-            let index = pair[0];
-            fault(Element::File, Problem::Duplicate { what, index })
-        }
-        None => Ok(()),
-    }
-}
-
-fn count(what: &'static str, expected: usize, found: usize) -> Checked {
-    if expected == found {
-        return Ok(());
-    }
-    let problem = Problem::Count {
-        what,
-        expected,
-        found,
-    };
-    fault(Element::File, problem)
-}
-
-fn finite<const N: usize>(items: &[[f32; N]]) -> Checked {
-    let is_finite = |item: &[f32; N]| item.iter().all(|number| number.is_finite());
-    match items.iter().position(|item| !is_finite(item)) {
-        Some(item) => fault(Element::File, Problem::NotFinite { item }),
-        None => Ok(()),
-    }
-}
-
-fn in_range(property: &'static str, value: f32, range: std::ops::RangeInclusive<f32>) -> Checked {
-    if range.contains(&value) {
-        return Ok(());
-    }
-    let value = value.to_string();
-    fault(Element::File, Problem::Value { property, value })
 }

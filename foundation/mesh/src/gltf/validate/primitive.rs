@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::super::error::{Element, Problem};
 use super::super::{Components, CustomAttribute, Document, GltfError, Mesh, Primitive};
-use super::{Checked, count, exists, fault, finite, targets_of};
+use super::check::{Checked, count, exists, fault, finite, targets_of};
 
 pub(super) fn mesh(index: usize, mesh: &Mesh, document: &Document) -> Checked {
     let within = |error: GltfError| error.within(Element::Mesh(index));

@@ -35,17 +35,8 @@ mod write;
 use crate::Material;
 
 pub use error::{MtlError, MtlProblem};
+pub use parser::Loaded;
 pub use write::to_text;
-
-/// The materials of a library, and what was ignored.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Loaded {
-    /// The materials, in the order of the library.
-    pub materials: Vec<Material>,
-    /// Pictures without a path ([`MtlProblem::NoPicture`]), which are left out, and options that do
-    /// not exist ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
-    pub warnings: Vec<MtlError>,
-}
 
 /// Reads the materials of a library, in its order.
 ///

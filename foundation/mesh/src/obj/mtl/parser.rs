@@ -1,7 +1,7 @@
 //! The statements of an MTL file.
 
 use super::texture::{Picture, picture};
-use super::{Loaded, MtlError, MtlProblem};
+use super::{MtlError, MtlProblem};
 use crate::obj::lines::Lines;
 use crate::words::{Words, numbers, text};
 use crate::{AlphaMode, Material, Phong, Texture};
@@ -233,4 +233,14 @@ fn colour(statement: &str, words: &mut Words<'_>) -> Result<[f64; 3], MtlProblem
             found,
         }),
     }
+}
+
+/// The materials of a library, and what was ignored.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Loaded {
+    /// The materials, in the order of the library.
+    pub materials: Vec<Material>,
+    /// Pictures without a path ([`MtlProblem::NoPicture`]), which are left out, and options that do
+    /// not exist ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
+    pub warnings: Vec<MtlError>,
 }

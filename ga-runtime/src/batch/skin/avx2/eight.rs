@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-use crate::unsafe_code::numbers8;
+use crate::unsafe_code::registers::numbers8;
 
 /// e1, e2 and e3 of eight points or directions.
 #[inline]

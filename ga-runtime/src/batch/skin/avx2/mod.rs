@@ -2,6 +2,7 @@
 //! takes two registers. Normals and blends of motors are computed for eight points at a time,
 //! coordinate by coordinate.
 
+mod columns;
 pub(super) mod eight;
 mod motors;
 mod normals;
@@ -10,11 +11,13 @@ use core::arch::x86_64::*;
 
 pub(crate) use motors::{by_motors, sum_motors};
 
+use columns::halves;
+
 use super::bucket::Bucket;
 use super::palette::{AffinePalette, Columns};
-use super::pose::Posed;
+use super::posed::Posed;
 use crate::cga3::Point;
-use crate::unsafe_code::numbers4;
+use crate::unsafe_code::registers::numbers4;
 
 #[target_feature(enable = "avx2,fma")]
 pub(crate) fn by_affine_maps(
@@ -71,17 +74,6 @@ fn any_number(bucket: &Bucket<f32>, maps: &[Columns<f32>], images: &mut [Point<f
             *point = Point::new(x, y, z);
         }
     }
-}
-
-/// The first two columns, and the last two.
-#[inline]
-#[target_feature(enable = "avx2,fma")]
-fn halves(columns: &Columns<f32>) -> [__m256; 2] {
-    let m = &columns.0;
-    [
-        _mm256_setr_ps(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7]),
-        _mm256_setr_ps(m[8], m[9], m[10], m[11], m[12], m[13], m[14], m[15]),
-    ]
 }
 
 /// The weighted sum of the columns of matrices.

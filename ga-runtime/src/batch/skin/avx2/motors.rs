@@ -3,12 +3,11 @@
 use core::arch::x86_64::*;
 
 use super::eight::{coordinates, transposed, write};
-use crate::batch::skin::bucket::Bucket;
+use crate::batch::skin::bucket::{Bucket, Motors, TILE};
 use crate::batch::skin::palette::{Coefficients, MotorPalette};
-use crate::batch::skin::pose::Posed;
-use crate::batch::skin::tile::{Motors, TILE};
+use crate::batch::skin::posed::Posed;
 use crate::cga3::Point;
-use crate::unsafe_code::numbers8;
+use crate::unsafe_code::registers::numbers8;
 use crate::vga3::Vector;
 
 /// Moves the points and normals of a bucket by the blends of motors, where nothing stretches.

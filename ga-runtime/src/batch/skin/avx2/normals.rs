@@ -2,11 +2,11 @@
 
 use core::arch::x86_64::*;
 
+use super::columns::halves;
 use super::eight::{coordinates, transposed, write};
-use super::halves;
 use crate::batch::skin::bucket::Bucket;
 use crate::batch::skin::palette::Columns;
-use crate::batch::skin::pose::Posed;
+use crate::batch::skin::posed::Posed;
 use crate::cga3::Point;
 use crate::vga3::Vector;
 

@@ -1,15 +1,17 @@
 //! Skins in `f32` with AVX-512. The weighted sum of the four columns of the matrices of a point
 //! takes one register, and four points are finished together, or sixteen with normals.
 
+mod columns;
 mod normals;
 
 use core::arch::x86_64::*;
 
 use super::bucket::Bucket;
 use super::palette::{AffinePalette, Columns};
-use super::pose::Posed;
+use super::posed::Posed;
 use crate::cga3::Point;
-use crate::unsafe_code::numbers16;
+use crate::unsafe_code::registers::numbers16;
+use columns::{register, sum};
 
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
 pub(crate) fn by_affine_maps(
@@ -31,24 +33,6 @@ pub(crate) fn by_affine_maps(
         (_, false) => normals::move_all::<0>(bucket, maps, posed),
     }
 }
-
-/// The weighted sum of the matrices of the point at a place in lists of influences. A macro, since
-/// the compiler does not inline a function here, and a register that crosses a call goes through
-/// memory.
-macro_rules! sum {
-    ($maps:expr, $joints:expr, $weights:expr, $place:expr, $count:expr) => {{
-        let joints = &$joints[$place * $count..][..$count];
-        let weights = &$weights[$place * $count..][..$count];
-        let first = register(&$maps[usize::from(joints[0])].0);
-        let mut total = _mm512_mul_ps(first, _mm512_set1_ps(weights[0]));
-        for k in 1..$count {
-            let map = register(&$maps[usize::from(joints[k])].0);
-            total = _mm512_fmadd_ps(map, _mm512_set1_ps(weights[k]), total);
-        }
-        total
-    }};
-}
-use sum;
 
 /// For `K` influences of each point; 0 is any number.
 #[inline]
@@ -85,15 +69,6 @@ fn image([a, b, c, d]: [__m512; 4], x: &[[f32; 4]; 4]) -> __m512 {
         _mm512_mul_ps(c, spread(&x[2])),
         _mm512_mul_ps(d, spread(&x[3])),
     ])
-}
-
-#[inline]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-fn register(m: &[f32; 16]) -> __m512 {
-    _mm512_setr_ps(
-        m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11], m[12], m[13],
-        m[14], m[15],
-    )
 }
 
 /// The coordinates, each in all places of a quarter.

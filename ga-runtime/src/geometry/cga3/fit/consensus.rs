@@ -3,11 +3,11 @@
 use alloc::vec::Vec;
 
 use super::error::PrimitiveFitError;
-use super::interface::cloud_of;
 use super::random::SplitMix64;
 use super::refinement::refine;
 use super::result::Located;
-use super::robust::RobustSettings;
+use super::search::cloud_of;
+use super::settings::RobustSettings;
 use super::shape::Shape;
 use crate::scalar::Real;
 use crate::vga3::Vector;

@@ -1,21 +1,13 @@
 //! The functions that fit each primitive.
 
-use super::cloud::{Cloud, Weighted};
+use super::cloud::Weighted;
 use super::error::PrimitiveFitError;
-use super::loss::Limited;
-use super::place::Place;
-use super::refinement::refine;
 use super::result::{Located, PrimitiveFit, fitted};
+use super::search::{cloud_of, least};
 use super::shape::Shape;
 use crate::cga3::Point;
 use crate::scalar::Real;
 use crate::vga3::Vector;
-
-/// The greatest number of steps of a search. Points near a primitive take fewer than ten, the worst
-/// some dozens.
-const MOST_STEPS: usize = 300;
-/// The greatest number of steps from each of several starts, before the best is continued.
-const FIRST_STEPS: usize = 20;
 
 /// Defines the name of a result and the fits of a primitive, given what makes vectors of its points
 /// and the documentation of the first fit.
@@ -92,50 +84,4 @@ pub(super) fn start<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     let starts = P::starts(&cloud)?;
     let place = starts.first().ok_or(PrimitiveFitError::NotUnique)?;
     Located::new(&cloud, *place).element::<P, N>()
-}
-
-/// Points that spread as the primitive requires.
-pub(super) fn cloud_of<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
-    points: impl ExactSizeIterator<Item = Weighted<S>>,
-) -> Result<Cloud<S>, PrimitiveFitError<S>> {
-    let cloud = Cloud::of(points, P::NEEDED)?;
-    cloud.require(P::DIMENSION)?;
-    Ok(cloud)
-}
-
-/// The place of the least distances or losses that is reached from some places.
-pub(super) fn least<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
-    cloud: &Cloud<S>,
-    starts: &[Place<S>],
-    limited: Limited<S>,
-) -> Result<Place<S>, PrimitiveFitError<S>> {
-    let search =
-        |start, steps| refine::<P, S, N>(&cloud.points, cloud.total, start, limited, steps);
-    let steps = if starts.len() > 1 {
-        FIRST_STEPS
-    } else {
-        MOST_STEPS
-    };
-    let best = starts
-        .iter()
-        .map(|&start| search(start, steps))
-        .filter(|found| found.cost.is_finite())
-        .reduce(|best, next| {
-            if next.cost.less_than(best.cost) {
-                next
-            } else {
-                best
-            }
-        });
-    let best = match best {
-        Some(found) if !found.has_converged && steps < MOST_STEPS => {
-            search(found.place, MOST_STEPS)
-        }
-        Some(found) => found,
-        None => return Err(PrimitiveFitError::OutOfRange),
-    };
-    if !best.has_converged {
-        return Err(PrimitiveFitError::NotConverged);
-    }
-    Ok(best.place)
 }

@@ -55,6 +55,8 @@ mod random;
 mod refinement;
 mod result;
 mod robust;
+mod search;
+mod settings;
 mod shape;
 mod sphere;
 
@@ -69,5 +71,6 @@ pub use planar_circle::PlanarCircleFit;
 pub use planar_line::PlanarLineFit;
 pub use plane::PlaneFit;
 pub use result::PrimitiveFit;
-pub use robust::{RobustFit, RobustSettings};
+pub use robust::RobustFit;
+pub use settings::RobustSettings;
 pub use sphere::SphereFit;

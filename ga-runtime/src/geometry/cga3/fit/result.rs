@@ -2,7 +2,7 @@
 
 use super::cloud::Cloud;
 use super::error::PrimitiveFitError;
-use super::loss::Limited;
+use super::loss::{Limited, loss};
 use super::place::Place;
 use super::refinement::Equations;
 use super::shape::{Parameters, Shape};
@@ -180,7 +180,7 @@ pub(super) fn fitted<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
         let freedom = S::from_integer((measured - N) as i64);
         let sum = match limited {
             None => equations.cost,
-            Some(_) => super::robust::spread::<P, S, N>(cloud, place, limited),
+            Some(_) => spread::<P, S, N>(cloud, place, limited),
         };
         cloud.largest_weight * sum / freedom * (cloud.unit * cloud.unit)
     });
@@ -230,4 +230,31 @@ fn unit_covariance<S: Real<Mask = bool>, const N: usize>(
 fn finite<S: Real<Mask = bool>, const N: usize>(matrix: Matrix<S, N>) -> Option<Matrix<S, N>> {
     let is_finite = matrix.iter().flatten().all(|entry| entry.is_finite());
     is_finite.then_some(matrix)
+}
+
+/// `Σ ψ²/(mean ψ′)²` at a place, over the components of the distances.
+fn spread<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
+    cloud: &Cloud<S>,
+    place: Place<S>,
+    limited: Limited<S>,
+) -> S {
+    let zero = S::zero();
+    let to_frame = place.motor.reverse();
+    let (mut squares, mut slopes) = (zero, zero);
+    for &(_, point) in &cloud.points {
+        let (distances, _) = P::rows(Place::local(to_frame, point), place.curvature);
+        let square = distances[..P::COMPONENTS]
+            .iter()
+            .fold(zero, |sum, &r| r.mul_add(r, sum));
+        let [_, factor, slope] = loss(limited, square);
+        squares += factor * factor * square;
+        // Of two components, the one across the distance has the slope ψ/r.
+        slopes += if P::COMPONENTS == 1 {
+            slope
+        } else {
+            (slope + factor) * S::from_ratio(1, 2)
+        };
+    }
+    let mean = slopes / S::from_integer(cloud.points.len() as i64);
+    squares / (mean * mean)
 }

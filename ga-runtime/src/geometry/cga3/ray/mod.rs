@@ -101,6 +101,7 @@
 //! assert_eq!(inside.first_hit(ball).unwrap().side(), Side::Back);
 //! ```
 
+mod ahead;
 mod distances;
 mod hit;
 mod motion;
@@ -112,7 +113,7 @@ pub use hit::{Hit, Side};
 pub use surface::Surface;
 pub use triangle::{Crossing, TriangleTest};
 
-use crate::cga3::{Direction, Line, Point, Sphere};
+use crate::cga3::{Direction, Line, Point};
 use crate::scalar::{Maybe, Optional, Real, Ring, Select};
 use crate::vga3::Vector;
 
@@ -245,52 +246,6 @@ impl<S: Real> Ray<S> {
     #[must_use]
     pub fn through(origin: Point<S>, point: Point<S>) -> Maybe<Self, S> {
         Self::new(origin, origin.vector_to(point))
-    }
-
-    /// The first hit of a surface, at a distance of more than zero; `None` for a miss. The
-    /// [module](self) lists the surfaces and says what counts as a hit.
-    ///
-    /// ```
-    /// use ga_runtime::cga3::Point;
-    /// use ga_runtime::geometry::ray::{Ray, Side};
-    /// let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
-    /// let ray = Ray::new(Point::new(1.0, 1.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
-    /// let hit = ray.first_hit(triangle).unwrap();
-    /// assert_eq!((hit.distance, hit.side()), (3.0, Side::Front));
-    /// let beside = Ray::new(Point::new(3.0, 3.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
-    /// assert_eq!(beside.first_hit(triangle), None);
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn first_hit<T: Surface<S>>(self, surface: T) -> Maybe<Hit<S>, S> {
-        surface.first_hit_by(self)
-    }
-
-    /// Where the line of the ray enters a sphere and where it leaves it, in this order: from the
-    /// front, then from the back. A distance that is not positive is not ahead of the origin: both
-    /// are negative for a sphere behind it, and the first for a ray that begins inside. Both are
-    /// equal for a line that only touches the sphere. `None` where the line misses it, and for a
-    /// sphere that is imaginary, of radius zero or of weight zero.
-    ///
-    /// The points are the ends of the pair `−(L ∨ S)`, with L the [line](Self::line) and S the
-    /// sphere, in the order of [`PointPair::endpoints`](crate::cga3::PointPair::endpoints).
-    ///
-    /// ```
-    /// use ga_runtime::cga3::{Point, Sphere};
-    /// use ga_runtime::geometry::ray::Ray;
-    /// let ball = Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 1.0);
-    /// let ray = Ray::new(Point::default(), [1.0, 0.0, 0.0]).unwrap();
-    /// let [enters, leaves] = ray.entry_and_exit(ball).unwrap();
-    /// assert_eq!((enters.distance, leaves.distance), (4.0, 6.0));
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn entry_and_exit(self, sphere: Sphere<S>) -> Maybe<[Hit<S>; 2], S> {
-        let crossing = round::sphere_crossing(self, sphere.dual());
-        crossing.and_then(|crossing| {
-            let entry = crossing.entry(self);
-            entry.and_then(|entry| crossing.exit(self).map(|exit| [entry, exit]))
-        })
     }
 }
 

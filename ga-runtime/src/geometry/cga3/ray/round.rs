@@ -1,8 +1,8 @@
 //! Rays that meet spheres and discs.
 
-use super::surface::Ahead;
+use super::ahead::Ahead;
 use super::{Hit, Ray};
-use crate::cga3::{Circle, DualSphere};
+use crate::cga3::{Circle, DualSphere, Sphere};
 use crate::scalar::{Mask, Maybe, Optional, Real};
 use crate::vga3::Vector;
 
@@ -53,6 +53,35 @@ pub(super) fn sphere_of<S: Real>(
             to_centre,
         })
     })
+}
+
+impl<S: Real> Ray<S> {
+    /// Where the line of the ray enters a sphere and where it leaves it, in this order: from the
+    /// front, then from the back. A distance that is not positive is not ahead of the origin: both
+    /// are negative for a sphere behind it, and the first for a ray that begins inside. Both are
+    /// equal for a line that only touches the sphere. `None` where the line misses it, and for a
+    /// sphere that is imaginary, of radius zero or of weight zero.
+    ///
+    /// The points are the ends of the pair `−(L ∨ S)`, with L the [line](Self::line) and S the
+    /// sphere, in the order of [`PointPair::endpoints`](crate::cga3::PointPair::endpoints).
+    ///
+    /// ```
+    /// use ga_runtime::cga3::{Point, Sphere};
+    /// use ga_runtime::geometry::ray::Ray;
+    /// let ball = Sphere::from_centre_radius(Point::new(5.0, 0.0, 0.0), 1.0);
+    /// let ray = Ray::new(Point::default(), [1.0, 0.0, 0.0]).unwrap();
+    /// let [enters, leaves] = ray.entry_and_exit(ball).unwrap();
+    /// assert_eq!((enters.distance, leaves.distance), (4.0, 6.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn entry_and_exit(self, sphere: Sphere<S>) -> Maybe<[Hit<S>; 2], S> {
+        let crossing = sphere_crossing(self, sphere.dual());
+        crossing.and_then(|crossing| {
+            let entry = crossing.entry(self);
+            entry.and_then(|entry| crossing.exit(self).map(|exit| [entry, exit]))
+        })
+    }
 }
 
 impl<S: Real> Crossing<S> {

@@ -1,10 +1,11 @@
 //! What a ray can hit.
 
+use super::ahead::Ahead;
 use super::round::{disc_hit, sphere_crossing, sphere_of};
 use super::{Hit, Ray};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Plane, Sphere};
 use crate::geometry::relation::Figure;
-use crate::scalar::{Mask, Maybe, Optional, Real};
+use crate::scalar::{Maybe, Optional, Real};
 use crate::vga3::Vector;
 
 /// A surface that a ray can hit. [`Ray::first_hit`] takes it by value or by reference.
@@ -33,6 +34,27 @@ use crate::vga3::Vector;
 pub trait Surface<S: Real> {
     /// The first hit by a ray, at a distance of more than zero; `None` for a miss.
     fn first_hit_by(&self, ray: Ray<S>) -> Maybe<Hit<S>, S>;
+}
+
+impl<S: Real> Ray<S> {
+    /// The first hit of a surface, at a distance of more than zero; `None` for a miss. The
+    /// [module](super) lists the surfaces and says what counts as a hit.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Point;
+    /// use ga_runtime::geometry::ray::{Ray, Side};
+    /// let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
+    /// let ray = Ray::new(Point::new(1.0, 1.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
+    /// let hit = ray.first_hit(triangle).unwrap();
+    /// assert_eq!((hit.distance, hit.side()), (3.0, Side::Front));
+    /// let beside = Ray::new(Point::new(3.0, 3.0, 3.0), [0.0, 0.0, -1.0]).unwrap();
+    /// assert_eq!(beside.first_hit(triangle), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn first_hit<T: Surface<S>>(self, surface: T) -> Maybe<Hit<S>, S> {
+        surface.first_hit_by(self)
+    }
 }
 
 impl<S: Real, T: Surface<S> + ?Sized> Surface<S> for &T {
@@ -104,56 +126,5 @@ impl<S: Real<Mask = bool>> Surface<S> for Figure<S> {
             }
             Self::Sphere { centre, radius } => sphere_of(ray, centre, radius * radius)?.first(ray),
         }
-    }
-}
-
-/// A point of a plane ahead of the origin of a ray.
-#[derive(Clone, Copy)]
-pub(super) struct Ahead<S> {
-    distance: S,
-    /// The inner product of the normal and the direction of the ray.
-    slope: S,
-}
-
-impl<S: Real> Ahead<S> {
-    /// Of the plane of the points x with `n·x = d`, for a normal of any length.
-    #[inline]
-    pub(super) fn of_plane(ray: Ray<S>, normal: Vector<S>, distance: S) -> Maybe<Self, S> {
-        Self::at(ray, normal, distance - normal.dot(ray.origin.into()))
-    }
-
-    /// Of the plane through a point, for a normal of any length.
-    #[inline]
-    pub(super) fn through(ray: Ray<S>, normal: Vector<S>, point: Vector<S>) -> Maybe<Self, S> {
-        Self::at(ray, normal, normal.dot(point - Vector::from(ray.origin)))
-    }
-
-    /// Of the plane at a height above the origin of the ray, times the length of the normal.
-    #[inline]
-    fn at(ray: Ray<S>, normal: Vector<S>, height: S) -> Maybe<Self, S> {
-        let slope = normal.dot(ray.direction.into());
-        let distance = height / slope;
-        // False for a parallel plane, where the quotient is infinite with either sign, or NaN.
-        let ahead = S::zero().less_than(distance).when(Self { distance, slope });
-        ahead.filter(|_| (distance * distance).is_finite())
-    }
-
-    /// Itself, if it is in or on the sphere with this centre and squared radius.
-    #[inline]
-    pub(super) fn within(
-        self,
-        ray: Ray<S>,
-        centre: Vector<S>,
-        radius_squared: S,
-    ) -> Maybe<Self, S> {
-        let from_centre = Vector::from(ray.at(self.distance)) - centre;
-        let square = from_centre.dot(from_centre);
-        square.less_or_equal(radius_squared).when(self)
-    }
-
-    /// The hit, with the normal of the plane.
-    #[inline]
-    pub(super) fn hit(self, ray: Ray<S>, normal: Vector<S>) -> Maybe<Hit<S>, S> {
-        Hit::of(ray, self.distance, normal, self.slope)
     }
 }

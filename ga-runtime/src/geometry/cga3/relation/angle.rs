@@ -48,6 +48,7 @@
 //! ```
 
 use super::circle_angles::circle_angles;
+use super::tolerance::rounding;
 use super::{CircleAngles, Figure, Primitive, hypotenuse, parallel};
 use crate::cga3::{Circle, DualCircle, DualPlane, DualSphere, Line, MotorGenerator, Plane, Sphere};
 use crate::scalar::{Mask, Maybe, Optional, Real};
@@ -365,11 +366,6 @@ fn inversive_distance<S: Real>(a: Figure<S>, b: Figure<S>) -> Maybe<S, S> {
         _ => return S::Mask::splat(false).when(S::zero()),
     };
     found.is_finite().when(found)
-}
-
-/// The length that, times ε, bounds the rounding of a radius and a centre.
-pub(super) fn rounding<S: Real>(centre: Vector<S>, radius: S) -> S {
-    radius + centre.length()
 }
 
 /// Half the length of the chord of a sphere at a height from its centre; `None` where the height is

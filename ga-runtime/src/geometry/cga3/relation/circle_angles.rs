@@ -1,6 +1,6 @@
 //! The two angles between two circles.
 
-use super::angle::rounding;
+use super::tolerance::rounding;
 use super::{Figure, hypotenuse, parallel};
 use crate::geometry::number::logarithm_above_one;
 use crate::scalar::Real;

@@ -1,6 +1,6 @@
 //! Primitives as a point sees them: how far away they are, and where they are nearest.
 
-use super::distance::from_circle;
+use super::figure_distance::from_circle;
 use super::tolerance::within;
 use super::{Tolerance, parallel};
 use crate::cga3::{

@@ -40,8 +40,8 @@
 //! ));
 //! ```
 
-use super::distance::from_place;
 use super::figure::sphere_parts;
+use super::figure_distance::from_place;
 use super::tolerance::within;
 use super::{Primitive, Tolerance};
 use crate::Element;

@@ -51,8 +51,8 @@
 //! assert_eq!(axis.join(circle, tolerance), Some(Join::Space));
 //! ```
 
-use super::distance::{distance, from_place, searched};
-use super::incidence::is_on;
+use super::figure_distance::{distance, from_place, searched};
+use super::figure_incidence::is_on;
 use super::tolerance::{angle_within, within};
 use super::{Figure, Primitive, Tolerance, hypotenuse, parallel};
 use crate::cga3::{

@@ -1,6 +1,7 @@
 //! Tolerances for comparing primitives.
 
 use crate::scalar::{Mask, Optional, Real};
+use crate::vga3::Vector;
 
 /// The deviations that are ignored in comparisons: a distance in the units of the coordinates and
 /// an angle in radians, both bounds included.
@@ -78,4 +79,9 @@ pub(super) fn angle_within<S: Real>(sine: S, cosine: S, bound: S) -> S::Mask {
 #[inline(never)]
 fn small_angle_within<S: Real>(sine: S, cosine: S, bound: S) -> S::Mask {
     within(sine.atan2(cosine), bound)
+}
+
+/// The length that, times ε, bounds the rounding of a radius and a centre.
+pub(super) fn rounding<S: Real>(centre: Vector<S>, radius: S) -> S {
+    radius + centre.length()
 }

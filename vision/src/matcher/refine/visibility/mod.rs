@@ -8,49 +8,33 @@
 
 mod strip;
 
+use crate::matcher::refine::visibility::strip::Tables;
 use std::ops::Range;
+use strip::{at_border, count};
 
 use ga_runtime::batch::Batch;
 
-use super::super::lanes::LANES;
 use super::super::parts::Spare;
 use super::super::view::View;
-use super::super::winner::UNKNOWN;
 use strip::{Scratch, Strip};
 
-/// The greatest number of rows of a strip, and those above and below it from which paths come.
+/// The greatest number of rows of a strip.
 const STRIP: usize = 64;
-const CONTEXT: usize = 24;
 /// A strip of more than one row has at most as many holes as this number of rows has pixels.
 const ROWS_OF_HOLES: usize = 8;
 /// The bytes that the strips computed at the same time may need; two strips may always.
 const AT_ONCE: usize = 8 << 20;
-/// The path cost at a known disparity, for each pixel that a candidate is off, and its greatest.
-const SLOPE: usize = 20;
-const HIGHEST: usize = 100;
-
 /// Fills holes of maps of one size.
 #[derive(Debug)]
 pub(in super::super) struct VisibilityFill {
-    width: usize,
-    range: usize,
-    padded: usize,
-    /// The path costs at a known disparity: those for disparity d begin at `padded` − d.
-    tent: Vec<u8>,
-    large: [u8; 256],
+    tables: Tables,
     spare: Spare<Scratch>,
 }
 
 impl VisibilityFill {
     pub(in super::super) fn new(width: usize, range: usize) -> Self {
-        let padded = range.next_multiple_of(LANES);
-        let tent = (0..2 * padded + 2).map(|k| (SLOPE * k.abs_diff(padded + 1)).min(HIGHEST) as u8);
         Self {
-            width,
-            range,
-            padded,
-            tent: tent.collect(),
-            large: std::array::from_fn(|g| (60.0 / (1.0 + g as f32 / 3.0)).max(8.0) as u8),
+            tables: Tables::new(width, range),
             spare: Spare::default(),
         }
     }
@@ -69,7 +53,7 @@ impl VisibilityFill {
         let mut strips = Vec::new();
         let mut rest = filled;
         for (rows, holes) in self.strips(map) {
-            let (filled, below) = rest.split_at_mut(rows.len() * self.width);
+            let (filled, below) = rest.split_at_mut(rows.len() * self.tables.width);
             rest = below;
             if holes > 0 {
                 strips.push((rows, holes, filled));
@@ -79,7 +63,7 @@ impl VisibilityFill {
         self.spare
             .compute(strips, |(rows, holes, filled), scratch| {
                 batch.run(Strip {
-                    fill: self,
+                    tables: &self.tables,
                     map,
                     view,
                     other,
@@ -94,11 +78,11 @@ impl VisibilityFill {
     /// Makes the memory for filling a map with a number of threads.
     pub(in super::super) fn prepare(&self, map: &[u16], threads: usize) {
         let holes = self.strips(map).into_iter().map(|(_, holes)| holes);
-        let numbers = holes.max().unwrap_or(0) * self.padded;
+        let numbers = holes.max().unwrap_or(0) * self.tables.padded;
         // Of the paths from three directions, at two rows, and of the sums.
-        let bytes = 6 * self.width * self.padded + size_of::<u16>() * numbers;
+        let bytes = 6 * self.tables.width * self.tables.padded + size_of::<u16>() * numbers;
         let most = (AT_ONCE / bytes).max(2);
-        let new = || Scratch::new(self.width, self.padded);
+        let new = || Scratch::new(self.tables.width, self.tables.padded);
         let threads = most.min(threads);
         self.spare
             .prepare(threads, new, |scratch| scratch.reserve(numbers));
@@ -113,28 +97,18 @@ impl VisibilityFill {
     fn strips(&self, map: &[u16]) -> Vec<(Range<usize>, usize)> {
         let mut strips = Vec::new();
         let (mut start, mut holes) = (0, 0);
-        for (row, disparities) in map.chunks_exact(self.width).enumerate() {
+        for (row, disparities) in map.chunks_exact(self.tables.width).enumerate() {
             let here = count(&disparities[at_border(disparities)..]);
-            let is_full = holes + here > ROWS_OF_HOLES * self.width || row - start == STRIP;
+            let is_full = holes + here > ROWS_OF_HOLES * self.tables.width || row - start == STRIP;
             if is_full && row > start {
                 strips.push((start..row, holes));
                 (start, holes) = (row, 0);
             }
             holes += here;
         }
-        strips.push((start..map.len() / self.width, holes));
+        strips.push((start..map.len() / self.tables.width, holes));
         strips
     }
-}
-
-/// The number of holes.
-fn count(map: &[u16]) -> usize {
-    map.iter().filter(|d| **d == UNKNOWN).count()
-}
-
-/// The length of the hole that begins at the first column.
-fn at_border(row: &[u16]) -> usize {
-    row.iter().take_while(|d| **d == UNKNOWN).count()
 }
 
 #[cfg(test)]
@@ -143,6 +117,7 @@ mod tests {
 
     use super::super::super::winner::STEPS;
     use super::*;
+    use crate::matcher::UNKNOWN;
 
     #[test]
     fn what_a_rectangle_hides_is_background() {

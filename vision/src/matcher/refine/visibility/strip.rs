@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use ga_runtime::batch::Work;
 
-use super::{CONTEXT, VisibilityFill, at_border, count};
 use crate::matcher::cost::{NEVER, difference};
 use crate::matcher::lanes::{Block, LANES};
 use crate::matcher::path::step;
@@ -15,6 +14,11 @@ use crate::matcher::winner::{STEPS, UNKNOWN, least_cost, winner};
 const SEEN: u8 = 30;
 /// What a step to the next disparity costs a path.
 const P1: u8 = 6;
+/// The rows above and below a strip from which paths come.
+const CONTEXT: usize = 24;
+/// The path cost at a known disparity, for each pixel that a candidate is off, and its greatest.
+const SLOPE: usize = 20;
+const HIGHEST: usize = 100;
 
 /// What a strip needs in memory.
 #[derive(Debug)]
@@ -58,7 +62,7 @@ impl Scratch {
 
 /// The rows of a strip, the number of its holes, and what they are filled from.
 pub(super) struct Strip<'a> {
-    pub(super) fill: &'a VisibilityFill,
+    pub(super) tables: &'a Tables,
     pub(super) map: &'a [u16],
     pub(super) view: &'a View,
     pub(super) other: &'a [u16],
@@ -72,7 +76,7 @@ impl Work for Strip<'_> {
     #[inline(always)]
     fn run(mut self) {
         let (start, end) = (self.rows.start, self.rows.end);
-        let numbers = self.holes * self.fill.padded;
+        let numbers = self.holes * self.tables.padded;
         self.scratch.sums.clear();
         self.scratch.sums.resize(numbers, 0);
         let top = start.saturating_sub(CONTEXT);
@@ -96,7 +100,7 @@ impl Strip<'_> {
     /// top, and is that behind the ones before; the new count is returned.
     #[inline(always)]
     fn row(&mut self, row: usize, before: Option<usize>, hole: usize, downwards: bool) -> usize {
-        let width = self.fill.width;
+        let width = self.tables.width;
         let is_inside = self.rows.contains(&row);
         let map = &self.map[row * width..][..width];
         self.limits(row);
@@ -136,7 +140,7 @@ impl Strip<'_> {
     /// What the other view cannot see in this row.
     #[inline(always)]
     fn limits(&mut self, row: usize) {
-        let width = self.fill.width;
+        let width = self.tables.width;
         let other = &self.other[row * width..][..width];
         for (limit, disparity) in self.scratch.limits.iter_mut().zip(other) {
             *limit = disparity.saturating_add(1);
@@ -147,8 +151,8 @@ impl Strip<'_> {
     #[inline(always)]
     fn costs(&mut self, column: usize) {
         let scratch = &mut *self.scratch;
-        let start = self.fill.width - 1 - column;
-        let limits = scratch.limits[start..][..self.fill.padded]
+        let start = self.tables.width - 1 - column;
+        let limits = scratch.limits[start..][..self.tables.padded]
             .as_chunks::<LANES>()
             .0;
         let costs = scratch.costs.as_chunks_mut::<LANES>().0;
@@ -165,14 +169,14 @@ impl Strip<'_> {
             }
             *costs = block;
         }
-        scratch.costs[self.fill.range..].fill(NEVER);
+        scratch.costs[self.tables.range..].fill(NEVER);
     }
 
     /// One step to a hole from the row before, in one of three directions.
     #[inline(always)]
     fn advance(&mut self, row: usize, column: usize, before: Option<usize>, direction: usize) {
-        let width = self.fill.width;
-        let stride = self.fill.padded + 1;
+        let width = self.tables.width;
+        let stride = self.tables.padded + 1;
         let scratch = &mut *self.scratch;
         let after = &mut scratch.here[direction][column * stride + 1..][..stride - 1];
         let from = (column + direction).checked_sub(1).filter(|c| *c < width);
@@ -183,13 +187,13 @@ impl Strip<'_> {
             return;
         };
         let levels = [self.view.row(row)[column], self.view.row(before)[from]];
-        let p2 = self.fill.large[usize::from(difference(levels[0], levels[1]))];
+        let p2 = self.tables.large[usize::from(difference(levels[0], levels[1]))];
         let known = self.map[before * width + from];
         let (costs, least_before) = if known == UNKNOWN {
             let costs = &scratch.before[direction][from * stride..][..stride + 1];
             (costs, scratch.least_before[direction][from])
         } else {
-            (self.fill.known(known), 0)
+            (self.tables.known(known), 0)
         };
         *least = step(&scratch.costs, costs, least_before, P1, p2, after);
     }
@@ -197,7 +201,7 @@ impl Strip<'_> {
     /// Adds the path costs of three directions to those of a hole.
     #[inline(always)]
     fn add(&mut self, slot: usize, column: usize) {
-        let stride = self.fill.padded + 1;
+        let stride = self.tables.padded + 1;
         let scratch = &mut *self.scratch;
         let sums = &mut scratch.sums[slot * (stride - 1)..][..stride - 1];
         for path in &scratch.here {
@@ -209,8 +213,8 @@ impl Strip<'_> {
     /// numbers from `first` to `end`.
     #[inline(always)]
     fn along(&mut self, row: usize, border: usize, [first, end]: [usize; 2]) {
-        let width = self.fill.width;
-        let padded = self.fill.padded;
+        let width = self.tables.width;
+        let padded = self.tables.padded;
         let map = &self.map[row * width..][..width];
         let levels = self.view.row(row);
         let mut state = std::mem::take(&mut self.scratch.along);
@@ -238,11 +242,11 @@ impl Strip<'_> {
                 match from.filter(|from| *from < width) {
                     Some(from) => {
                         let gap = difference(levels[column], levels[from]);
-                        let p2 = self.fill.large[usize::from(gap)];
+                        let p2 = self.tables.large[usize::from(gap)];
                         let (costs, least_before) = if map[from] == UNKNOWN {
                             (before.as_slice(), least)
                         } else {
-                            (self.fill.known(map[from]), 0)
+                            (self.tables.known(map[from]), 0)
                         };
                         least = step(&scratch.costs, costs, least_before, P1, p2, after_costs);
                     }
@@ -267,22 +271,47 @@ impl Strip<'_> {
     /// The best candidates of the holes of a row from column `border` on.
     #[inline(always)]
     fn choose(&mut self, row: usize, border: usize, first: usize) {
-        let width = self.fill.width;
-        let padded = self.fill.padded;
+        let width = self.tables.width;
+        let padded = self.tables.padded;
         let map = &self.map[row * width..][..width];
         let filled = &mut self.filled[(row - self.rows.start) * width..][..width];
         let mut slot = first;
         for column in border..width {
             if map[column] == UNKNOWN {
                 let sums = &self.scratch.sums[slot * padded..][..padded];
-                filled[column] = winner(sums, least_cost(sums), None, self.fill.range).disparity;
+                filled[column] = winner(sums, least_cost(sums), None, self.tables.range).disparity;
                 slot += 1;
             }
         }
     }
 }
 
-impl VisibilityFill {
+/// What the filling of all strips of maps of one size has in common.
+#[derive(Debug)]
+pub(super) struct Tables {
+    pub(super) width: usize,
+    pub(super) range: usize,
+    pub(super) padded: usize,
+    /// The path costs at a known disparity: those for disparity d begin at `padded` − d.
+    tent: Vec<u8>,
+    large: [u8; 256],
+}
+
+impl Tables {
+    pub(super) fn new(width: usize, range: usize) -> Self {
+        let padded = range.next_multiple_of(LANES);
+        let tent = (0..2 * padded + 2).map(|k| (SLOPE * k.abs_diff(padded + 1)).min(HIGHEST) as u8);
+        Self {
+            width,
+            range,
+            padded,
+            tent: tent.collect(),
+            large: std::array::from_fn(|g| (60.0 / (1.0 + g as f32 / 3.0)).max(8.0) as u8),
+        }
+    }
+}
+
+impl Tables {
     /// The path costs at a pixel of known disparity, with a margin of one on either side.
     #[inline(always)]
     fn known(&self, disparity: u16) -> &[u8] {
@@ -301,4 +330,14 @@ fn add(sums: &mut [u16], costs: &[u8]) {
         }
         *sums = total;
     }
+}
+
+/// The number of holes.
+pub(super) fn count(map: &[u16]) -> usize {
+    map.iter().filter(|d| **d == UNKNOWN).count()
+}
+
+/// The length of the hole that begins at the first column.
+pub(super) fn at_border(row: &[u16]) -> usize {
+    row.iter().take_while(|d| **d == UNKNOWN).count()
 }

@@ -11,8 +11,7 @@ mod thumbnail;
 mod verdict;
 mod words;
 
-use anyhow::Result;
-use ga_video::comfort::{FrameMeasures, Record, Summary, Timeline, Viewing};
+use ga_video::comfort::{FrameMeasures, Record, Timeline, Viewing};
 use ga_video::{Frame, Properties};
 
 use crate::commands::video::input::rate;
@@ -55,11 +54,6 @@ impl Report {
         self.timeline.add(&record);
         self.last_seconds = record.time_seconds;
         self.moments.complete(record);
-    }
-
-    /// The page. `failure` says why the video could not be read further.
-    pub(super) fn html(&self, summary: &Summary, failure: Option<&str>) -> Result<String> {
-        page::html(self, summary, failure)
     }
 
     /// Frames in a second.

@@ -10,8 +10,19 @@ use super::{About, Report, axis, depth, heat, raw, words};
 use crate::commands::video::comfort::table;
 use crate::page::{Cell, Page, Tint};
 
+impl Report {
+    /// The page. `failure` says why the video could not be read further.
+    pub(in crate::commands::video::comfort) fn html(
+        &self,
+        summary: &Summary,
+        failure: Option<&str>,
+    ) -> Result<String> {
+        html(self, summary, failure)
+    }
+}
+
 /// The page of a report; `failure` says why the video could not be read further.
-pub(super) fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<String> {
+fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<String> {
     let about = &report.about;
     let viewing = &about.viewing;
     let rate = report.rate(summary.frames);

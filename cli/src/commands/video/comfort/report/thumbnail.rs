@@ -1,43 +1,22 @@
 //! Pictures of the worst moments with what is wrong drawn into them.
 
 mod depth;
+mod picture;
 
 use anyhow::Result;
 use ga_image::plane::Plane;
-use ga_image::ycbcr::YCbCr;
-use ga_image::{jpeg, png};
+use ga_image::png;
+use ga_video::comfort::Dimension;
 use ga_video::comfort::stereoscopy::Stereoscopy;
-use ga_video::comfort::{Dimension, Match, Viewing};
+pub(super) use picture::{Thumbnail, Video};
+
+use picture::{GAP, HALF, THIRD, TITLE, WIDTH, put, put_title, some};
 
 use super::axis::INK;
 use super::kept::Kept;
 use super::moments::Moment;
 use super::words;
 use crate::svg::{Anchor, Svg};
-
-/// The widths of the whole, of one of two pictures and of one of three.
-const WIDTH: f64 = 980.0;
-const HALF: f64 = 484.0;
-const THIRD: f64 = 320.0;
-const GAP: f64 = 10.0;
-
-/// The line of words above pictures.
-const TITLE: f64 = 24.0;
-
-const QUALITY: u8 = 82;
-
-/// A picture, and what one sees in it.
-pub(super) struct Thumbnail {
-    pub(super) svg: String,
-    pub(super) words: String,
-}
-
-/// What pictures need to know of the video.
-#[derive(Clone, Copy)]
-pub(super) struct Video<'a> {
-    pub(super) viewing: &'a Viewing,
-    pub(super) colours: YCbCr,
-}
 
 /// Draws what is wrong in the row of a moment.
 pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> Result<Thumbnail> {
@@ -56,30 +35,6 @@ pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> R
         | Dimension::OverConvergence
         | Dimension::OverDivergence => depth::draw(moment, dimension, video),
     }
-}
-
-/// A picture of pixels, with a title above it.
-fn put(
-    svg: &mut Svg,
-    [x, y]: [f64; 2],
-    size: [f64; 2],
-    title: &str,
-    picture: &Plane<[u8; 3]>,
-) -> Result<()> {
-    let bytes = jpeg::encode(picture, QUALITY)?;
-    svg.picture([x, y], size, ("jpeg", &bytes), "");
-    put_title(svg, [x, y], title);
-    Ok(())
-}
-
-fn put_title(svg: &mut Svg, [x, y]: [f64; 2], title: &str) {
-    let attributes = format!("fill=\"{INK}\" font-weight=\"bold\"");
-    svg.text([x, y - 7.0], 13.0, Anchor::Start, &attributes, title);
-}
-
-/// Every so many of the matches, from all parts of the picture.
-fn some(matches: &[Match], most: usize) -> impl Iterator<Item = &Match> {
-    matches.iter().step_by(matches.len().div_ceil(most).max(1))
 }
 
 /// Both views beside each other; points joined by level lines, and how much higher or lower they

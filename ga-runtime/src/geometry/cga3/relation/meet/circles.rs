@@ -3,7 +3,7 @@
 use super::spheres::{power_plane, same_radius, touch};
 use super::{Meet, finite_point, less_square, pair, radius};
 use crate::cga3::{Circle, Line, Plane, Point, PointPair, Sphere};
-use crate::geometry::relation::distance::{from_place, from_sphere};
+use crate::geometry::cga3::relation::figure_distance::{from_place, from_sphere};
 use crate::geometry::relation::figure::sphere_parts;
 use crate::geometry::relation::from_point::circle_parts;
 use crate::geometry::relation::tolerance::{angle_within, within};

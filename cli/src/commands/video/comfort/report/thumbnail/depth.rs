@@ -4,7 +4,7 @@ use anyhow::Result;
 use ga_image::plane::Plane;
 use ga_video::comfort::{Dimension, Match, Record, Scale};
 
-use super::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
+use super::picture::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
 use crate::commands::video::comfort::report::axis::INK;
 use crate::commands::video::comfort::report::kept::Kept;
 use crate::commands::video::comfort::report::moments::Moment;

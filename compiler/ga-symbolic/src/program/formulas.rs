@@ -1,53 +1,11 @@
-//! Types by parameters: numbers that need not be coefficients, with the multivector that they give
-//! and the formulas by which they are read of one.
+//! Formulas of some operands: how they are taken out of programs, put into others and evaluated.
 
-use proc_macro2::Ident;
-
-use super::TypeDefinition;
+use super::build::Builder;
+use super::{OperationError, Program, Step, StepId, evaluate};
 use crate::algebra::{Algebra, Product};
+use crate::define::Formulas;
 use crate::ir::Function;
 use crate::member::Numbers;
-use crate::program::build::Builder;
-use crate::program::{self, OperationError, Program, Step, StepId};
-use crate::signature::Shape;
-
-/// The parameters of a type.
-#[derive(Clone)]
-pub struct Parameters {
-    /// The parameters in the order of their declaration.
-    pub list: Vec<Parameter>,
-    /// The multivector of some parameters, which are the operands.
-    pub value: Formulas,
-    /// The parameters of a multivector, which is the operand. A type without them has no value of a
-    /// function.
-    pub readings: Option<Formulas>,
-}
-
-/// A parameter: a number, or a member of a type that has no parameters.
-#[derive(Clone)]
-pub struct Parameter {
-    /// The name.
-    pub name: Ident,
-    /// The type, as an index; none for a number.
-    pub index: Option<usize>,
-    /// The type.
-    pub kind: TypeDefinition,
-}
-
-impl Parameter {
-    /// The shape of its values.
-    #[must_use]
-    pub fn shape(&self) -> Shape {
-        self.index.map_or(Shape::Scalar, Shape::Type)
-    }
-}
-
-/// Formulas as steps over operands of which nothing else is known.
-#[derive(Clone, Debug)]
-pub struct Formulas {
-    steps: Vec<Step>,
-    results: Vec<StepId>,
-}
 
 impl Formulas {
     /// The formulas of some steps of a program in some others, which become the operands.
@@ -130,7 +88,7 @@ impl Formulas {
         for step in &self.steps {
             own.push(step.clone());
         }
-        let values = program::evaluate(algebra, &own, operands)?;
+        let values = evaluate(algebra, &own, operands)?;
         let results = self.results.iter();
         Some(results.map(|id| values[id.index()].clone()).collect())
     }

@@ -1,0 +1,32 @@
+//! Loops of any kind with the instructions of the processor.
+
+use crate::instruction_set::InstructionSet;
+
+/// A loop that can be compiled for several sets of instructions, for
+/// [`Batch::run`](crate::batch::Batch::run).
+pub trait Work {
+    /// The loop. It must be `#[inline(always)]`, as must be what it calls, so that it is compiled
+    /// as part of the function that enables the instructions.
+    fn run(self);
+}
+
+/// Runs a loop with a set of instructions, or with those of the target where the processor lacks
+/// it.
+#[inline]
+pub(crate) fn run(set: InstructionSet, work: impl Work) {
+    match set {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
+            // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
+            // which `is_available`, in `instruction_set.rs`, has just checked.
+            unsafe { run_with_avx2(work) }
+        }
+        _ => work.run(),
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2,fma")]
+fn run_with_avx2(work: impl Work) {
+    work.run();
+}

@@ -1,0 +1,115 @@
+//! Why calibrations fail.
+
+use super::outlier::Outlier;
+use ga_camera::CameraError;
+use ga_numerics::least_squares::LeastSquaresError;
+
+/// The least number of boards from which a camera is calibrated.
+pub const LEAST_VIEWS: usize = 3;
+
+/// Why a calibration failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CalibrationError {
+    /// Too few boards were found.
+    #[error("a calibration needs {LEAST_VIEWS} boards or more, not {found}")]
+    TooFewViews {
+        /// How many there are.
+        found: usize,
+    },
+    /// The two cameras see different numbers of boards.
+    #[error("{left} boards in the left views, {right} in the right ones")]
+    Counts {
+        /// Boards of the left camera.
+        left: usize,
+        /// Boards of the right camera.
+        right: usize,
+    },
+    /// A view has another number of corners than the board.
+    #[error("view {view} has {found} corners, not {expected}")]
+    Corners {
+        /// The view, from 0.
+        view: usize,
+        /// Its corners.
+        found: usize,
+        /// Those of the board.
+        expected: usize,
+    },
+    /// A corner or a place on the board is not finite.
+    #[error("corner {corner} of view {view} is not finite")]
+    NotFinite {
+        /// The view, from 0.
+        view: usize,
+        /// The corner, from 0.
+        corner: usize,
+    },
+    /// The corners of a view lie on one line, or do not belong to a board in front of the camera.
+    #[error("the corners of view {view} are not those of a board in front of the camera")]
+    View {
+        /// The view, from 0.
+        view: usize,
+    },
+    /// The motion between the cameras that fits most pairs moves the board of a pair to where the
+    /// right camera cannot see it.
+    #[error("the board of pair {pair} lies where the right camera cannot see it")]
+    Unseen {
+        /// The pair, from 0.
+        pair: usize,
+    },
+    /// At least half of the pairs do not agree with the others.
+    #[error(
+        "at least half of the {pairs} pairs do not agree with the others; pair {}: {outlier}",
+        outlier.pair
+    )]
+    Disagreement {
+        /// How many pairs there are.
+        pairs: usize,
+        /// The outlier after which no more than half of the pairs would be left.
+        outlier: Outlier,
+    },
+    /// A corner lies where the lens that is given sees nothing.
+    #[error("corner {corner} of view {view}: {error}")]
+    Pixel {
+        /// The view, from 0.
+        view: usize,
+        /// The corner, from 0.
+        corner: usize,
+        /// What is wrong with it.
+        error: CameraError,
+    },
+    /// The size of the pictures does not form a camera.
+    #[error("no camera to begin with: {0}")]
+    Camera(#[from] CameraError),
+    /// The bundle adjustment failed.
+    #[error("the calibration failed: {0}")]
+    LeastSquares(#[from] LeastSquaresError),
+    /// The distance between the cameras cannot be told from 0, as where both cameras have the same
+    /// pictures.
+    #[error("the baseline of {metres:.3e} m cannot be told from 0: are the views of two cameras?")]
+    Baseline {
+        /// The distance that was found, in metres.
+        metres: f64,
+    },
+    /// The views do not determine a parameter: boards that are all parallel do not determine the
+    /// focal length.
+    #[error("the views do not determine {parameter}: show the board at more angles")]
+    Undetermined {
+        /// The name of the parameter.
+        parameter: &'static str,
+    },
+}
+
+impl CalibrationError {
+    /// The view, or the pair, that is to blame, from 0.
+    #[must_use]
+    pub fn view(&self) -> Option<usize> {
+        match *self {
+            Self::Corners { view, .. }
+            | Self::NotFinite { view, .. }
+            | Self::Pixel { view, .. }
+            | Self::View { view }
+            | Self::Unseen { pair: view } => Some(view),
+            Self::Disagreement { outlier, .. } => Some(outlier.pair),
+            _ => None,
+        }
+    }
+}
