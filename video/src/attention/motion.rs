@@ -126,6 +126,7 @@ fn global(blocks: &[Block]) -> [f32; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::block::{AREA, NOISE};
     use super::*;
 
     #[test]

@@ -18,7 +18,6 @@ use ga_image::file::{self, Format};
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
-use ga_video;
 use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
 
 use crate::output;

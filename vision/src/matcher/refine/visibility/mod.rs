@@ -115,7 +115,7 @@ impl VisibilityFill {
 mod tests {
     use ga_image::plane::Plane;
 
-    use super::super::super::winner::STEPS;
+    use super::super::super::winner::{STEPS, UNKNOWN};
     use super::*;
 
     #[test]
