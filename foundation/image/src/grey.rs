@@ -23,6 +23,7 @@ impl Luma {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::luma::weighted;
 
     #[test]
     fn integers_agree_with_the_weights() {

@@ -8,10 +8,10 @@ const REFINEMENT: isize = 2;
 
 /// The mean deviation in levels below which a block has no texture that could be found again, and
 /// the error of a match that noise may cause.
-const NOISE: u32 = 2;
+pub(super) const NOISE: u32 = 2;
 
 /// Pixels of a block.
-const AREA: u32 = (CELL * CELL) as u32;
+pub(super) const AREA: u32 = (CELL * CELL) as u32;
 
 pub(super) type Vector = [isize; 2];
 
@@ -115,7 +115,7 @@ impl<'a> Frames<'a> {
 
     /// The sum of absolute differences of a block from its mean.
     #[inline(always)]
-    fn texture(&self, [column, row]: [usize; 2]) -> u32 {
+    pub(super) fn texture(&self, [column, row]: [usize; 2]) -> u32 {
         let lines = || (row..row + CELL).map(|row| &self.current.row(row)[column..][..CELL]);
         let sum: u32 = lines().flatten().map(|level| u32::from(*level)).sum();
         let mean = ((sum + AREA / 2) / AREA) as u8;

@@ -332,6 +332,7 @@ fn part_start(width: usize, height: usize, stride: usize, part: [usize; 4]) -> O
 
 #[cfg(test)]
 mod tests {
+    use super::super::Plane;
     use super::*;
 
     #[test]

@@ -115,9 +115,8 @@ impl VisibilityFill {
 mod tests {
     use ga_image::plane::Plane;
 
-    use super::super::super::winner::STEPS;
+    use super::super::super::winner::{STEPS, UNKNOWN};
     use super::*;
-    use crate::matcher::UNKNOWN;
 
     #[test]
     fn what_a_rectangle_hides_is_background() {
