@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use ga_image::file::Format as PictureFormat;
 
 use crate::format::{self, Format};
-use crate::output;
+use crate::standard_output::{self, is_dash, is_standard_output};
 
 /// What a command reads, and what it is going to write.
 #[derive(Debug, Default)]
@@ -69,7 +69,7 @@ impl Files {
                 bail!("{option} {shown}: {printing} prints to standard output too");
             }
             self.add(option, Path::new("-"))?;
-            output::take_standard_output();
+            standard_output::take();
         } else if !ga_files::is_stream(path) {
             let Some(format) = Format::of(path, formats) else {
                 let endings = format::endings(formats);
@@ -156,15 +156,6 @@ impl Files {
         self.outputs.push(Output { option, place });
         Ok(())
     }
-}
-
-/// Whether a path is that of standard input or output.
-fn is_dash(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
-
-pub(crate) fn is_standard_output(path: &Path) -> bool {
-    is_dash(path) || ga_files::is_standard_output(path)
 }
 
 /// Whether reading an input reads a file: the input itself, or a picture of a video in a folder.

@@ -25,6 +25,7 @@ mod recording;
 mod report;
 mod rotation;
 mod sheet;
+mod standard_output;
 mod storyboard;
 mod summary;
 mod svg;

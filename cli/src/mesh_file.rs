@@ -6,8 +6,8 @@ use anyhow::{Result, bail};
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
 
-use crate::files::is_standard_output;
 use crate::format::Format;
+use crate::standard_output::is_standard_output;
 
 /// The paths and contents of the files of a mesh, that at `out` first.
 ///

@@ -2,13 +2,12 @@
 
 use std::io::{ErrorKind, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
 use ga_files::Staged;
 use serde::Serialize;
 
-use crate::files::is_standard_output;
+use crate::standard_output::{self, is_standard_output};
 
 /// A file to be written.
 pub(crate) struct File {
@@ -16,18 +15,10 @@ pub(crate) struct File {
     pub(crate) contents: Vec<u8>,
 }
 
-/// Whether a file goes to standard output.
-static IS_TAKEN: AtomicBool = AtomicBool::new(false);
-
-/// Leaves standard output to a file: what is said about the work goes to standard error.
-pub(crate) fn take_standard_output() {
-    IS_TAKEN.store(true, Ordering::Relaxed);
-}
-
 /// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an
 /// error.
 pub(crate) fn print(text: &str) -> Result<()> {
-    if IS_TAKEN.load(Ordering::Relaxed) {
+    if standard_output::is_taken() {
         eprint!("{text}");
         return Ok(());
     }

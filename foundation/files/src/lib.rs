@@ -10,14 +10,16 @@
 //!   bytes go to a device or a pipe.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
+mod error;
 mod read;
 mod target;
 mod temporary;
 mod write;
 mod write_all;
 
+pub use error::WriteError;
 pub use read::{ReadError, read};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
 pub use temporary::remove_temporaries;
-pub use write::{Staged, WriteError, write, write_together};
+pub use write::{Staged, write, write_together};
 pub use write_all::write_all;

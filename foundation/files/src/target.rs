@@ -1,5 +1,6 @@
 //! What is at the path of a file that is to be written.
 
+use crate::error::WriteError;
 use std::fs::{Metadata, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -68,11 +69,11 @@ impl Target {
 ///
 /// # Errors
 ///
-/// [`WriteError`](crate::WriteError).
-pub fn check(path: impl AsRef<Path>) -> Result<(), crate::WriteError> {
+/// [`WriteError`].
+pub fn check(path: impl AsRef<Path>) -> Result<(), WriteError> {
     let path = path.as_ref();
     let found = Target::of(path).map(|_| ());
-    found.map_err(|source| crate::WriteError {
+    found.map_err(|source| WriteError {
         path: path.to_path_buf(),
         source,
     })

@@ -11,18 +11,9 @@ use std::path::{Path, PathBuf};
 
 use tempfile::SpooledTempFile;
 
+use crate::error::WriteError;
 use crate::target::Target;
 use crate::temporary::{CreatedFolders, Temporary, leftovers};
-
-/// A file that could not be written. An earlier file of its name is unchanged.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {source}", path.display())]
-pub struct WriteError {
-    /// The file that was to be written.
-    pub path: PathBuf,
-    /// What the operating system said.
-    pub source: io::Error,
-}
 
 /// Writes `contents` to `path`, in place of any file there, and creates missing parent folders.
 /// Another process sees either the earlier file or the complete new one.

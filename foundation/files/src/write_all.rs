@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::temporary::CreatedFolders;
 use crate::write::write_together;
 

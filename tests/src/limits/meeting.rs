@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
 use ga_runtime::geometry::ray::Ray;
 
-use super::{Measured, Offset, Precision, Scene, exact, norm, off, unit_of};
+use super::scene::{Measured, Offset, Precision, Scene, exact, norm, off, unit_of};
 use crate::plain::{O, along, cross, dot, frame, largest, minus, plus, times};
 use crate::twofold::Twofold;
 
