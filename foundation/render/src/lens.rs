@@ -93,8 +93,8 @@ impl Lens {
 impl Camera {
     /// Column, row and depth at which a picture of the given size shows `point`, with the centre of
     /// pixel (0, 0) at (½, ½); `None` when it is nearer than the near depth, behind the camera, or
-    /// beyond the far depth. A picture of the camera with [`Intrinsics`](crate::Intrinsics) has one size, and the one
-    /// given here is not used.
+    /// beyond the far depth. A picture of the camera with [`Intrinsics`](crate::Intrinsics) has one
+    /// size, and the one given here is not used.
     pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
         let Vector {
             e1: x,

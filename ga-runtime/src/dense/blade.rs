@@ -90,7 +90,8 @@ impl Iterator for Vectors {
     }
 }
 
-/// The name of a blade from the names of the basis vectors: see [`Algebra::blade_name`](super::Algebra::blade_name).
+/// The name of a blade from the names of the basis vectors: see
+/// [`Algebra::blade_name`](super::Algebra::blade_name).
 pub(crate) fn blade_name<N: AsRef<str>>(names: &[N], blade: usize) -> String {
     let mut members = vectors(blade).filter_map(|vector| names.get(vector));
     let Some(first) = members.next() else {

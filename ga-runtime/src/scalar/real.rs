@@ -1,5 +1,5 @@
-//! Real numbers, and the functions of those that bring none of their own: exponentials of bivectors,
-//! hyperbolic functions and the hypotenuse.
+//! Real numbers, and the functions of those that bring none of their own: exponentials of
+//! bivectors, hyperbolic functions and the hypotenuse.
 
 use super::half_angle::{self, Constant};
 use super::{ArcFactors, Field, Lanes, Mask, Select, arc};

@@ -1,6 +1,6 @@
 //! The types of an algebra: their blades, where each coefficient comes from, and their facts. Types
-//! by parameters have numbers that need not be coefficients, with the multivector that they give and
-//! the formulas by which they are read of one.
+//! by parameters have numbers that need not be coefficients, with the multivector that they give
+//! and the formulas by which they are read of one.
 
 use proc_macro2::{Ident, Span, TokenStream};
 

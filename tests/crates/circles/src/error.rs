@@ -1,3 +1,5 @@
+//! What keeps a crate from being read.
+
 use std::io;
 use std::path::PathBuf;
 

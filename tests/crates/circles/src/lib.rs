@@ -3,8 +3,8 @@
 //!
 //! [`circles`] reads the `src` folder of a crate. File A uses file B where code of A names an item
 //! that is defined in B. Names are followed through `use` and `pub use` to their definitions, so a
-//! `mod.rs` that re-exports what lies in its children does not use them by that. Neither `mod` items
-//! nor code for tests alone count.
+//! `mod.rs` that re-exports what lies in its children does not use them by that. Neither `mod`
+//! items nor code for tests alone count.
 //!
 //! Names that no path shows are not seen: methods, fields, and what macros write. What is called as
 //! `Type::function` counts as a use of the file that defines the type.
