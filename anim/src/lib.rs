@@ -21,7 +21,7 @@
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
 //! | [`gltf`] | plays documents; skeletons and clips as [`ga_mesh::gltf::model`] writes them |
-//! | [`unit`] | the length of a unit of a recording that does not state it |
+//! | [`unit`](mod@unit) | the length of a unit of a recording that does not state it |
 //!
 //! # Conventions
 //!

@@ -2,8 +2,8 @@
 //!
 //! BVH has no unit: recordings are in metres, in centimetres, in inches, and in the unit of CMU's
 //! motion capture, 0.0254/0.45 m. What a unit is long follows from the size of the body, which is
-//! read off the lengths of its bones: they are the same in every pose, so that a body may lie, stand
-//! or be folded at rest.
+//! read off the lengths of its bones: they are the same in every pose, so that a body may lie,
+//! stand or be folded at rest.
 
 use crate::recording::Recording;
 

@@ -48,7 +48,8 @@ pub enum SkinError {
     TooLarge,
 }
 
-/// What the binding checks itself cannot occur again; weights are checked by [`SkinWeights`].
+/// What the binding checks itself cannot occur again; weights are checked by
+/// [`SkinWeights`](crate::weights::SkinWeights).
 impl From<BatchError> for SkinError {
     fn from(error: BatchError) -> Self {
         match error {

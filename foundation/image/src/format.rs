@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Format {
     /// Portable Network Graphics.
     Png,
-    /// JPEG. It is read; [`write()`] does not write it, since colours change.
+    /// JPEG. It is read; [`write()`](crate::file::write()) does not write it, since colours change.
     Jpeg,
     /// Portable grey map and portable pixel map, PGM and PPM.
     Pnm,

@@ -9,7 +9,8 @@ use crate::cga3::Motor;
 /// derivatives.
 ///
 /// Comparisons return a [`Mask`](Select::Mask), and [`select`](Select::select) chooses by it, so
-/// that the same code runs on one number and on lanes. A result that may not exist is a [`Maybe`].
+/// that the same code runs on one number and on lanes. A result that may not exist is a
+/// [`Maybe`](super::Maybe).
 ///
 /// ```
 /// use ga_runtime::scalar::Real;

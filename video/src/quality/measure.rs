@@ -66,8 +66,8 @@ const fn colour(
 /// let noisy = reference.map(|level| level ^ 4);
 /// let luma = Meter::new([64, 48], 255.0)?.compare(&reference, &noisy, &reference)?;
 /// let frame = FrameQuality { index: 0, time_seconds: 0.0, luma, psnr_differences: None };
-/// let found: Vec<_> = MEASURES.iter().filter(|measure| (measure.value)(&frame).is_some()).collect();
-/// let keys: Vec<&str> = found.iter().map(|measure| measure.key).collect();
+/// let found = MEASURES.iter().filter(|measure| (measure.value)(&frame).is_some());
+/// let keys: Vec<&str> = found.map(|measure| measure.key).collect();
 /// assert_eq!(keys, ["psnr", "ssim", "attention_psnr", "attention_ssim"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

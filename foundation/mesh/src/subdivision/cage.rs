@@ -9,7 +9,7 @@ use crate::topology::{self, Edges};
 /// The faces of a control mesh, with their creases and the rules that refine them.
 ///
 /// Positions are not part of it: [`Cage::refine`] gives the faces of the next level and the
-/// [`Stencils`] that compute its vertices from any positions.
+/// [`Stencils`](super::Stencils) that compute its vertices from any positions.
 ///
 /// The faces may be of any number of corners in Catmull and Clark's scheme, and are triangles in
 /// Loop's. They need not be oriented alike. Where two faces meet, their edge must be the side of no

@@ -2,7 +2,8 @@
 
 use nalgebra_035::{Cholesky, DMatrix, DVector};
 
-/// The matrix of frames, symmetric: their couplings, of which all but those within a frame are block diagonal: blocks of
+/// The matrix of frames, symmetric: their couplings, of which all but those within a frame are
+/// block diagonal: blocks of
 /// 3×3 or of 1×1 for the unknowns of each joint.
 #[derive(Clone, Debug)]
 pub struct Couplings {

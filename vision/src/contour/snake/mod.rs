@@ -78,8 +78,8 @@ pub struct Settled {
 /// definite, that no point moves farther than it may, and that the energy falls by at least a tenth
 /// of what the step predicts ([`ga_numerics::least_squares::Search`]).
 ///
-/// The snake has settled when no point moves farther than the tolerance in two steps: one short step
-/// may be that of a large γ.
+/// The snake has settled when no point moves farther than the tolerance in two steps: one short
+/// step may be that of a large γ.
 ///
 /// ```
 /// use ga_image::plane::Plane;

@@ -38,8 +38,8 @@
 //! In blades, a point P has the inner product `P·π = n·p − d` with the dual plane `π = n + d ei` of
 //! unit normal n, and `P·σ = ½(r² − ∣p − c∣²)` with the dual sphere `σ = c − ½r² ei`.
 //!
-//! The result is `None` where one of the two is not a [`Figure`]: where its weight is zero, it is
-//! imaginary, or it is not finite.
+//! The result is `None` where one of the two is not a [`Figure`](super::Figure): where its weight
+//! is zero, it is imaginary, or it is not finite.
 //!
 //! ```
 //! use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
