@@ -4,7 +4,8 @@ use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// Charts are drawn so many times larger, since the library rounds coordinates to whole numbers.
+/// The factor by which charts are drawn larger, since the library rounds coordinates to whole
+/// numbers.
 pub(crate) const FINE: u32 = 8;
 
 /// Colours that people with any colour vision tell apart (Okabe and Ito, 2008).
@@ -65,7 +66,7 @@ pub(crate) fn draw_legend(area: &Area<'_>, series: &[(Mark, RGBColor, String)]) 
     Ok(())
 }
 
-/// A text of at most so many characters, which ends with … where some are left out.
+/// A text of at most this number of characters, which ends with … where some are left out.
 pub(crate) fn shortened(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.to_owned();

@@ -34,7 +34,7 @@ struct Views {
     views: Vec<Entry>,
 }
 
-/// The names of the files of so many pictures.
+/// The names of the files of this number of pictures.
 pub(crate) fn names(pictures: u32) -> impl Iterator<Item = String> {
     let pictures = (0..pictures as usize).map(picture_name);
     pictures.chain([NAME.to_owned()])

@@ -59,7 +59,7 @@ pub(crate) struct Arguments {
     /// Keep feet in their places that stand in the motion; thighs and shins deviate for that.
     #[arg(long)]
     foot_locking: bool,
-    /// Smooth the skin weights: so many times, those of every vertex move half the way to the mean
+    /// Smooth the skin weights: in each pass, those of every vertex move half the way to the mean
     /// of those of its neighbours. At most 100.
     ///
     /// Painted weights may change from one bone to the next within a single edge, which shows as a

@@ -340,8 +340,8 @@ impl Drawing {
     }
 }
 
-/// The most pixels of all pictures together. A film of so many takes 1.5 GiB of memory while it is
-/// made.
+/// The most pixels of all pictures together. A film of this number takes 1.5 GiB of memory while it
+/// is made.
 const MOST_PIXELS: u64 = 1 << 30;
 
 /// A film whose pictures have too many pixels together.

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Target {
     /// They go to the standard output of the program.
     StandardOutput,
-    /// They are appended to what is no file: a device, a pipe or an open descriptor.
+    /// They are appended to what is not a file: a device, a pipe or an open descriptor.
     Stream,
     /// They take the place of those of a file that keeps its identity, as it has several names.
     InPlace(PathBuf),

@@ -1,7 +1,7 @@
 //! Atomic writing: the bytes go to a temporary file beside the target, which takes the target's
 //! name once it is complete. A failed write leaves the folder as it was.
 //!
-//! What is no file, or a file that has to stay the one it is, gets its contents once they are
+//! What is not a file, or a file that has to stay the one it is, gets its contents once they are
 //! complete.
 
 use std::collections::HashMap;
@@ -116,7 +116,7 @@ enum Contents {
         place: PathBuf,
         kept: SpooledTempFile,
     },
-    /// For what is no file.
+    /// For what is not a file.
     Stream {
         kept: SpooledTempFile,
     },
@@ -196,7 +196,7 @@ impl Staged {
     }
 
     /// As [`add_with`](Self::add_with), for the standard output of the program. `path` is how
-    /// errors name it. A reader that has closed the pipe is no error.
+    /// errors name it. A reader that has closed the pipe is not an error.
     ///
     /// # Errors
     ///

@@ -16,7 +16,7 @@ use crate::files::Files;
 use crate::format::Format;
 use crate::output;
 
-/// Errors of so many pixels and more have the last colour of the picture.
+/// Errors of this number of pixels and more have the last colour of the picture.
 const MOST_ERROR_PX: f64 = 4.0;
 
 /// Compare a disparity map with the truth.

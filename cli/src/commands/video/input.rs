@@ -54,8 +54,8 @@ pub(super) fn rate(properties: &Properties, frames: usize, last_seconds: f64) ->
     properties.frames_per_second.unwrap_or_else(of_times)
 }
 
-/// Frames in a second, of so many of which the last one begins at this time; 25 where they do not
-/// show it.
+/// Frames in a second, where the last of a number of frames begins at this time; 25 where they do
+/// not show it.
 pub(super) fn mean_rate(frames: usize, last_seconds: f64) -> [u32; 2] {
     let rate = (frames.saturating_sub(1)) as f64 / last_seconds;
     // A cast from float saturates.

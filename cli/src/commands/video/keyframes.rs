@@ -44,7 +44,8 @@ pub(super) struct Arguments {
     /// Print one JSON object instead of lines.
     #[arg(long)]
     json: bool,
-    /// Choose at most so many key frames: the first of each shot, then those with most that is new.
+    /// Choose at most this number of key frames: the first of each shot, then those with most that
+    /// is new.
     #[arg(long, value_name = "COUNT")]
     budget: Option<usize>,
     /// The least part that is new in a key frame, from 0 to 1, by mutual information with the
@@ -54,7 +55,7 @@ pub(super) struct Arguments {
     /// How frames are divided into blocks.
     #[arg(long, value_enum, default_value_t = Blocks::Five)]
     layout: Blocks,
-    /// The least frames of a shot.
+    /// The least number of frames of a shot.
     #[arg(long, value_name = "FRAMES", default_value_t = 1)]
     min_shot: usize,
     /// Write the shots as a table (.csv) or as an edit decision list (.edl); may be repeated.

@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     /// How frames are divided into blocks.
     #[arg(long, value_enum, default_value_t = Blocks::Five)]
     layout: Blocks,
-    /// The least frames of a shot.
+    /// The least number of frames of a shot.
     #[arg(long, value_name = "FRAMES", default_value_t = 1)]
     min_shot: usize,
 }

@@ -87,8 +87,8 @@ pub(crate) struct Arguments {
     /// Take every Nth frame of the motion only; the frame rate is lower by that.
     #[arg(long, value_name = "N", default_value_t = 1)]
     every: usize,
-    /// At most so many frames, in stretches of 120 that are evenly spread over the motion; 0 for
-    /// all.
+    /// The greatest number of frames, in stretches of 120 that are evenly spread over the motion; 0
+    /// for all.
     #[arg(long, value_name = "N", default_value_t = 240)]
     frames: usize,
     /// Draw 2-D joint errors, times and the errors over the noise as a picture.

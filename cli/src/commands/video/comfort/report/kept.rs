@@ -6,7 +6,7 @@ use ga_image::ycbcr::YCbCr;
 use ga_video::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
 use ga_video::{Frame, Planes, Samples};
 
-/// Views are reduced to at most so many columns.
+/// The greatest number of columns that views are reduced to.
 const WIDEST: usize = 480;
 
 /// Columns of the parts that are kept at full size: a part of those of the view, and the least and

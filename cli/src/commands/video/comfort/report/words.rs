@@ -48,7 +48,7 @@ pub(super) fn merit(dimension: Dimension) -> &'static str {
     }
 }
 
-/// A number with so many decimals and a minus sign, and without −0.
+/// A number with this number of decimals and a minus sign, and without −0.
 pub(super) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {

@@ -55,7 +55,7 @@ pub(super) fn put_title(svg: &mut Svg, [x, y]: [f64; 2], title: &str) {
     svg.text([x, y - 7.0], 13.0, Anchor::Start, &attributes, title);
 }
 
-/// Every so many of the matches, from all parts of the picture.
+/// A part of the matches, from all parts of the picture.
 pub(super) fn some(matches: &[Match], most: usize) -> impl Iterator<Item = &Match> {
     matches.iter().step_by(matches.len().div_ceil(most).max(1))
 }
