@@ -65,7 +65,6 @@ Status:
   0    success
   1    the input is wrong, or the work failed
   2    the arguments are wrong
-  3    with --check: the work succeeded, and its verdict is not good
   130  ended by Ctrl-C, and so on: 128 and the number of the signal
 
 Example: nullcone demo --out out";
