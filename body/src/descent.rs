@@ -40,7 +40,7 @@ pub(super) trait Cost {
     fn linearise(&self, state: &State, normal: &mut Normal) -> Option<()>;
 }
 
-/// Descends from a state. `None` where the start has no cost.
+/// Descends from a state. `None` where the start, or a state on the way, has no equations.
 pub(super) fn descend<C: Cost>(
     of: &C,
     start: State,
@@ -54,10 +54,11 @@ pub(super) fn descend<C: Cost>(
         state: start,
         next: None,
         normal,
+        has_equations: true,
     };
     let mut found = least_squares::Search::new(descent.normal.cost, DAMPING);
     found.run(&mut descent, search.steps);
-    Some(Found {
+    descent.has_equations.then(|| Found {
         state: descent.state,
         cost: found.cost(),
     })
@@ -70,11 +71,18 @@ struct Descending<'a, C> {
     next: Option<State>,
     /// The equations at the state.
     normal: &'a mut Normal,
+    has_equations: bool,
 }
 
 impl<C: Cost> Descent for Descending<'_, C> {
     fn attempt(&mut self, damping: f64) -> Attempt {
         self.next = None;
+        if !self.has_equations {
+            return Attempt {
+                is_small: true,
+                ..Attempt::NONE
+            };
+        }
         let chain = self.of.chain();
         let Some(step) = solve(chain, self.normal, damping) else {
             return Attempt::NONE;
@@ -93,10 +101,8 @@ impl<C: Cost> Descent for Descending<'_, C> {
     }
 
     fn accept(&mut self) {
-        // A state that has a cost has equations.
-        if let Some(next) = self.next.take()
-            && self.of.linearise(&next, self.normal).is_some()
-        {
+        if let Some(next) = self.next.take() {
+            self.has_equations = self.of.linearise(&next, self.normal).is_some();
             self.state = next;
         }
     }

@@ -8,7 +8,7 @@ use glob::Pattern;
 /// The files that arguments of an option stand for, each once, in the order of their names, where
 /// numbers count as numbers: 2 comes before 10.
 ///
-/// An argument is the name of a file, or, where there is no such file, a pattern. Folders with
+/// An argument is the name of a file, or a pattern where no file has that name. Folders with
 /// which it begins are names, not patterns, where they exist.
 ///
 /// # Errors

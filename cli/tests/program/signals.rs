@@ -13,7 +13,7 @@ use crate::common::names;
 /// The program while it waits for somebody who reads the pipe, with another output complete beside
 /// its place.
 fn waiting(folder: &Path, signals: &str) -> Child {
-    // Whoever runs the tests may ignore signals.
+    // The process that runs the tests may ignore signals.
     let mut command = Command::new("env");
     command.args(["--default-signal=INT,TERM,HUP", signals]);
     command

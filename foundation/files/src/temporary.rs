@@ -41,7 +41,7 @@ impl Leftovers {
 /// program.
 pub fn remove_temporaries() {
     let leftovers = leftovers();
-    // What cannot be removed is left: there is nobody to be told.
+    // What cannot be removed is left: the program ends, and cannot report it.
     for file in &leftovers.files {
         let _ = std::fs::remove_file(file);
     }
