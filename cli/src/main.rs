@@ -13,6 +13,7 @@ mod figure_file;
 mod file_list;
 mod files;
 mod format;
+mod frame;
 mod interruption;
 mod mesh_file;
 mod model;
@@ -20,7 +21,6 @@ mod output;
 mod overlay;
 mod page;
 mod pipeline;
-mod progress;
 mod recording;
 mod report;
 mod rotation;
@@ -32,16 +32,18 @@ mod svg;
 mod two_views;
 mod view;
 mod view_files;
-mod warning;
 
+use std::iter;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use anyhow::Result;
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
     quality, render, skin, stereo, texture, video,
 };
+use frame::{Context, Options};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 ///
@@ -54,9 +56,8 @@ use commands::{
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// Print nothing but errors.
-    #[arg(short, long, global = true, display_order = 100)]
-    quiet: bool,
+    #[command(flatten)]
+    options: Options,
 }
 
 /// What the status of the program says.
@@ -65,6 +66,7 @@ Status:
   0    success
   1    the input is wrong, or the work failed
   2    the arguments are wrong
+  3    the verdict of a command with --check is not good
   130  ended by Ctrl-C, and so on: 128 and the number of the signal
 
 Example: nullcone demo --out out";
@@ -97,35 +99,43 @@ fn main() -> ExitCode {
     if let Err(error) = interruption::clean_up_at_signals() {
         eprintln!("warning: temporary files will be left where a signal ends the program: {error}");
     }
-    let result = match &cli.command {
-        Command::Demo(arguments) => demo::run(arguments, cli.quiet),
-        Command::Animate(arguments) => animate::run(arguments, cli.quiet),
-        Command::Body(arguments) => body::run(arguments, cli.quiet),
-        Command::Capture(arguments) => capture::run(arguments, cli.quiet),
-        Command::Expand(arguments) => expand::run(arguments),
-        Command::Clip(arguments) => clip::run(arguments, cli.quiet),
-        Command::Contour(arguments) => contour::run(arguments, cli.quiet),
-        Command::Curve(arguments) => curve::run(arguments, cli.quiet),
-        Command::Draw(arguments) => draw::run(arguments, cli.quiet),
-        Command::Mesh(arguments) => mesh::run(arguments, cli.quiet),
-        Command::Quality(arguments) => quality::run(arguments, cli.quiet),
-        Command::Render(arguments) => render::run(arguments, cli.quiet),
-        Command::Skin(arguments) => skin::run(arguments, cli.quiet),
-        Command::Stereo(arguments) => stereo::run(arguments, cli.quiet),
-        Command::Texture(arguments) => texture::run(arguments, cli.quiet),
-        Command::Video(arguments) => video::run(arguments, cli.quiet),
-        Command::Completions(arguments) => completions::run(arguments, Cli::command()),
-        Command::Man(arguments) => man::run(
-            arguments,
-            examples::with_examples(Cli::command()),
-            cli.quiet,
-        ),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
+    let words = iter::successors(matches.subcommand(), |(_, below)| below.subcommand());
+    let words = words.map(|(word, _): (&str, &ArgMatches)| word.to_owned());
+    let context = Context::new(cli.options.clone(), words.collect());
+    match run(&cli.command, &context) {
+        Ok(status) => status,
         Err(error) => {
             eprintln!("{}", failure::text(&error));
             ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(command: &Command, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
+    match command {
+        Command::Demo(arguments) => frame::unframed(demo::run(arguments, quiet)),
+        Command::Animate(arguments) => frame::unframed(animate::run(arguments, quiet)),
+        Command::Body(arguments) => body::run(arguments, context),
+        Command::Capture(arguments) => frame::unframed(capture::run(arguments, quiet)),
+        Command::Expand(arguments) => frame::unframed(expand::run(arguments)),
+        Command::Clip(arguments) => clip::run(arguments, context),
+        Command::Contour(arguments) => frame::unframed(contour::run(arguments, quiet)),
+        Command::Curve(arguments) => frame::unframed(curve::run(arguments, quiet)),
+        Command::Draw(arguments) => frame::unframed(draw::run(arguments, quiet)),
+        Command::Mesh(arguments) => mesh::run(arguments, context),
+        Command::Quality(arguments) => quality::run(arguments, context),
+        Command::Render(arguments) => frame::unframed(render::run(arguments, quiet)),
+        Command::Skin(arguments) => frame::unframed(skin::run(arguments, quiet)),
+        Command::Stereo(arguments) => stereo::run(arguments, context),
+        Command::Texture(arguments) => frame::unframed(texture::run(arguments, quiet)),
+        Command::Video(arguments) => video::run(arguments, context),
+        Command::Completions(arguments) => {
+            frame::unframed(completions::run(arguments, Cli::command()))
+        }
+        Command::Man(arguments) => {
+            let command = examples::with_examples(Cli::command());
+            frame::unframed(man::run(arguments, command, quiet))
         }
     }
 }

@@ -7,8 +7,8 @@ use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 use crate::figure::Figure;
 use crate::files::Files;
+use crate::frame::Progress;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
-use crate::progress::Progress;
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, STEPS, Storyboard};
 

@@ -12,9 +12,9 @@ use serde::Serialize;
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::mesh_file;
 use crate::output;
-use crate::progress::Progress;
 
 /// Texture a mesh from pictures whose cameras are known.
 ///

@@ -3,8 +3,12 @@
 mod evaluate;
 mod fit;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// People in views: poses from their joints in pictures.
 #[derive(Clone, Debug, clap::Args)]
@@ -19,9 +23,10 @@ enum Command {
     Evaluate(evaluate::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Fit(arguments) => fit::run(arguments, quiet),
-        Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
+        Command::Fit(arguments) => frame::unframed(fit::run(arguments, quiet)),
+        Command::Evaluate(arguments) => frame::unframed(evaluate::run(arguments, quiet)),
     }
 }

@@ -20,8 +20,8 @@ use ga_vision::capture::{
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use points::Points;
 use report::Report;
 use surface::{Motion, Surface};

@@ -7,7 +7,7 @@ use ga_anim::recording::{Recording, blend};
 
 use super::input::{Kind, MotionArguments};
 use super::target::TargetArguments;
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// Write the mean of motions of the same joints, each with a weight.
 ///

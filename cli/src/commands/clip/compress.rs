@@ -8,7 +8,7 @@ use ga_anim::recording::Recording;
 
 use super::input::{Kind, MotionArguments, vertices};
 use super::target::{self, OwnBound};
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// Compress a recording so that a bound on its error holds on every frame.
 ///

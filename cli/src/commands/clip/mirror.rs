@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 
 use super::input::MotionArguments;
 use super::target::TargetArguments;
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// Write the mirror image of a motion: left and right change places.
 ///

@@ -10,8 +10,12 @@ mod retarget;
 mod sample;
 mod target;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// Compress recordings of motion within a bound; sample, resample, retarget, mirror and blend them.
 ///
@@ -34,14 +38,15 @@ enum Command {
     Blend(blend::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Compress(arguments) => compress::run(arguments, quiet),
+        Command::Compress(arguments) => frame::unframed(compress::run(arguments, quiet)),
         Command::Info(arguments) => info::run(arguments),
-        Command::Sample(arguments) => sample::run(arguments, quiet),
-        Command::Resample(arguments) => resample::run(arguments, quiet),
-        Command::Retarget(arguments) => retarget::run(arguments, quiet),
-        Command::Mirror(arguments) => mirror::run(arguments, quiet),
-        Command::Blend(arguments) => blend::run(arguments, quiet),
+        Command::Sample(arguments) => frame::unframed(sample::run(arguments, quiet)),
+        Command::Resample(arguments) => frame::unframed(resample::run(arguments, quiet)),
+        Command::Retarget(arguments) => frame::unframed(retarget::run(arguments, quiet)),
+        Command::Mirror(arguments) => frame::unframed(mirror::run(arguments, quiet)),
+        Command::Blend(arguments) => frame::unframed(blend::run(arguments, quiet)),
     }
 }

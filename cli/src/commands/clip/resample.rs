@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 
 use super::input::{Kind, MotionArguments};
 use super::target::TargetArguments;
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// Write the same motion at another number of frames per second.
 ///

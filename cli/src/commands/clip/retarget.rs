@@ -19,9 +19,8 @@ use super::input::{Kind, MotionArguments};
 use crate::figure_file::stem;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Progress, Warning};
 use crate::output;
-use crate::progress::Progress;
-use crate::warning::{self, Warning};
 
 /// Transfer a motion to another skeleton.
 ///
@@ -167,7 +166,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     write(arguments, format, &target, &clip, &progress)?;
     drop(progress);
     if !quiet && !arguments.json {
-        warning::print(&report.warnings);
+        frame::print_warnings(&report.warnings);
     }
     report.print(arguments.json, quiet)
 }
@@ -201,7 +200,7 @@ fn likely_metres(body: &Recording, file: &str, warnings: &mut Vec<Warning>) -> R
              as an adult",
             unit.metres
         );
-        warnings.push(Warning::new("unclear_unit", message).in_file(file));
+        warnings.push(Warning::new("unclear_unit", message).in_file(Path::new(file)));
     }
     Ok(unit.metres)
 }

@@ -11,8 +11,8 @@ use serde::Serialize;
 use super::info::Size;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 /// Where a clip is written, and within which bounds.
 #[derive(Clone, Debug, clap::Args)]

@@ -20,9 +20,9 @@ use super::arguments::{Figure, check_out};
 use super::settling::Settled;
 use crate::commands::stereo::{pixels, views};
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::mesh_file;
 use crate::output;
-use crate::progress::Progress;
 
 #[derive(Serialize)]
 struct Report {

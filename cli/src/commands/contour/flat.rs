@@ -15,8 +15,8 @@ use super::arguments::check_out;
 use super::settling::Settled;
 use super::{Arguments, drawing};
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 #[derive(Serialize)]
 struct Report {

@@ -8,7 +8,7 @@ use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
 use ga_vision::contour::{OutlineError, outline, resampled};
 use serde::Serialize;
 
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// How a snake settles.
 #[derive(Clone, Debug, clap::Args)]

@@ -14,8 +14,8 @@ use serde::Serialize;
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use table::Table;
 
 /// More rows than this are taken for a mistake.

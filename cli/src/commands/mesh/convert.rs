@@ -6,9 +6,11 @@ use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
 use ga_mesh::ply::Encoding;
 
+use serde::Serialize;
+
 use super::input;
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context, Warning};
 use crate::{mesh_file, output};
 
 /// Write a mesh in the format that the ending of the output's name says.
@@ -20,7 +22,7 @@ use crate::{mesh_file, output};
 ///
 /// Some formats need files beside the output, named after it: libraries of materials (.mtl),
 /// buffers (.bin) and pictures. A file of such a name with other contents is not replaced without
-/// --force.
+/// --force. --json prints {"vertices": …, "faces": …, "files": […], "warnings": […]}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -38,45 +40,61 @@ pub(crate) struct Arguments {
     force: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let Arguments {
-        input,
-        output: out,
-        ascii,
-        force,
-    } = arguments;
-    let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
-    let format = Files::reading([input]).write("OUT", out, &formats)?;
-    let loaded = input::read(input, quiet)?;
-    let mesh = format::relocated(&loaded.mesh, input, out)?;
-    let options = Options {
-        ply: if *ascii {
-            Encoding::Ascii
-        } else {
-            Encoding::default()
-        },
-    };
-    let files = mesh_file::files(out, format, &mesh, &options)?;
-    if !force {
-        for (path, contents) in files.iter().skip(1) {
-            refuse_other_contents(path, contents)?;
-        }
-    }
-    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
-    if !quiet {
-        let omissions = match format {
-            Format::Obj => format::omissions("model.obj", &mesh)?,
-            _ => Vec::new(),
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    vertices: usize,
+    faces: usize,
+    files: Vec<String>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let (input, out) = (&self.input, &self.output);
+        let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
+        let format = context.files([input])?.write("OUT", out, &formats)?;
+        let (mesh, mut warnings) = input::read(input)?;
+        let mesh = format::relocated(&mesh, input, out)?;
+        let options = Options {
+            ply: match self.ascii {
+                true => Encoding::Ascii,
+                false => Encoding::default(),
+            },
         };
-        for omission in omissions {
-            eprintln!("warning: {}: {omission}", out.display());
+        let files = mesh_file::files(out, format, &mesh, &options)?;
+        if !self.force {
+            for (path, contents) in files.iter().skip(1) {
+                refuse_other_contents(path, contents)?;
+            }
         }
-        let lines = files
-            .iter()
-            .map(|(path, _)| format!("wrote {}\n", path.display()));
-        output::print(&lines.collect::<String>())?;
+        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        if format == Format::Obj {
+            let omissions = format::omissions("model.obj", &mesh)?.into_iter();
+            warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));
+        }
+        let files = files.iter().map(|(path, _)| path.display().to_string());
+        Ok(Report {
+            vertices: mesh.vertex_count(),
+            faces: mesh.faces().len(),
+            files: files.collect(),
+            warnings,
+        })
     }
-    Ok(())
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        let lines = self.files.iter().map(|file| format!("wrote {file}\n"));
+        lines.collect()
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
 }
 
 /// Fails where there is a file with other contents.

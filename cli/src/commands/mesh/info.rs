@@ -8,7 +8,7 @@ use ga_mesh::{Group, Mesh};
 use serde::Serialize;
 
 use super::input;
-use crate::output;
+use crate::frame::{self, Command, Context, Warning};
 
 /// Count the elements of a mesh and say whether it is a regular surface.
 ///
@@ -27,24 +27,21 @@ pub(crate) struct Arguments {
     /// The mesh.
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Print one JSON object instead of a table.
-    #[arg(long)]
-    json: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let loaded = input::read(&arguments.file, quiet)?;
-    let info = Info::new(&loaded.mesh, loaded.warnings);
-    if arguments.json {
-        output::print_json(&info)
-    } else {
-        output::print(&info.table())
+impl Command for Arguments {
+    type Report = Info;
+
+    fn run(&self, context: &Context) -> Result<Info> {
+        context.files([&self.file])?;
+        let (mesh, warnings) = input::read(&self.file)?;
+        Ok(Info::new(&mesh, warnings))
     }
 }
 
 /// What is said about a mesh.
 #[derive(Debug, Serialize)]
-struct Info {
+pub(crate) struct Info {
     vertices: usize,
     faces: usize,
     edges: usize,
@@ -78,7 +75,8 @@ struct Info {
     groups: Vec<Part>,
     objects: Vec<Part>,
     materials: Vec<Part>,
-    warnings: Vec<String>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
 /// The least and the greatest coordinates, in the unit of the file.
@@ -96,7 +94,7 @@ struct Part {
 }
 
 impl Info {
-    fn new(mesh: &Mesh, warnings: Vec<String>) -> Self {
+    fn new(mesh: &Mesh, warnings: Vec<Warning>) -> Self {
         let report = Report::of_mesh(mesh);
         let with_corners = |count: usize| mesh.faces().iter().filter(|f| f.len() == count).count();
         let (triangles, quadrilaterals) = (with_corners(3), with_corners(4));
@@ -137,9 +135,19 @@ impl Info {
             warnings,
         }
     }
+}
 
-    /// The same for people: a line for each number, the sets of faces below.
-    fn table(&self) -> String {
+impl frame::Report for Info {
+    fn is_result(&self) -> bool {
+        true
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    /// A line for each number, the sets of faces below.
+    fn text(&self) -> String {
         let yes = |holds: bool| if holds { "yes" } else { "no" }.to_owned();
         let genus = self
             .genus

@@ -6,8 +6,12 @@ mod info;
 mod input;
 mod subdivide;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// Examine, convert and refine polygon meshes, and bake maps for them.
 ///
@@ -27,11 +31,12 @@ enum Command {
     Bake(bake::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Info(arguments) => info::run(arguments, quiet),
-        Command::Convert(arguments) => convert::run(arguments, quiet),
-        Command::Subdivide(arguments) => subdivide::run(arguments, quiet),
-        Command::Bake(arguments) => bake::run(arguments, quiet),
+        Command::Info(arguments) => frame::run(arguments, context),
+        Command::Convert(arguments) => frame::run(arguments, context),
+        Command::Subdivide(arguments) => frame::unframed(subdivide::run(arguments, quiet)),
+        Command::Bake(arguments) => frame::unframed(bake::run(arguments, quiet)),
     }
 }

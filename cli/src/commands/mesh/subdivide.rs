@@ -13,7 +13,7 @@ use ga_mesh::subdivision::{
 use super::input;
 use crate::files::Files;
 use crate::format::Format;
-use crate::progress::Progress;
+use crate::frame::Progress;
 use crate::{mesh_file, output};
 
 /// A result of more faces than this is taken for a mistake.
@@ -84,13 +84,13 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let format = Files::reading(inputs).write("--out", out, &[Format::Obj])?;
     let progress = Progress::new(3, quiet);
     progress.step("reading");
-    let loaded = input::read(input, quiet)?;
+    let (mesh, _) = input::read(input)?;
     let tags = match &arguments.creases {
         Some(path) => ga_files::read(path, TagText::parse)?,
         None => TagText::default(),
     };
 
-    let mesh = &format::relocated(&loaded.mesh, input, out)?;
+    let mesh = &format::relocated(&mesh, input, out)?;
     let rules = rules(arguments, mesh);
     check_size(mesh, rules.scheme, arguments.levels)?;
     let mut level = Subdivision::new(mesh, rules, &tags.tags)

@@ -4,8 +4,12 @@ mod compare;
 mod fit;
 mod ratings;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// The quality of pictures and videos, and people's judgement of it.
 #[derive(Clone, Debug, clap::Args)]
@@ -21,10 +25,11 @@ enum Command {
     Ratings(ratings::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Compare(arguments) => compare::run(arguments, quiet),
-        Command::Fit(arguments) => fit::run(arguments, quiet),
-        Command::Ratings(arguments) => ratings::run(arguments, quiet),
+        Command::Compare(arguments) => frame::unframed(compare::run(arguments, quiet)),
+        Command::Fit(arguments) => frame::unframed(fit::run(arguments, quiet)),
+        Command::Ratings(arguments) => frame::unframed(ratings::run(arguments, quiet)),
     }
 }

@@ -20,8 +20,8 @@ use super::{corners, views};
 use crate::file_list;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use crate::rotation::smaller_rotation;
 
 /// Calibrate a stereo rig from pairs of pictures of a chessboard.

@@ -8,8 +8,7 @@ use ga_vision::feature::{ViewOptions, match_views};
 use serde::Serialize;
 
 use super::views;
-use crate::output;
-use crate::progress::Progress;
+use crate::frame::{self, Check, Command, Context, Verdict, Warning};
 
 /// Say how a pair of views deviates from a rectified one.
 ///
@@ -27,7 +26,8 @@ use crate::progress::Progress;
 /// "disparity_median_px": …, "disparity_greatest_px": …, "matches": …, "matches_used": …}.
 /// Offsets are positive where the right view shows things lower, rotations where it is rotated
 /// clockwise; zoom is its magnification. A pair counts as rectified where 95 percent of the
-/// vertical disparities are below 1 px.
+/// vertical disparities are below 1 px. The verdict is good where the views are rectified and not
+/// exchanged; --json has it as "verdict", and what is wrong as "warnings".
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -49,14 +49,13 @@ pub(crate) struct Arguments {
     /// The seed of the random samples: equal seeds give equal results.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    check: Check,
 }
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
     rectified: bool,
     views_exchanged: bool,
     vertical_offset_px: f64,
@@ -71,45 +70,62 @@ struct Report {
     disparity_greatest_px: f64,
     matches: usize,
     matches_used: usize,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let progress = Progress::new(3, quiet);
-    progress.step("reading the views");
-    let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
-    views::check_side(&left, &arguments.left)?;
-    progress.step("matching points");
-    let matching = ViewOptions::default();
-    let pairs = match_views(&left, &right, &matching);
-    progress.step("fitting");
-    let options = DiagnosisOptions {
-        threshold: arguments.threshold,
-        seed: arguments.seed,
-    };
-    let found = Diagnosis::new(&pairs, [left.width(), left.height()], options);
-    let paths = [&*arguments.left, &*arguments.right];
-    let found = found.map_err(|error| {
-        let context = match error {
-            DiagnosisError::TooFew { needed, .. } => {
-                views::few_matches([&left, &right], paths, &matching.detect, needed)
-            }
-            _ => format!("{} and {}", paths[0].display(), paths[1].display()),
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        context.files([&arguments.left, &arguments.right])?;
+        let progress = context.progress(3);
+        progress.step("reading the views");
+        let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
+        views::check_side(&left, &arguments.left)?;
+        progress.step("matching points");
+        let matching = ViewOptions::default();
+        let pairs = match_views(&left, &right, &matching);
+        progress.step("fitting");
+        let options = DiagnosisOptions {
+            threshold: arguments.threshold,
+            seed: arguments.seed,
         };
-        Error::new(error).context(context)
-    })?;
-    drop(progress);
-    let report = Report::new(&found);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines())
+        let found = Diagnosis::new(&pairs, [left.width(), left.height()], options);
+        let paths = [&*arguments.left, &*arguments.right];
+        let found = found.map_err(|error| {
+            let context = match error {
+                DiagnosisError::TooFew { needed, .. } => {
+                    views::few_matches([&left, &right], paths, &matching.detect, needed)
+                }
+                _ => format!("{} and {}", paths[0].display(), paths[1].display()),
+            };
+            Error::new(error).context(context)
+        })?;
+        drop(progress);
+        Ok(Report::new(&found))
     }
 }
 
 impl Report {
     fn new(found: &Diagnosis) -> Self {
+        let mut warnings = Vec::new();
+        if !found.is_rectified() {
+            let most = found.vertical.most;
+            let message = format!(
+                "the views are not rectified: 95 % of the vertical disparities are below {most:.3} px, and should be below 1 px"
+            );
+            warnings.push(Warning::new("not_rectified", message));
+        }
+        if found.is_exchanged() {
+            let message = "the disparities are negative: the views seem to be exchanged";
+            warnings.push(Warning::new("views_exchanged", message));
+        }
         Self {
             rectified: found.is_rectified(),
             views_exchanged: found.is_exchanged(),
@@ -125,22 +141,31 @@ impl Report {
             disparity_greatest_px: found.disparity[2],
             matches: found.pairs,
             matches_used: found.agreeing,
+            warnings,
         }
     }
+}
 
-    fn lines(&self) -> String {
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(match (self.rectified, self.views_exchanged) {
+            (true, false) => Verdict::Good,
+            _ => Verdict::Failed,
+        })
+    }
+
+    fn text(&self) -> String {
         let verdict = if self.rectified {
             "the views are rectified"
         } else {
             "the views are not rectified"
         };
-        let exchanged = if self.views_exchanged {
-            "the disparities are negative: the views seem to be exchanged\n"
-        } else {
-            ""
-        };
         format!(
-            "{verdict}\n{exchanged}\
+            "{verdict}\n\
              vertical offset       {:9.3} px\n\
              rotation              {:9.4}°\n\
              zoom                  {:9.5}\n\

@@ -17,8 +17,8 @@ use super::picture::{self, Panel};
 use super::views;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 /// More threads than this are taken for a mistake.
 const MOST_THREADS: i64 = 1024;

@@ -15,8 +15,12 @@ pub(super) mod views;
 
 pub(super) use reconstruct::Axes;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// Two views of a scene: calibration, rectification, motion, disparities and reconstruction.
 #[derive(Clone, Debug, clap::Args)]
@@ -37,15 +41,16 @@ enum Command {
     Reconstruct(reconstruct::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Calibrate(arguments) => calibrate::run(arguments, quiet),
-        Command::Match(arguments) => match_views::run(arguments, quiet),
-        Command::Evaluate(arguments) => evaluate::run(arguments, quiet),
-        Command::Pose(arguments) => pose::run(arguments, quiet),
-        Command::Rectify(arguments) => rectify::run(arguments, quiet),
-        Command::Undistort(arguments) => undistort::run(arguments, quiet),
-        Command::Diagnose(arguments) => diagnose::run(arguments, quiet),
-        Command::Reconstruct(arguments) => reconstruct::run(arguments, quiet),
+        Command::Calibrate(arguments) => frame::unframed(calibrate::run(arguments, quiet)),
+        Command::Match(arguments) => frame::unframed(match_views::run(arguments, quiet)),
+        Command::Evaluate(arguments) => frame::unframed(evaluate::run(arguments, quiet)),
+        Command::Pose(arguments) => frame::run(arguments, context),
+        Command::Rectify(arguments) => frame::unframed(rectify::run(arguments, quiet)),
+        Command::Undistort(arguments) => frame::run(arguments, context),
+        Command::Diagnose(arguments) => frame::run(arguments, context),
+        Command::Reconstruct(arguments) => frame::unframed(reconstruct::run(arguments, quiet)),
     }
 }

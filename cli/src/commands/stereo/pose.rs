@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Error, Result, ensure};
+use anyhow::{Context as _, Error, Result, ensure};
 use ga_camera::Intrinsics;
 use ga_camera::format::camera::CameraFile;
 use ga_image::plane::Plane;
@@ -13,8 +13,7 @@ use ga_vision::relative_pose::{Options, RelativePose, RelativePoseError, estimat
 use serde::Serialize;
 
 use super::views;
-use crate::output;
-use crate::progress::Progress;
+use crate::frame::{self, Command, Context, Progress};
 use crate::rotation::smaller_rotation;
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
@@ -61,14 +60,11 @@ pub(crate) struct Arguments {
     /// The seed of the random samples.
     #[arg(long, value_name = "N", default_value_t = Options::default().seed)]
     seed: u64,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
     rotation_matrix: [[f64; 3]; 3],
     rotation_axis: [f64; 3],
     rotation_degrees: f64,
@@ -83,64 +79,62 @@ struct Report {
     seconds: f64,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    ensure!(
-        arguments.threshold.is_finite() && arguments.threshold > 0.0,
-        "--threshold {}: it must be positive and finite",
-        arguments.threshold
-    );
-    let progress = Progress::new(3, quiet);
-    progress.step("reading the views");
-    let first = CameraFile::read(&arguments.camera)?;
-    let second = match &arguments.camera_b {
-        Some(path) => CameraFile::read(path)?,
-        None => first,
-    };
-    let views = [
-        views::read(&arguments.first)?,
-        views::read(&arguments.second)?,
-    ];
-    let second_path = arguments.camera_b.as_ref().unwrap_or(&arguments.camera);
-    for (path, camera, view_path, view) in [
-        (&arguments.camera, &first, &arguments.first, &views[0]),
-        (second_path, &second, &arguments.second, &views[1]),
-    ] {
-        views::check_side(view, view_path)?;
-        let size = [view.width(), view.height()];
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
         ensure!(
-            camera.size.is_none_or(|expected| expected == size),
-            "{} has {} × {} pixels, which is not the size that {} states",
-            view_path.display(),
-            size[0],
-            size[1],
-            path.display()
+            arguments.threshold.is_finite() && arguments.threshold > 0.0,
+            "--threshold {}: it must be positive and finite",
+            arguments.threshold
         );
-    }
+        let progress = context.progress(3);
+        progress.step("reading the views");
+        let first = CameraFile::read(&arguments.camera)?;
+        let second = match &arguments.camera_b {
+            Some(path) => CameraFile::read(path)?,
+            None => first,
+        };
+        let views = [
+            views::read(&arguments.first)?,
+            views::read(&arguments.second)?,
+        ];
+        let second_path = arguments.camera_b.as_ref().unwrap_or(&arguments.camera);
+        for (path, camera, view_path, view) in [
+            (&arguments.camera, &first, &arguments.first, &views[0]),
+            (second_path, &second, &arguments.second, &views[1]),
+        ] {
+            views::check_side(view, view_path)?;
+            let size = [view.width(), view.height()];
+            ensure!(
+                camera.size.is_none_or(|expected| expected == size),
+                "{} has {} × {} pixels, which is not the size that {} states",
+                view_path.display(),
+                size[0],
+                size[1],
+                path.display()
+            );
+        }
 
-    let begin = Instant::now();
-    progress.step("matching corners");
-    let [a, b] = &views;
-    let found = pose(
-        a,
-        b,
-        [&first.intrinsics, &second.intrinsics],
-        arguments,
-        &progress,
-    )
-    .with_context(|| {
-        let [a, b] = [&arguments.first, &arguments.second].map(|path| path.display());
-        format!("{a} and {b}")
-    })?;
-    let seconds = begin.elapsed().as_secs_f64();
-    drop(progress);
+        let begin = Instant::now();
+        progress.step("matching corners");
+        let [a, b] = &views;
+        let found = pose(
+            a,
+            b,
+            [&first.intrinsics, &second.intrinsics],
+            arguments,
+            &progress,
+        )
+        .with_context(|| {
+            let [a, b] = [&arguments.first, &arguments.second].map(|path| path.display());
+            format!("{a} and {b}")
+        })?;
+        let seconds = begin.elapsed().as_secs_f64();
+        drop(progress);
 
-    let report = Report::new(&found, seconds);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines())
+        Ok(Report::new(&found, seconds))
     }
 }
 
@@ -226,8 +220,10 @@ impl Report {
             seconds,
         }
     }
+}
 
-    fn lines(&self) -> String {
+impl frame::Report for Report {
+    fn text(&self) -> String {
         let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
         let deviation = |value: Option<f64>| match value {
             Some(value) => format!(" ± {value:.3}°"),

@@ -26,9 +26,9 @@ use super::match_views::{Mode, threads};
 use super::views;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::mesh_file;
 use crate::output;
-use crate::progress::Progress;
 
 /// Reconstruct what two cameras see, in metres.
 ///

@@ -12,8 +12,8 @@ use serde::Serialize;
 
 use super::pixels;
 use crate::files::Files;
+use crate::frame::Progress;
 use crate::output::{self, File};
-use crate::progress::Progress;
 
 const LEFT: &str = "left.png";
 const RIGHT: &str = "right.png";

@@ -2,17 +2,16 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_camera::format::camera::CameraFile;
 use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
 use super::pixels;
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context};
 use crate::output;
-use crate::progress::Progress;
 
 /// Remove the distortion of a lens from a picture.
 ///
@@ -45,14 +44,11 @@ pub(crate) struct Arguments {
     /// picture; by default focal lengths and principal point are kept.
     #[arg(long, value_name = "A", allow_negative_numbers = true)]
     alpha: Option<f64>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
     width_px: usize,
     height_px: usize,
     focal_px: [f64; 2],
@@ -60,60 +56,57 @@ struct Report {
     unseen_percent: f64,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let mut files = Files::reading([&arguments.picture, &arguments.camera]);
-    files = files.printing("--json", arguments.json);
-    files.write("--out", &arguments.out, &[Format::Png])?;
-    files.write_if_given(
-        "--new-camera",
-        arguments.new_camera.as_ref(),
-        &[Format::Yaml],
-    )?;
-    let progress = Progress::new(3, quiet);
-    progress.step("reading the picture");
-    let file = CameraFile::read(&arguments.camera)?;
-    let old = ga_image::file::read(&arguments.picture)?;
-    let size = [old.width(), old.height()];
-    pixels::check(file.size, size, &arguments.picture, &arguments.camera)?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("removing the distortion");
-    let found = Undistortion::new(file.intrinsics, size, arguments.alpha)
-        .with_context(|| arguments.picture.display().to_string())?;
-    let map = found.map();
-    let new = old.view().warped(&map)?;
-    let inside = map.inside();
-    let unseen = inside.values().iter().filter(|inside| !**inside).count();
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let mut files = context.files([&arguments.picture, &arguments.camera])?;
+        files.write("--out", &arguments.out, &[Format::Png])?;
+        files.write_if_given(
+            "--new-camera",
+            arguments.new_camera.as_ref(),
+            &[Format::Yaml],
+        )?;
+        let progress = context.progress(3);
+        progress.step("reading the picture");
+        let file = CameraFile::read(&arguments.camera)?;
+        let old = ga_image::file::read(&arguments.picture)?;
+        let size = [old.width(), old.height()];
+        pixels::check(file.size, size, &arguments.picture, &arguments.camera)?;
 
-    progress.step("writing");
-    let camera = CameraFile {
-        intrinsics: found.target,
-        size: Some(size),
-    };
-    let mut files = vec![(&arguments.out, png::encode(&new)?)];
-    if let Some(path) = &arguments.new_camera {
-        files.push((path, camera.encode().into_bytes()));
-    }
-    output::write_together(files)?;
-    drop(progress);
+        progress.step("removing the distortion");
+        let found = Undistortion::new(file.intrinsics, size, arguments.alpha)
+            .with_context(|| arguments.picture.display().to_string())?;
+        let map = found.map();
+        let new = old.view().warped(&map)?;
+        let inside = map.inside();
+        let unseen = inside.values().iter().filter(|inside| !**inside).count();
 
-    let report = Report {
-        width_px: size[0],
-        height_px: size[1],
-        focal_px: found.target.focal(),
-        principal_px: found.target.principal(),
-        unseen_percent: 100.0 * unseen as f64 / inside.values().len() as f64,
-    };
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines())
+        progress.step("writing");
+        let camera = CameraFile {
+            intrinsics: found.target,
+            size: Some(size),
+        };
+        let mut files = vec![(&arguments.out, png::encode(&new)?)];
+        if let Some(path) = &arguments.new_camera {
+            files.push((path, camera.encode().into_bytes()));
+        }
+        output::write_together(files)?;
+        drop(progress);
+
+        Ok(Report {
+            width_px: size[0],
+            height_px: size[1],
+            focal_px: found.target.focal(),
+            principal_px: found.target.principal(),
+            unseen_percent: 100.0 * unseen as f64 / inside.values().len() as f64,
+        })
     }
 }
 
-impl Report {
-    fn lines(&self) -> String {
+impl frame::Report for Report {
+    fn text(&self) -> String {
         format!(
             "{} × {} pixels, {:.2} % unseen\nfocal lengths {:.3}, {:.3} px\n\
              principal point {:.3}, {:.3} px\n",

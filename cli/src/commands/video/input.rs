@@ -11,7 +11,7 @@ use ga_video::keyframe::{Analyser, Analysis, Options};
 use ga_video::{Frame, Properties};
 
 use super::spool::Spool;
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// The blocks into which frames are divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -13,8 +13,8 @@ use super::spool::Spool;
 use super::{page, plot, sheet};
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 /// Find cuts, dissolves, fades, shots and key frames of a video.
 ///

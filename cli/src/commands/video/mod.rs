@@ -11,8 +11,12 @@ mod sheet;
 mod spool;
 mod statistics;
 
+use std::process::ExitCode;
+
 use anyhow::Result;
 use clap::Subcommand;
+
+use crate::frame::{self, Context};
 
 /// Videos: cuts, shots, key frames, how well cuts are found, and the comfort of two views.
 #[derive(Clone, Debug, clap::Args)]
@@ -30,12 +34,13 @@ enum Command {
     Statistics(statistics::Arguments),
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
+    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Align(arguments) => comfort::align::run(arguments, quiet),
-        Command::Comfort(arguments) => comfort::run(arguments, quiet),
-        Command::Keyframes(arguments) => keyframes::run(arguments, quiet),
-        Command::Score(arguments) => score::run(arguments, quiet),
-        Command::Statistics(arguments) => statistics::run(arguments, quiet),
+        Command::Align(arguments) => frame::unframed(comfort::align::run(arguments, quiet)),
+        Command::Comfort(arguments) => frame::unframed(comfort::run(arguments, quiet)),
+        Command::Keyframes(arguments) => frame::unframed(keyframes::run(arguments, quiet)),
+        Command::Score(arguments) => frame::unframed(score::run(arguments, quiet)),
+        Command::Statistics(arguments) => frame::unframed(statistics::run(arguments, quiet)),
     }
 }

@@ -8,8 +8,8 @@ use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::input::{Blocks, analyse};
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
 ///

@@ -13,8 +13,8 @@ use ga_anim::bvh;
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use crate::recording::begins_with_calibration;
 use report::Report;
 use rows::Case;

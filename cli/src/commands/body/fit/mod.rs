@@ -23,7 +23,7 @@ use ga_mesh::gltf;
 use crate::figure::Figure;
 use crate::files::Files;
 use crate::format::Format;
-use crate::progress::Progress;
+use crate::frame::Progress;
 use crate::{model, output};
 use arguments::MANNEQUIN;
 use matched::Matched;

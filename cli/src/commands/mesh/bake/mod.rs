@@ -17,8 +17,8 @@ use ga_mesh::{Image, atlas};
 
 use crate::commands::mesh::input;
 use crate::files::Files;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use coarse::{Coarse, Images};
 use colour::Colours;
 use report::{Report, Steps};
@@ -142,16 +142,15 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut steps = Steps::new(&progress);
 
     steps.begin("read");
-    let fine = input::read(&arguments.fine, quiet)?;
-    let (fine_mesh, known) = (fine.mesh, fine.warnings);
-    let coarse_mesh = input::read(&arguments.coarse, quiet)?.mesh;
+    let (fine_mesh, known) = input::read(&arguments.fine)?;
+    let (coarse_mesh, _) = input::read(&arguments.coarse)?;
     let mut warnings = Vec::new();
     let colours = match maps.contains(&Map::Colour) {
         true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut warnings)?),
         false => None,
     };
     // The reader of OBJ files has said already which pictures are missing.
-    warnings.retain(|warning| !known.contains(warning));
+    warnings.retain(|warning| !known.iter().any(|known| known.message == *warning));
     if !quiet {
         for warning in warnings {
             eprintln!("warning: {}: {warning}", arguments.fine.display());

@@ -7,7 +7,7 @@ use std::time::Instant;
 use serde::Serialize;
 use serde_json::Map as Object;
 
-use crate::progress::Progress;
+use crate::frame::Progress;
 
 /// The report of a bake.
 #[derive(Debug, Serialize)]

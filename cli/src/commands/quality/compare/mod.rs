@@ -22,8 +22,8 @@ use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use report::{PictureReport, VideoReport};
 
 /// Files that are written together, each with its place.

@@ -15,8 +15,8 @@ use ga_video::opinion::performance::{self, Bootstrap, Interval};
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use report::{AgainstReport, CurveReport, Report};
 use table::Table;
 

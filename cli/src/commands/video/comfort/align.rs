@@ -15,8 +15,8 @@ use super::input;
 use super::input::LayoutName;
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 
 /// Remove differences between the views of stereoscopic video that they should not have.
 ///

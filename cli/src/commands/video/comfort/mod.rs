@@ -16,8 +16,8 @@ use ga_video::{Frame, Properties};
 
 use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Progress;
 use crate::output;
-use crate::progress::Progress;
 use input::LayoutName;
 use report::{About, Report};
 

@@ -1,5 +1,7 @@
 //! What a command warns of, in words and in JSON alike.
 
+use std::path::Path;
+
 use serde::Serialize;
 
 /// Something that a user should know about a result, and where it is.
@@ -12,23 +14,27 @@ pub(crate) struct Warning {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) file: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) line: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) view: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) joint: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) frame: Option<usize>,
 }
 
 impl Warning {
-    pub(crate) fn new(kind: &'static str, message: String) -> Self {
+    pub(crate) fn new(kind: &'static str, message: impl ToString) -> Self {
         Self {
             kind,
-            message,
+            message: message.to_string(),
             ..Self::default()
         }
     }
 
-    pub(crate) fn in_file(self, file: &str) -> Self {
+    pub(crate) fn in_file(self, file: &Path) -> Self {
         Self {
-            file: Some(file.to_owned()),
+            file: Some(file.display().to_string()),
             ..self
         }
     }
@@ -37,9 +43,16 @@ impl Warning {
 /// Writes warnings to standard error, one a line.
 pub(crate) fn print(warnings: &[Warning]) {
     for warning in warnings {
-        match &warning.file {
-            Some(file) => eprintln!("warning: {file}: {}", warning.message),
-            None => eprintln!("warning: {}", warning.message),
+        eprintln!("warning: {}", warning.line_of_text());
+    }
+}
+
+impl Warning {
+    /// The sentence, after the file that it is about.
+    pub(super) fn line_of_text(&self) -> String {
+        match &self.file {
+            Some(file) => format!("{file}: {}", self.message),
+            None => self.message.clone(),
         }
     }
 }

@@ -1,0 +1,72 @@
+//! What every command is told beside its own arguments.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+
+use super::Progress;
+use crate::files::Files;
+use crate::format::Format;
+
+/// The options that every command has.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Options {
+    /// Print one JSON object instead of text.
+    #[arg(long, global = true, display_order = 100)]
+    json: bool,
+    /// Write a page with the results; it needs no other file.
+    #[arg(long, global = true, value_name = "PAGE.html", display_order = 101)]
+    report: Option<PathBuf>,
+    /// Print nothing but errors and what is asked for by name.
+    #[arg(short, long, global = true, display_order = 102)]
+    quiet: bool,
+}
+
+/// The options of every command, and the words that it was called by.
+#[derive(Clone, Debug)]
+pub(crate) struct Context {
+    options: Options,
+    words: Vec<String>,
+}
+
+impl Context {
+    /// The context of a command that was called by these words, as `stereo` and `pose`.
+    pub(crate) fn new(options: Options, words: Vec<String>) -> Self {
+        Self { options, words }
+    }
+
+    /// Whether the report is printed as JSON.
+    pub(crate) fn is_json(&self) -> bool {
+        self.options.json
+    }
+
+    /// Whether nothing is to be said of the work.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.options.quiet
+    }
+
+    /// Where a page is to be written.
+    pub(crate) fn report(&self) -> Option<&Path> {
+        self.options.report.as_deref()
+    }
+
+    /// The heading of a page.
+    pub(crate) fn title(&self) -> String {
+        format!("nullcone {}", self.words.join(" "))
+    }
+
+    /// The progress of work in steps.
+    pub(crate) fn progress(&self, steps: u64) -> Progress {
+        Progress::new(steps, self.options.quiet)
+    }
+
+    /// The files that the command reads; the outputs that every command may have are checked.
+    pub(crate) fn files<P: AsRef<Path>>(
+        &self,
+        inputs: impl IntoIterator<Item = P>,
+    ) -> Result<Files> {
+        let mut files = Files::reading(inputs).printing("--json", self.options.json);
+        files.write_if_given("--report", self.options.report.as_ref(), &[Format::Html])?;
+        Ok(files)
+    }
+}
