@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> 
     let quiet = context.is_quiet();
     match &arguments.command {
         Command::Compress(arguments) => frame::unframed(compress::run(arguments, quiet)),
-        Command::Info(arguments) => info::run(arguments),
+        Command::Info(arguments) => frame::unframed(info::run(arguments)),
         Command::Sample(arguments) => frame::unframed(sample::run(arguments, quiet)),
         Command::Resample(arguments) => frame::unframed(resample::run(arguments, quiet)),
         Command::Retarget(arguments) => frame::unframed(retarget::run(arguments, quiet)),
