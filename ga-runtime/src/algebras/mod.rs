@@ -12,3 +12,14 @@ pub(crate) mod sta;
 #[cfg(feature = "vga2")]
 pub(crate) mod vga2;
 pub(crate) mod vga3;
+
+/// Passes the names of all algebras to a macro. It is one list for the command line and for tests
+/// that go through them.
+#[cfg(feature = "algebras")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __algebras {
+    ($callback:ident) => {
+        $callback! { cga2, cga3, pga2, pga3, sta, vga2, vga3 }
+    };
+}

@@ -23,16 +23,15 @@ macro_rules! declaration {
     };
 }
 
+/// The names of algebras with their declarations.
+macro_rules! with_declarations {
+    ($($name:ident),*) => {
+        &[$((stringify!($name), ga_runtime::$name! { [declaration] })),*]
+    };
+}
+
 /// The algebras that ship, with their declarations.
-const SHIPPED: [(&str, &str); 7] = [
-    ("cga2", ga_runtime::cga2! { [declaration] }),
-    ("cga3", ga_runtime::cga3! { [declaration] }),
-    ("pga2", ga_runtime::pga2! { [declaration] }),
-    ("pga3", ga_runtime::pga3! { [declaration] }),
-    ("sta", ga_runtime::sta! { [declaration] }),
-    ("vga2", ga_runtime::vga2! { [declaration] }),
-    ("vga3", ga_runtime::vga3! { [declaration] }),
-];
+const SHIPPED: &[(&str, &str)] = ga_runtime::__algebras!(with_declarations);
 
 impl Algebra {
     /// The algebra of that name or in that file; without either, the one that the functions name.
@@ -43,7 +42,8 @@ impl Algebra {
                 return Ok(found);
             }
             if !Path::new(wanted).exists() {
-                let names = SHIPPED.map(|(name, _)| name).join(", ");
+                let names: Vec<&str> = SHIPPED.iter().map(|(name, _)| *name).collect();
+                let names = names.join(", ");
                 bail!("--algebra {wanted}: this is neither one of {names} nor a file");
             }
             let source = Source::read(Path::new(wanted))?;

@@ -38,8 +38,8 @@ pub(crate) struct Arguments {
     /// The functions themselves.
     #[arg(long, value_name = "TEXT")]
     expr: Option<String>,
-    /// The algebra: cga2, cga3, pga2, pga3, sta, vga2, vga3 or a file with an `algebra! { … }` of
-    /// your own.
+    /// The algebra: one of ga-runtime by its name, such as cga3 or pga2, or a file with an
+    /// `algebra! { … }` of your own.
     ///
     /// Without it, the one that `ga! { … }` names in the functions' file, where that ships with
     /// ga-runtime or is declared in the same file; otherwise cga3.
