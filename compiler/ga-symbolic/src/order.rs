@@ -23,6 +23,9 @@ pub(crate) trait Order<T> {
 
 impl<T> Order<T> for [T] {
     fn order_by(&mut self, compare: impl Fn(&T, &T) -> Ordering) {
+        if self.is_sorted_by(|a, b| compare(a, b) != Ordering::Greater) {
+            return;
+        }
         let mut places = places(self.len(), &|a, b| compare(&self[a], &self[b]));
         for start in 0..places.len() {
             // Along a cycle of the permutation the element of its start moves to the end.

@@ -1,12 +1,13 @@
 //! Hash-consed scalar nodes.
 
-use crate::order::Order as _;
+use std::collections::hash_map::Entry;
 use std::hash::{Hash, Hasher};
 
 use rustc_hash::{FxHashMap, FxHasher};
 
 use super::{Function, Number, Outcomes, Residue};
 use crate::algebra::Ratio;
+use crate::order::Order as _;
 
 /// The place of a node in its arena. A node comes after everything that it refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -306,14 +307,17 @@ impl Arena {
     /// The factors of a product; none where there are many.
     fn factors(&self, node: NodeId) -> Option<Vec<NodeId>> {
         const MOST: usize = 8;
-        let (mut factors, mut open) = (Vec::new(), vec![node]);
-        while let Some(next) = open.pop() {
-            match self.node(next) {
-                Node::Product(a, b) => open.extend([*b, *a]),
-                _ => factors.push(next),
-            }
-            if factors.len() + open.len() > MOST {
-                return None;
+        let mut factors = Vec::with_capacity(MOST);
+        factors.push(node);
+        let mut place = 0;
+        while let Some(next) = factors.get(place) {
+            match *self.node(*next) {
+                Node::Product(..) if factors.len() == MOST => return None,
+                Node::Product(a, b) => {
+                    factors[place] = a;
+                    factors.insert(place + 1, b);
+                }
+                _ => place += 1,
             }
         }
         Some(factors)
@@ -464,13 +468,14 @@ impl Arena {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.known.get(&node) {
-            return id;
+        match self.known.entry(node) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                let id = NodeId(self.nodes.len());
+                self.nodes.push(new.key().clone());
+                *new.insert(id)
+            }
         }
-        let id = NodeId(self.nodes.len());
-        self.nodes.push(node.clone());
-        self.known.insert(node, id);
-        id
     }
 
     /// A number that is the same for graphs that compute the same outputs in the same way, in
