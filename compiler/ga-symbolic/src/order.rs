@@ -23,14 +23,21 @@ pub(crate) trait Order<T> {
 
 impl<T> Order<T> for [T] {
     fn order_by(&mut self, compare: impl Fn(&T, &T) -> Ordering) {
-        let places = places(self.len(), &|a, b| compare(&self[a], &self[b]));
-        for to in 0..places.len() {
-            // What stood at a place before was moved to where that place was exchanged with.
-            let mut from = places[to];
-            while from < to {
-                from = places[from];
+        if self.is_sorted_by(|a, b| compare(a, b) != Ordering::Greater) {
+            return;
+        }
+        let mut places = places(self.len(), &|a, b| compare(&self[a], &self[b]));
+        for start in 0..places.len() {
+            // Along a cycle of the permutation the element of its start moves to the end.
+            let mut to = start;
+            loop {
+                let from = std::mem::replace(&mut places[to], to);
+                if from == start {
+                    break;
+                }
+                self.swap(to, from);
+                to = from;
             }
-            self.swap(to, from);
         }
     }
 }

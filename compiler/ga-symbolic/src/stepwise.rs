@@ -183,11 +183,10 @@ impl<'a> Types<'a> {
                 && blades.all(|blade| kind.coefficient(*blade).is_some())
                 && witness.is_member(self.algebra, id, kind)
         };
-        let types = self.declared.iter().enumerate();
-        let found = types
-            .filter(|(_, kind)| is_member(kind))
-            .min_by_key(|(place, kind)| (kind.stored().count(), kind.is_linear(), *place));
-        if let Some((place, _)) = found {
+        // The smallest come first, since it takes long to see whether a value is a member.
+        let mut types: Vec<_> = self.declared.iter().enumerate().collect();
+        types.order_by_key(|(_, kind)| (kind.stored().count(), kind.is_linear()));
+        if let Some((place, _)) = types.into_iter().find(|(_, kind)| is_member(kind)) {
             return Some(Kind::Declared(place));
         }
         let made = &mut self.made;

@@ -3,7 +3,8 @@
 use crate::order::Order as _;
 use rustc_hash::FxHashMap;
 
-use super::classes::{ClassId, Classes, Operation};
+use super::class::{ClassId, Operation};
+use super::classes::Classes;
 use crate::algebra::{Blade, Product, Unary};
 use crate::ir::{Arena, Facts, Multivector, Number, Value};
 use crate::lower::SandwichRule;

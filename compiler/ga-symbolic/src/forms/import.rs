@@ -1,7 +1,8 @@
 //! Programs to classes.
 
 use super::FormRule;
-use super::classes::{Classes, Operation, Term};
+use super::class::{Operation, Term};
+use super::classes::Classes;
 use super::make::Made;
 use super::rules;
 use crate::algebra::{Blade, Product, Ratio, Unary};

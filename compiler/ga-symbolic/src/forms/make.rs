@@ -2,7 +2,8 @@
 //! are flat, scalars come first, and operands of products that commute are in order.
 
 use super::FormRule;
-use super::classes::{ClassId, Classes, Operation, Term};
+use super::class::{ClassId, Operation, Term};
+use super::classes::Classes;
 use crate::algebra::{Blade, Product, Ratio, Unary};
 use crate::ir::{Function, Number};
 use crate::limit::SearchLimit;

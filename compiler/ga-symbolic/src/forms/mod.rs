@@ -19,6 +19,7 @@
 //! 3. List it in `rules/mod.rs`, and in `tests/compiler/forms.rs` a function where it applies: the
 //!    test breaks the rule there, and the compiler must notice.
 
+mod class;
 mod classes;
 mod estimate;
 mod extract;
@@ -27,6 +28,7 @@ mod frame;
 mod import;
 mod make;
 mod rules;
+mod selection;
 mod shared;
 mod source;
 mod unnormalised;
@@ -40,8 +42,10 @@ use crate::define::{Role, TypeDefinition};
 use crate::limit::SearchLimit;
 use crate::lower::{Choices, Rule};
 use crate::program::Step;
-use classes::{ClassId, Classes, Term};
-use extract::{Costs, Known, extract};
+use class::{ClassId, Term};
+use classes::Classes;
+use extract::{Known, extract};
+use selection::Costs;
 
 /// The forms of a program that were found, and the limits that were reached.
 #[derive(Default)]

@@ -1,7 +1,8 @@
 //! What is cheapest where values that are read several times are computed once.
 
-use super::classes::{ClassId, Classes};
-use super::extract::{Costs, IMAGES};
+use super::class::ClassId;
+use super::classes::Classes;
+use super::selection::{Costs, IMAGES};
 
 /// How often the cheapest sets of classes are improved.
 const MOST_ROUNDS: usize = 16;

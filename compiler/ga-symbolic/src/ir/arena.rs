@@ -1,137 +1,12 @@
-//! Hash-consed scalar nodes.
+//! Graphs of hash-consed scalar nodes.
 
-use crate::order::Order as _;
-use std::hash::{Hash, Hasher};
+use std::collections::hash_map::Entry;
 
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::FxHashMap;
 
-use super::{Function, Number, Outcomes, Residue};
+use super::{Function, Node, NodeId, Value};
 use crate::algebra::Ratio;
-
-/// The place of a node in its arena. A node comes after everything that it refers to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct NodeId(usize);
-
-impl NodeId {
-    /// The place as an index.
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.0
-    }
-}
-
-/// A scalar operation.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
-    /// The number 1.
-    One,
-    /// An input, by its number.
-    Input(usize),
-    /// A sum of values with different nodes in rising order. The factors are coprime integers, the
-    /// first of them positive. Or a single value with a positive factor, see [`Arena::held`].
-    Sum(Box<[Value]>),
-    /// A product of two nodes in rising order.
-    Product(NodeId, NodeId),
-    /// The first node divided by the second.
-    Quotient(NodeId, NodeId),
-    /// A function of its arguments.
-    Function(Function, Box<[Value]>),
-}
-
-impl Node {
-    /// Calls back for every node that this one reads, as often as it reads it.
-    pub fn for_each_operand(&self, mut call: impl FnMut(NodeId)) {
-        match self {
-            Self::One | Self::Input(_) => {}
-            Self::Sum(values) | Self::Function(_, values) => {
-                values.iter().for_each(|value| call(value.node));
-            }
-            Self::Product(a, b) | Self::Quotient(a, b) => {
-                call(*a);
-                call(*b);
-            }
-        }
-    }
-
-    /// The nodes that this one reads, each as often as it is read.
-    #[must_use]
-    pub fn operands(&self) -> Vec<NodeId> {
-        let mut operands = Vec::new();
-        self.for_each_operand(|operand| operands.push(operand));
-        operands
-    }
-}
-
-/// A node times a constant factor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Value {
-    /// The constant factor.
-    pub factor: Ratio,
-    /// The node.
-    pub node: NodeId,
-}
-
-impl Value {
-    /// Zero.
-    pub const ZERO: Self = Self::constant(Ratio::ZERO);
-    /// One.
-    pub const ONE: Self = Self::constant(Ratio::ONE);
-
-    /// A node itself, with the factor 1.
-    #[must_use]
-    pub const fn of(node: NodeId) -> Self {
-        Self {
-            factor: Ratio::ONE,
-            node,
-        }
-    }
-
-    /// A constant.
-    #[must_use]
-    pub const fn constant(factor: Ratio) -> Self {
-        Self {
-            factor,
-            node: Arena::ONE,
-        }
-    }
-
-    /// The constant that the value is, if it is one.
-    #[must_use]
-    pub fn as_constant(self) -> Option<Ratio> {
-        (self.node == Arena::ONE || self.factor.is_zero()).then_some(self.factor)
-    }
-
-    /// Whether the value is known to be zero.
-    #[must_use]
-    pub const fn is_zero(self) -> bool {
-        self.factor.is_zero()
-    }
-
-    /// What the value is where the nodes have the given images.
-    #[must_use]
-    pub(crate) fn image(self, images: &[Self]) -> Self {
-        images[self.node.index()].scaled(self.factor)
-    }
-
-    /// The value times a constant.
-    #[must_use]
-    pub fn scaled(self, factor: Ratio) -> Self {
-        if factor.is_zero() || self.is_zero() {
-            return Self::ZERO;
-        }
-        Self {
-            factor: self.factor * factor,
-            ..self
-        }
-    }
-}
-
-impl std::ops::Neg for Value {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self.scaled(Ratio::integer(-1))
-    }
-}
+use crate::order::Order as _;
 
 /// The nodes of a graph, each stored once.
 #[derive(Clone, Debug)]
@@ -155,7 +30,7 @@ impl Default for Arena {
 
 impl Arena {
     /// The node of the number 1, present in every arena.
-    pub const ONE: NodeId = NodeId(0);
+    pub const ONE: NodeId = NodeId::ONE;
 
     /// The node at a place.
     #[must_use]
@@ -306,14 +181,17 @@ impl Arena {
     /// The factors of a product; none where there are many.
     fn factors(&self, node: NodeId) -> Option<Vec<NodeId>> {
         const MOST: usize = 8;
-        let (mut factors, mut open) = (Vec::new(), vec![node]);
-        while let Some(next) = open.pop() {
-            match self.node(next) {
-                Node::Product(a, b) => open.extend([*b, *a]),
-                _ => factors.push(next),
-            }
-            if factors.len() + open.len() > MOST {
-                return None;
+        let mut factors = Vec::with_capacity(MOST);
+        factors.push(node);
+        let mut place = 0;
+        while let Some(next) = factors.get(place) {
+            match *self.node(*next) {
+                Node::Product(..) if factors.len() == MOST => return None,
+                Node::Product(a, b) => {
+                    factors[place] = a;
+                    factors.insert(place + 1, b);
+                }
+                _ => place += 1,
             }
         }
         Some(factors)
@@ -464,91 +342,15 @@ impl Arena {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.known.get(&node) {
-            return id;
+        match self.known.entry(node) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                let id = NodeId(self.nodes.len());
+                self.nodes.push(new.key().clone());
+                *new.insert(id)
+            }
         }
-        let id = NodeId(self.nodes.len());
-        self.nodes.push(node.clone());
-        self.known.insert(node, id);
-        id
     }
-
-    /// A number that is the same for graphs that compute the same outputs in the same way, in
-    /// whatever order their nodes were added.
-    #[must_use]
-    pub(crate) fn fingerprint(&self, outputs: &[Value]) -> u64 {
-        let mut hashes: Vec<u64> = Vec::with_capacity(self.nodes.len());
-        for node in &self.nodes {
-            let of = |id: NodeId| hashes[id.index()];
-            let each = |value: &Value| hash((value.factor, of(value.node)));
-            let next = match node {
-                Node::One => hash(0_u8),
-                Node::Input(number) => hash((1_u8, *number)),
-                Node::Sum(terms) => {
-                    let mut terms: Vec<u64> = terms.iter().map(each).collect();
-                    terms.order();
-                    hash((2_u8, terms))
-                }
-                Node::Product(a, b) => {
-                    let (a, b) = (of(*a), of(*b));
-                    hash((3_u8, a.min(b), a.max(b)))
-                }
-                Node::Quotient(a, b) => hash((4_u8, of(*a), of(*b))),
-                Node::Function(function, arguments) => {
-                    let arguments: Vec<u64> = arguments.iter().map(each).collect();
-                    hash((5_u8, *function, arguments))
-                }
-            };
-            hashes.push(next);
-        }
-        let outputs: Vec<u64> = outputs
-            .iter()
-            .map(|value| hash((value.factor, hashes[value.node.index()])))
-            .collect();
-        hash(outputs)
-    }
-
-    /// The values of all nodes for the given inputs, over the prime field. A root that does not
-    /// exist, and the inverse of zero, is an arbitrary residue.
-    #[must_use]
-    pub fn evaluate(&self, inputs: &[Residue]) -> Vec<Residue> {
-        let inputs: Vec<Number> = inputs.iter().copied().map(Number::from).collect();
-        let values = self.evaluate_with(&inputs, &Outcomes::default());
-        let residues = values.into_iter().map(Number::residue);
-        residues
-            .map(|value| value.unwrap_or(Residue::ZERO))
-            .collect()
-    }
-
-    /// The values of all nodes for the given inputs, where outcomes are taken for some comparisons.
-    pub(crate) fn evaluate_with(&self, inputs: &[Number], outcomes: &Outcomes) -> Vec<Number> {
-        let mut results: Vec<Number> = Vec::with_capacity(self.nodes.len());
-        for node in &self.nodes {
-            let of = |value: &Value| results[value.node.index()] * Number::from_ratio(value.factor);
-            let result = match node {
-                Node::One => Number::ONE,
-                Node::Input(number) => inputs[*number],
-                Node::Sum(terms) => terms
-                    .iter()
-                    .map(of)
-                    .fold(Number::ZERO, |sum, term| sum + term),
-                Node::Product(a, b) => results[a.index()] * results[b.index()],
-                Node::Quotient(a, b) => results[a.index()] * results[b.index()].recip(),
-                Node::Function(function, arguments) => {
-                    let arguments: Vec<_> = arguments.iter().map(of).collect();
-                    Number::function(*function, &arguments, outcomes)
-                }
-            };
-            results.push(result);
-        }
-        results
-    }
-}
-
-fn hash(value: impl Hash) -> u64 {
-    let mut hasher = FxHasher::default();
-    value.hash(&mut hasher);
-    hasher.finish()
 }
 
 /// What a function is at constants, where that is a fraction.

@@ -10,9 +10,12 @@
 //! count: a node that none of them reaches is never emitted.
 
 mod arena;
+mod evaluate;
 mod facts;
+mod fingerprint;
 mod function;
 mod multivector;
+mod node;
 mod number;
 mod plucker;
 mod real;
@@ -20,10 +23,11 @@ mod residue;
 mod splice;
 mod stand_in;
 
-pub use arena::{Arena, Node, NodeId, Value};
+pub use arena::Arena;
 pub use facts::Facts;
 pub use function::{Function, Properties};
 pub use multivector::Multivector;
+pub use node::{Node, NodeId, Value};
 pub(crate) use number::Parts;
 pub use number::{Number, NumberSequence};
 pub use plucker::plucker;

@@ -15,35 +15,20 @@ pub struct Multivector {
 impl Multivector {
     /// A multivector of the given coefficients; zeros are dropped and equal blades are added.
     pub fn new(arena: &mut Arena, terms: impl IntoIterator<Item = (Blade, Value)>) -> Self {
-        // The place of each blade's sum plus one, by the bits of the blade.
-        let mut places: Vec<usize> = Vec::new();
-        let mut sums: Vec<(Blade, Vec<Value>)> = Vec::new();
-        for (blade, value) in terms {
-            let bits = blade.0 as usize;
-            if bits >= places.len() {
-                places.resize(2 * bits + 1, 0);
-            }
-            match places[bits] {
-                0 => {
-                    sums.push((blade, vec![value]));
-                    places[bits] = sums.len();
-                }
-                place => sums[place - 1].1.push(value),
-            }
-        }
-        sums.order_by_key(|(blade, _)| *blade);
-        let mut terms = Vec::with_capacity(sums.len());
-        for (blade, values) in sums {
-            let value = match values.as_slice() {
-                [single] => *single,
-                _ => arena.sum(values),
+        let mut terms: Vec<(Blade, Value)> = terms.into_iter().collect();
+        terms.order_by_key(|(blade, _)| *blade);
+        let mut sums = Vec::new();
+        for same in terms.chunk_by(|(a, _), (b, _)| a == b) {
+            let value = match same {
+                [(_, single)] => *single,
+                _ => arena.sum(same.iter().map(|(_, value)| *value)),
             };
             if !value.is_zero() {
-                terms.push((blade, value));
+                sums.push((same[0].0, value));
             }
         }
         Self {
-            terms,
+            terms: sums,
             facts: Facts::default(),
         }
     }

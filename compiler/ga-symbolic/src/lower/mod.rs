@@ -2,6 +2,7 @@
 
 mod chain;
 mod choice;
+mod factors;
 mod form_rule;
 pub mod gram;
 mod inner;

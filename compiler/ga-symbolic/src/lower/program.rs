@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::chain::{Part, Places};
+use super::factors::Factors;
 use super::operand::rederived;
 use super::piece::Pieces;
 use super::projection::{Image, keeps_weight};
@@ -24,20 +25,6 @@ pub fn lower(
     choices: &Choices,
     pieces: &Pieces<'_>,
 ) -> Lowered {
-    let mut uses = vec![0; program.len()];
-    // Only steps that the wanted ones need count as readers: checks have left others behind.
-    let mut is_live = vec![false; program.len()];
-    for id in wanted {
-        is_live[id.index()] = true;
-    }
-    for (id, step) in program.steps().rev() {
-        if is_live[id.index()] {
-            for read in step.reads() {
-                is_live[read.index()] = true;
-                uses[read.index()] += 1;
-            }
-        }
-    }
     let mut lowering = Lowering {
         arena,
         algebra,
@@ -48,11 +35,10 @@ pub fn lower(
         site: None,
         acted: Vec::new(),
         images: Vec::new(),
-        pieces,
-        values: vec![Multivector::default(); uses.len()],
-        uses,
+        values: vec![Multivector::default(); program.len()],
+        factors: Factors::new(program, pieces, wanted),
     };
-    let needed = lowering.needed(wanted);
+    let needed = lowering.factors.needed(wanted);
     for (id, step) in program.steps().filter(|(id, _)| needed[id.index()]) {
         lowering.site = Some(id);
         if let Some(piece) = pieces.get(&id) {
@@ -94,9 +80,6 @@ pub fn lower(
     }
 }
 
-/// How many steps deep the factors of an outer product are looked for. Those of a blade are few.
-const DEEPEST: usize = 16;
-
 /// A lowered program.
 pub struct Lowered {
     /// The wanted steps.
@@ -118,36 +101,11 @@ struct Lowering<'a> {
     acted: Vec<StepId>,
     /// The actions so far.
     images: Vec<Image>,
-    pieces: &'a Pieces<'a>,
     values: Vec<Multivector>,
-    /// How often each step is read.
-    uses: Vec<usize>,
+    factors: Factors<'a>,
 }
 
 impl Lowering<'_> {
-    fn needed(&self, wanted: &[StepId]) -> Vec<bool> {
-        let mut needed = vec![false; self.uses.len()];
-        for id in wanted {
-            needed[id.index()] = true;
-        }
-        for (id, step) in self.program.steps().rev() {
-            if !needed[id.index()] {
-                continue;
-            }
-            let reads = match step {
-                _ if self.pieces.contains_key(&id) => self.pieces[&id].reads(),
-                Step::Binary(product @ (Product::Geometric | Product::Wedge), ..) => {
-                    self.factors(id, *product)
-                }
-                _ => step.reads(),
-            };
-            for read in reads {
-                needed[read.index()] = true;
-            }
-        }
-        needed
-    }
-
     fn step(&mut self, id: StepId, step: &Step) -> Multivector {
         let value = |id: &StepId| self.values[id.index()].clone();
         let scalar = |id: &StepId| self.values[id.index()].coefficient(Blade::SCALAR);
@@ -170,11 +128,11 @@ impl Lowering<'_> {
                     .with_facts(facts)
             }
             Step::Binary(Product::Geometric, ..) => {
-                let factors = self.factors(id, Product::Geometric);
+                let factors = self.factors.of_product(id, Product::Geometric);
                 self.chain(&factors)
             }
             Step::Binary(Product::Wedge, ..) => {
-                let factors = self.factors(id, Product::Wedge);
+                let factors = self.factors.of_product(id, Product::Wedge);
                 let factors: Vec<_> = factors.iter().map(value).collect();
                 self.join(&factors)
             }
@@ -368,7 +326,11 @@ impl Lowering<'_> {
             _ if is_inner => (Rule::Inner(self.choice.inner), a, Ratio::ONE),
             _ => return None,
         };
-        let [(left, first), (right, second)] = [a, b].map(|id| self.joined(id, DEEPEST));
+        let [(left, first), (right, second)] = [a, b].map(|id| {
+            let (factors, is_negative) = self.factors.of_outer_product(id);
+            let factors: Vec<_> = factors.into_iter().map(|id| self.value(id)).collect();
+            (factors, is_negative)
+        });
         let value = match rule {
             Rule::Meet(MeetRule::Factors) => meet::lower(self.arena, self.algebra, &left, &right)?,
             Rule::Inner(InnerRule::Gram) => gram::lower(self.arena, self.algebra, &left, &right)?,
@@ -393,40 +355,6 @@ impl Lowering<'_> {
         }
     }
 
-    /// The factors of an outer product, or of its reverse or negative; and whether it is the
-    /// negative of their product. A part deeper than some steps is one factor.
-    fn joined(&self, id: StepId, deepest: usize) -> (Vec<Multivector>, bool) {
-        let next = deepest.saturating_sub(1);
-        match self.program.step(id) {
-            _ if deepest == 0 || self.pieces.contains_key(&id) => (vec![self.value(id)], false),
-            Step::Binary(Product::Wedge, a, b) => {
-                let (mut factors, first) = self.joined(*a, next);
-                let (others, second) = self.joined(*b, next);
-                factors.extend(others);
-                (factors, first != second)
-            }
-            Step::Unary(Unary::Reverse, a) if self.is_join(*a) => {
-                let (factors, is_negative) = self.joined(*a, next);
-                let is_reversed = factors.len() % 4 >= 2;
-                (factors, is_negative != is_reversed)
-            }
-            Step::Negative(a) => {
-                let (factors, is_negative) = self.joined(*a, next);
-                (factors, !is_negative)
-            }
-            _ => (vec![self.value(id)], false),
-        }
-    }
-
-    /// Whether a step is an outer product, or its reverse or negative.
-    fn is_join(&self, id: StepId) -> bool {
-        let mut id = id;
-        while let Step::Unary(Unary::Reverse, a) | Step::Negative(a) = self.program.step(id) {
-            id = *a;
-        }
-        matches!(self.program.step(id), Step::Binary(Product::Wedge, ..))
-    }
-
     /// The result of a rule. If the rule is to be broken, the sign of its last coefficient that is
     /// not constant is wrong.
     fn applied(&self, rule: Rule, value: Multivector) -> Multivector {
@@ -434,29 +362,6 @@ impl Lowering<'_> {
             return value;
         }
         value.with_last_negated()
-    }
-
-    /// The factors of an associative product from left to right. A product that is read elsewhere
-    /// too is one factor.
-    fn factors(&self, id: StepId, product: Product) -> Vec<StepId> {
-        let mut factors = Vec::new();
-        let mut open = vec![id];
-        while let Some(part) = open.pop() {
-            match self.program.step(part) {
-                Step::Binary(other, a, b)
-                    if *other == product && (part == id || self.is_inside(part)) =>
-                {
-                    open.extend([*b, *a]);
-                }
-                _ => factors.push(part),
-            }
-        }
-        factors
-    }
-
-    /// Whether nothing but one other step reads a step, and its product is not computed on its own.
-    fn is_inside(&self, id: StepId) -> bool {
-        self.uses[id.index()] == 1 && !self.pieces.contains_key(&id)
     }
 
     /// A product of factors. `M … ~M` with an even M is the action of a versor: the longest action

@@ -9,6 +9,7 @@
 pub mod build;
 mod choices;
 pub mod conformal;
+mod coverage;
 mod elementary;
 mod evaluate;
 mod formulas;
@@ -17,6 +18,7 @@ mod mismatch;
 mod operation_error;
 mod parametrised;
 mod place;
+mod point;
 mod step;
 mod witness;
 

@@ -2,11 +2,12 @@
 //! resolved.
 
 use super::choices::{self, Goal};
-use super::evaluate::evaluate_step;
+use super::coverage::{has_real_roots, is_comparison, is_covered, is_true};
+use super::point::{Patience, Point, is_root, start};
 use super::{Parity, Program, Step, StepId};
 use crate::algebra::{Algebra, Blade, Product};
 use crate::define::TypeDefinition;
-use crate::ir::{Facts, Function, Number, Outcomes, Parts, Residue};
+use crate::ir::{Facts, Outcomes, Parts};
 use crate::member::{self, Numbers, numbers};
 use crate::order::Order as _;
 
@@ -21,10 +22,6 @@ const TRIES_OF_REALS: u64 = 1024;
 /// How many points decide what holds everywhere at least where absolute values are taken: a wrong
 /// sign agrees at half of the points by chance.
 const POINTS_WITH_SIGNS: usize = 16;
-
-/// How many points are taken at most until every comparison has held and failed, and every two of
-/// them in each combination.
-const POINTS_WITH_CHOICES: usize = 48;
 
 /// How many points with chosen outcomes are taken at most, and how many are tried for one of them
 /// and for all.
@@ -65,18 +62,6 @@ pub struct Witness {
     covered: usize,
     /// How many points the types of that many operands take.
     wanted: Option<(usize, usize)>,
-}
-
-#[derive(Clone, Debug, Default)]
-struct Point {
-    members: Vec<Numbers>,
-    values: Vec<Numbers>,
-    /// Steps whose value exists in neither part here.
-    missing: Vec<StepId>,
-    /// The outcomes that some comparisons have here.
-    wanted: Goal,
-    /// The same by the numbers that are compared.
-    outcomes: Outcomes,
 }
 
 impl Witness {
@@ -405,173 +390,6 @@ impl Witness {
             ..Facts::default()
         }
     }
-}
-
-impl Point {
-    /// Evaluates the missing steps, up to the first that loses a part which is waited for.
-    fn extend(
-        &mut self,
-        algebra: &Algebra,
-        program: &Program<'_>,
-        patience: &Patience,
-    ) -> Result<(), (StepId, Parts)> {
-        for (id, step) in program.steps_from(self.values.len()) {
-            if let Step::Function(function, arguments) = step
-                && let Some((_, holds)) = self.wanted.iter().find(|(wanted, _)| *wanted == id)
-            {
-                let numbers = arguments.iter().map(|part| self.scalar(*part).residue());
-                let numbers: Option<Vec<_>> = numbers.collect();
-                if let Some(numbers) = numbers {
-                    self.outcomes.set(*function, &numbers, *holds);
-                }
-            }
-            let (members, values) = (&self.members, &self.values);
-            let found = evaluate_step(algebra, program, id, members, values, &self.outcomes);
-            let mut lost = found.lost;
-            lost.residue |=
-                patience.with_real_roots && is_variable_root(program, id) && !is_real(&found.value);
-            let awaited = lost.and(patience.parts);
-            if awaited.residue {
-                let parts = Parts {
-                    real: false,
-                    ..awaited
-                };
-                return Err((id, parts));
-            }
-            if awaited.real {
-                return Err((id, awaited));
-            }
-            if !found.present.any() {
-                self.missing.push(id);
-            }
-            self.values.push(found.value);
-        }
-        Ok(())
-    }
-
-    /// The scalar that a step is.
-    fn scalar(&self, id: StepId) -> Number {
-        numbers::coefficient(&self.values[id.index()], Blade::SCALAR)
-    }
-
-    /// Takes some parts of some operands of another point; of all, if none are named.
-    fn redraw(&mut self, operands: &[usize], other: Self, parts: Parts) {
-        self.values.clear();
-        self.missing.clear();
-        self.outcomes = Outcomes::default();
-        for (operand, member) in other.members.into_iter().enumerate() {
-            if operands.is_empty() || operands.contains(&operand) {
-                let own = &mut self.members[operand];
-                *own = numbers::with_parts_of(own, &member, parts);
-            }
-        }
-    }
-}
-
-/// What a point is drawn again for.
-struct Patience {
-    /// Whether a root must be a residue.
-    with_real_roots: bool,
-    /// The parts that must exist.
-    parts: Parts,
-}
-
-/// A point at which nothing is evaluated yet.
-fn start(algebra: &Algebra, program: &Program<'_>, seed: u64, with_reals: bool) -> Option<Point> {
-    let mut sequence = member::sequence(seed).with_reals(with_reals);
-    let members = program.operands.iter();
-    let members: Option<Vec<_>> = members
-        .map(|kind| member::sample(algebra, kind, &mut sequence))
-        .collect();
-    members.map(|members| Point {
-        members,
-        ..Point::default()
-    })
-}
-
-fn is_comparison(function: Function) -> bool {
-    function.is_condition() && function.properties().is_random_choice
-}
-
-fn is_true(point: &Point, id: StepId) -> bool {
-    point.scalar(id).residue() != Some(Residue::ZERO)
-}
-
-/// Whether a step is a root of what depends on operands.
-fn is_variable_root(program: &Program<'_>, id: StepId) -> bool {
-    is_root(program.step(id)) && !program.is_constant(id)
-}
-
-fn is_root(step: &Step) -> bool {
-    matches!(
-        step,
-        Step::Function(Function::SquareRoot | Function::Hypotenuse, _)
-    )
-}
-
-fn is_real(value: &Numbers) -> bool {
-    let mut residues = value.values().filter_map(|number| number.residue());
-    residues.all(Residue::is_real)
-}
-
-/// Whether every root is a residue or a real number at some point: the root of `−x²` never is.
-fn has_real_roots(program: &Program<'_>, points: &[Point]) -> bool {
-    let mut roots = program
-        .steps()
-        .map(|(id, _)| id)
-        .filter(|&id| is_variable_root(program, id));
-    roots.all(|id| {
-        let exists = |point: &Point| {
-            point.scalar(id).real().is_known() || is_real(&point.values[id.index()])
-        };
-        points.is_empty() || points.iter().any(exists)
-    })
-}
-
-/// Whether the points show the outcomes of the program's comparisons, one by one and in pairs.
-/// They do so for the comparisons among the first `covered` steps.
-fn is_covered(program: &Program<'_>, points: &[Point], covered: usize) -> bool {
-    let random = |(id, step)| match step {
-        &Step::Function(function, ref arguments) if function.properties().is_random_choice => {
-            // A comparison gives 0 or 1; the smaller or the larger number is the first or not.
-            let reference = (!function.is_condition()).then_some(arguments[0]);
-            Some((id, reference))
-        }
-        _ => None,
-    };
-    if points.len() >= POINTS_WITH_CHOICES
-        || program
-            .steps_from(covered)
-            .filter_map(random)
-            .next()
-            .is_none()
-    {
-        return true;
-    }
-    let choices: Vec<(StepId, Option<StepId>)> = program.steps().filter_map(random).collect();
-    // The points where each has one outcome, as bits.
-    let outcomes = choices.iter().map(|(id, reference)| {
-        let scalar = |point: &Point, id: StepId| point.scalar(id).residue();
-        let holds = |point: &Point| match reference {
-            Some(first) => scalar(point, *id) == scalar(point, *first),
-            None => is_true(point, *id),
-        };
-        points
-            .iter()
-            .fold(0_u64, |bits, point| bits << 1 | u64::from(holds(point)))
-    });
-    let outcomes: Vec<u64> = outcomes.collect();
-    let every = (1_u64 << points.len()) - 1;
-    let shows_all = |a: u64, b: u64| {
-        let combinations = [a & b, a & !b, !a & b, !a & !b];
-        combinations.iter().all(|points| points & every != 0)
-    };
-    let is_both = |a: u64| a != 0 && a != every;
-    choices.iter().enumerate().all(|(place, (id, _))| {
-        id.index() < covered
-            || is_both(outcomes[place])
-                && (0..place).all(|other| shows_all(outcomes[place], outcomes[other]))
-    })
 }
 
 /// The operands that a step depends on and that no earlier root depends on.

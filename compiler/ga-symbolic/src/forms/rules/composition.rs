@@ -7,7 +7,8 @@
 
 use crate::algebra::Product;
 use crate::forms::FormRule;
-use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+use crate::forms::class::{ClassId, Operation, Term, Way};
+use crate::forms::classes::Classes;
 
 /// The longest product that is split at each place. A longer one is split before its last factor
 /// only, and so on, until all act one after the other.

@@ -8,7 +8,8 @@
 
 use crate::algebra::{Product, Ratio, Unary};
 use crate::forms::FormRule;
-use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+use crate::forms::class::{ClassId, Operation, Term, Way};
+use crate::forms::classes::Classes;
 use crate::member::numbers;
 
 pub(super) fn apply(classes: &mut Classes<'_>, _: ClassId, way: &Way) {

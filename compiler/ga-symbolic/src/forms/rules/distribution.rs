@@ -7,7 +7,8 @@
 
 use crate::algebra::Product;
 use crate::forms::FormRule;
-use crate::forms::classes::{ClassId, Classes, Operation, Term, Way};
+use crate::forms::class::{ClassId, Operation, Term, Way};
+use crate::forms::classes::Classes;
 
 const RULE: Option<FormRule> = Some(FormRule::Distribution);
 

@@ -23,7 +23,8 @@ pub(super) use outermorphism::cancels;
 
 use rustc_hash::FxHashMap;
 
-use super::classes::{ClassId, Classes, Operation, Way};
+use super::class::{ClassId, Operation, Way};
+use super::classes::Classes;
 use crate::algebra::Product;
 use crate::limit::SearchLimit;
 
