@@ -1,7 +1,6 @@
 //! Why no pose can be fitted.
 
-use ga_anim::inverse_kinematics::KinematicsError;
-
+use ga_anim::kinematics::KinematicsError;
 use ga_camera::CameraError;
 
 /// Why no pose can be fitted to what views show.

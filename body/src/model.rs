@@ -1,6 +1,6 @@
 //! Bodies: a skeleton and the points of the body that pictures show.
 
-use ga_anim::skeleton::{JointLimits, LimitError, Skeleton};
+use ga_anim::skeleton::{JointLimits, Skeleton, SkeletonError};
 use ga_anim::skin::Method;
 
 /// A point of the body that pictures show: a joint, or a point of the skin.
@@ -74,7 +74,7 @@ pub enum BodyModelError {
     },
     /// The limits do not fit the skeleton.
     #[error(transparent)]
-    Limits(#[from] LimitError),
+    Limits(#[from] SkeletonError),
 }
 
 /// By how much weights may miss the sum of 1: those of files are rounded.
@@ -147,11 +147,11 @@ impl BodyModel {
     /// The same body with limits of its joints.
     ///
     /// # Errors
-    /// [`LimitError::Count`] where they are for another number of joints.
+    /// [`SkeletonError::LimitCount`] where they are for another number of joints.
     pub fn with_limits(self, limits: JointLimits) -> Result<Self, BodyModelError> {
         let (expected, found) = (self.skeleton.len(), limits.joint_count());
         if expected != found {
-            return Err(LimitError::Count { expected, found }.into());
+            return Err(SkeletonError::LimitCount { expected, found }.into());
         }
         Ok(Self {
             limits: Some(limits),

@@ -1,6 +1,7 @@
 //! Joints in any order.
 
-use super::{Joint, Skeleton, SkeletonError};
+use super::{Joint, Skeleton};
+use crate::skeleton::SkeletonError;
 
 impl Skeleton {
     /// A skeleton of joints in any order, in which `parent` counts in the order given, and where

@@ -26,7 +26,6 @@ mod error;
 mod parts;
 mod space;
 
-use ga_anim::inverse_kinematics::KinematicsError;
 use ga_runtime::vga3::Vector;
 
 pub use body::MarkedBody;
@@ -37,6 +36,7 @@ use super::{BodyFit, BodyModel, FittedPose, Observation};
 use crate::marker::Dot;
 use assembly::{FIRST, assembled};
 use assignment::Assignment;
+use ga_anim::kinematics::KinematicsError;
 use ga_camera::Camera;
 use parts::{Part, Space};
 use space::space_dots;
@@ -241,7 +241,7 @@ impl MarkedBody {
     }
 }
 
-fn pose(error: ga_anim::pose::PoseError) -> MarkedError {
+fn pose(error: ga_anim::skeleton::SkeletonError) -> MarkedError {
     MarkedError::Body(KinematicsError::from(error).into())
 }
 
