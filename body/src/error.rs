@@ -5,7 +5,7 @@ use ga_anim::skeleton::SkeletonError;
 use ga_camera::CameraError;
 use ga_camera::observation::ObservationError;
 use ga_numerics::least_squares::LeastSquaresError;
-use ga_runtime::geometry::motion::FitError;
+use ga_runtime::geometry::FitError;
 
 /// Why a skeleton and points are not a body, why no pose or lengths can be fitted to what views
 /// show, or why poses cannot be simulated or compared. Frames, views and joints are counted from 0.

@@ -1,8 +1,7 @@
 //! Why weights cannot be computed, and why positions, weights and motions do not fit together.
 
 use ga_mesh::MeshError;
-use ga_runtime::batch::LengthMismatch;
-use ga_runtime::batch::skin::SkinError as BatchError;
+use ga_runtime::batch::{BatchError, LengthMismatch};
 
 use crate::skeleton::SkeletonError;
 

@@ -1,7 +1,7 @@
 //! Why points of a head do not determine its pose or its expression.
 
 use ga_mesh::MeshError;
-use ga_runtime::geometry::motion::FitError;
+use ga_runtime::geometry::FitError;
 
 /// Why a head cannot be captured: points that do not determine a rigid motion, frames, and surfaces
 /// to which motion cannot be carried.
@@ -269,10 +269,10 @@ impl CaptureError {
                 found,
                 needed: NEEDED,
             },
-            FitError::NotFinite { index } => Self::NotFinite { point: index },
-            FitError::Coincident => Self::Coincident { place },
-            FitError::Collinear => Self::Collinear { place },
-            FitError::NotUnique => Self::NotUnique,
+            FitError::PairNotFinite { index } => Self::NotFinite { point: index },
+            FitError::PairsCoincident => Self::Coincident { place },
+            FitError::PairsCollinear => Self::Collinear { place },
+            FitError::RotationNotUnique => Self::NotUnique,
             _ => Self::OutOfRange,
         }
     }

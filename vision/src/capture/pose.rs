@@ -1,7 +1,7 @@
 //! The rigid motion that takes points at rest to where they are seen.
 
 use ga_runtime::cga3::{Motor, Point};
-use ga_runtime::geometry::motion::FitError;
+use ga_runtime::geometry::FitError;
 use ga_runtime::vga3::Vector;
 
 use super::error::{NEEDED, PointSet};

@@ -7,7 +7,7 @@
 mod three_points;
 
 use ga_runtime::cga3::{DualQuaternion, Line, Motor, MotorGenerator, Plane, Point};
-use ga_runtime::geometry::fit::PrimitiveFitError;
+use ga_runtime::geometry::FitError;
 use ga_runtime::vga3::Vector;
 
 pub use three_points::three_points;
@@ -170,7 +170,7 @@ fn observations(
 /// Refuses points on one line.
 fn check_line(points: &[Point<f64>]) -> Result<(), ViewGeometryError> {
     match Plane::fit(points) {
-        Err(PrimitiveFitError::Collinear | PrimitiveFitError::Coincident) => {
+        Err(FitError::Collinear | FitError::Coincident) => {
             Err(ViewGeometryError::PointsCollinear {
                 distance: Line::fit(points).map_or(0.0, |fit| fit.rms()),
             })
