@@ -128,7 +128,9 @@ impl<'a> BodyFit<'a> {
     /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
     ///
     /// # Errors
-    /// Any [`BodyError`] but [`BodyError::NoViews`] and [`BodyError::FrameRate`].
+    /// [`BodyError::Views`], [`BodyError::Points`], [`BodyError::Pixel`], [`BodyError::Deviation`],
+    /// [`BodyError::TooFewPoints`], [`BodyError::Behind`], [`BodyError::Camera`] and
+    /// [`BodyError::NoPose`].
     pub fn frame(&self, observation: &Observation) -> Result<FittedPose, BodyError> {
         self.fitted(observation, &self.state(observation)?)
     }

@@ -45,7 +45,8 @@ const FRAMES: usize = 32;
 /// pose of each frame is eliminated. Of many frames, 32 are used.
 ///
 /// # Errors
-/// [`BodyError`].
+/// [`BodyError::OneView`], [`BodyError::NoBone`], [`BodyError::Frame`], [`BodyError::LeastSquares`]
+/// and [`BodyError::Skeleton`].
 ///
 /// ```
 /// use ga_anim::skeleton::{Joint, Skeleton};

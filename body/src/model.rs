@@ -34,7 +34,8 @@ impl BodyModel {
     /// A body whose points are given.
     ///
     /// # Errors
-    /// [`BodyError`], but for limits.
+    /// [`BodyError::NoPoints`], [`BodyError::NoJoint`], [`BodyError::DuplicateName`],
+    /// [`BodyError::JointMissing`], [`BodyError::Weights`] and [`BodyError::PointNotFinite`].
     pub fn new(skeleton: Skeleton, points: Vec<BodyPoint>) -> Result<Self, BodyError> {
         if points.is_empty() {
             return Err(BodyError::NoPoints);

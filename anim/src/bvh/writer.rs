@@ -22,7 +22,8 @@ impl Bvh {
     ///
     /// # Errors
     ///
-    /// [`MotionFileError`].
+    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
+    /// [`MotionFileError::DuplicateName`].
     ///
     /// ```
     /// use ga_anim::bvh::{self, Bvh};
@@ -88,7 +89,8 @@ impl Bvh {
     ///
     /// # Errors
     ///
-    /// [`MotionFileError`].
+    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
+    /// [`MotionFileError::DuplicateName`].
     pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
         let mut motion = Self {
             joints: self.joints.clone(),

@@ -59,7 +59,8 @@ impl Mirror {
     ///
     /// # Errors
     ///
-    /// [`RecordingError`].
+    /// [`RecordingError::MirrorNoJoint`], [`RecordingError::PairedTwice`],
+    /// [`RecordingError::PairParents`] and [`RecordingError::MirrorPlane`].
     pub fn by_pairs(
         skeleton: &Skeleton,
         plane: DualPlane<f64>,

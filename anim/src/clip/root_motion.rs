@@ -51,7 +51,7 @@ impl Clip {
     ///
     /// # Errors
     ///
-    /// [`ClipError`].
+    /// [`ClipError::SkeletonJointCount`], [`ClipError::NoJoint`] and [`ClipError::Up`].
     pub fn root_motion(
         &self,
         skeleton: &Skeleton,

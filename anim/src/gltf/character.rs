@@ -31,7 +31,8 @@ pub struct Character {
 ///
 /// # Errors
 ///
-/// Any [`MotionFileError`].
+/// Those of [`Player::new`](super::Player::new), and [`MotionFileError::NoSkin`],
+/// [`MotionFileError::Mesh`], [`MotionFileError::Skeleton`] and [`MotionFileError::Skin`].
 ///
 /// # Examples
 ///

@@ -28,7 +28,8 @@ impl Rigged {
     ///
     /// # Errors
     ///
-    /// [`MotionFileError::Play`] and [`MotionFileError::Skeleton`].
+    /// Those of [`Player::new`], [`MotionFileError::FrameNotFinite`] and
+    /// [`MotionFileError::Skeleton`].
     pub fn new(document: &Document) -> Result<Self, MotionFileError> {
         let player = Player::new(document)?;
         let nodes = all_joints(document, &player);
@@ -100,7 +101,7 @@ impl Rigged {
     /// # Errors
     ///
     /// [`MotionFileError::Skeleton`] for a clip of another skeleton, [`MotionFileError::Uneven`],
-    /// and [`MotionFileError::Play`].
+    /// and [`MotionFileError::FrameNotFinite`].
     pub fn with_clip(&self, name: &str, clip: &Clip) -> Result<Document, MotionFileError> {
         let (expected, found) = (self.nodes.len(), clip.joint_count());
         if expected != found {

@@ -31,7 +31,9 @@ use crate::transform::Transform;
 ///
 /// # Errors
 ///
-/// [`RecordingError`].
+/// [`RecordingError::Weight`], [`RecordingError::Sum`], [`RecordingError::JointCount`],
+/// [`RecordingError::JointName`] and [`RecordingError::JointParent`], and where the frames do not
+/// form a recording.
 ///
 /// # Examples
 ///

@@ -11,7 +11,7 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`RecordingError::Recording`] where a small file announces very many frames, as one in
+    /// [`RecordingError::TooLarge`] where a small file announces very many frames, as one in
     /// which nothing moves can, or where a number is not finite.
     ///
     /// # Examples

@@ -69,8 +69,8 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// As [`GltfMotion::new`] and [`GltfMotion::recording`], and [`MotionFileError::Play`] for a
-    /// document that is not valid.
+    /// As [`GltfMotion::new`] and [`GltfMotion::recording`], and [`MotionFileError::Document`] for
+    /// a document that is not valid.
     pub fn from_gltf(
         document: &Document,
         animation: usize,

@@ -35,8 +35,8 @@ impl Recording {
     ///
     /// [`RecordingError::MirrorPlane`] for a normal of zero, [`RecordingError::NoCounterpart`]
     /// where only one side is there, [`RecordingError::PairedTwice`] where the names do not form
-    /// pairs, [`RecordingError::PairParents`], [`RecordingError::MirrorScaled`] and
-    /// [`RecordingError::Recording`].
+    /// pairs, [`RecordingError::PairParents`] and [`RecordingError::MirrorScaled`], and
+    /// [`RecordingError::Transform`] where the mirror image overflows.
     ///
     /// # Examples
     ///

@@ -97,8 +97,10 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// Any [`RecordingError`] but [`RecordingError::Unit`], [`RecordingError::Rate`] and
-    /// [`RecordingError::TooLarge`].
+    /// [`RecordingError::NoJoints`], [`RecordingError::NoFrames`],
+    /// [`RecordingError::ParentNotBefore`], [`RecordingError::FrameTime`],
+    /// [`RecordingError::Length`], [`RecordingError::Transform`], [`RecordingError::TrackLength`]
+    /// and [`RecordingError::TrackValue`].
     pub fn new(
         joints: Vec<RecordedJoint>,
         frame_time: f64,

@@ -50,7 +50,8 @@ pub fn model_maps<S: Real>(
 ///
 /// # Errors
 ///
-/// Any [`KinematicsError`]; then nothing is written.
+/// [`KinematicsError::SliceLength`], [`KinematicsError::ParentNotBefore`] and
+/// [`KinematicsError::Scaled`]; then nothing is written.
 pub fn model_motors<S: Real<Mask = bool>>(
     parents: &[Option<usize>],
     locals: &[Transform<S>],

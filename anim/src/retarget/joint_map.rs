@@ -202,7 +202,8 @@ impl JointMap {
     ///
     /// # Errors
     ///
-    /// Any [`RecordingError`].
+    /// [`RecordingError::MapJson`], [`RecordingError::MapSource`], [`RecordingError::MapTarget`],
+    /// [`RecordingError::MapTwice`] and [`RecordingError::MapRepeated`].
     pub fn from_json(
         bytes: &[u8],
         source: &dyn Source,

@@ -100,7 +100,8 @@ impl JointLimits {
     ///
     /// # Errors
     ///
-    /// Any [`SkeletonError`].
+    /// [`SkeletonError::LimitCount`], [`SkeletonError::LimitAxis`], [`SkeletonError::LimitRange`]
+    /// and [`SkeletonError::LimitSwing`].
     pub fn new(skeleton: &Skeleton, limits: Vec<Limit>) -> Result<Self, SkeletonError> {
         let (expected, found) = (skeleton.len(), limits.len());
         if expected != found {

@@ -63,7 +63,8 @@ impl Skeleton {
     ///
     /// # Errors
     ///
-    /// Any [`SkeletonError`].
+    /// [`SkeletonError::Empty`], [`SkeletonError::ParentNotBefore`],
+    /// [`SkeletonError::DuplicateName`] and [`SkeletonError::NotFinite`].
     pub fn new(joints: Vec<Joint>) -> Result<Self, SkeletonError> {
         if joints.is_empty() {
             return Err(SkeletonError::Empty);

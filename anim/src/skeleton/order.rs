@@ -10,7 +10,8 @@ impl Skeleton {
     ///
     /// # Errors
     ///
-    /// Any [`SkeletonError`] except [`SkeletonError::ParentNotBefore`]: of joints that are their
+    /// [`SkeletonError::Empty`], [`SkeletonError::ParentMissing`], [`SkeletonError::Cycle`],
+    /// [`SkeletonError::DuplicateName`] and [`SkeletonError::NotFinite`]: of joints that are their
     /// own ancestors, the first is named.
     ///
     /// ```

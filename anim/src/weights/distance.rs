@@ -30,7 +30,8 @@ pub type Bone = [[f64; 3]; 2];
 ///
 /// # Errors
 ///
-/// Any [`SkinError`].
+/// [`SkinError::NoBones`], [`SkinError::NoInfluences`], [`SkinError::BadExponent`],
+/// [`SkinError::BadBone`] and [`SkinError::BadPoint`], and those of [`SkinWeights::new`].
 ///
 /// # Examples
 ///

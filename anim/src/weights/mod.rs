@@ -49,7 +49,8 @@ impl SkinWeights {
     ///
     /// # Errors
     ///
-    /// Any [`SkinError`].
+    /// [`SkinError::Unweighted`], [`SkinError::BadWeight`], [`SkinError::JointOutOfRange`],
+    /// [`SkinError::DuplicateJoint`] and [`SkinError::TooManyInfluences`].
     pub fn new<V: AsRef<[(u32, f64)]>>(
         joint_count: usize,
         vertices: impl IntoIterator<Item = V>,

@@ -19,7 +19,7 @@ impl SkinWeights {
     ///
     /// # Errors
     ///
-    /// Any [`SkinError`].
+    /// [`SkinError::Mesh`] and [`SkinError::BadShare`], and those of [`SkinWeights::new`].
     ///
     /// ```
     /// use ga_anim::weights::SkinWeights;

@@ -116,7 +116,8 @@ impl MarkedBody {
     /// The most likely pose for the dots that the pictures of two cameras or more show.
     ///
     /// # Errors
-    /// [`BodyError`].
+    /// [`BodyError::DotViews`], [`BodyError::NoDots`], [`BodyError::DotNotFinite`] and
+    /// [`BodyError::TooFewMarkers`], and those of [`BodyFit::frame`](crate::BodyFit::frame).
     pub fn fit(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<MarkedFit, BodyError> {
         check(cameras, dots)?;
         let fit = BodyFit::new(&self.model, cameras)?;

@@ -72,7 +72,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<DisparityMap, ReadError<StereoErro
 ///
 /// # Errors
 ///
-/// Any [`StereoError`].
+/// [`StereoError::Encode`] and [`StereoError::Write`].
 pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), StereoError> {
     Ok(ga_files::write(path, &encode(map)?)?)
 }
@@ -92,7 +92,7 @@ pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), StereoErr
 ///
 /// # Errors
 ///
-/// Any [`StereoError`].
+/// [`StereoError::Decode`], [`StereoError::Kind`] and [`StereoError::Scale`].
 pub fn decode_truth(bytes: &[u8], scale: f64) -> Result<DisparityMap, StereoError> {
     if !(scale > 0.0 && scale.is_finite()) {
         return Err(StereoError::Scale { scale });

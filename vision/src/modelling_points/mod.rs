@@ -103,7 +103,8 @@ impl ModellingPyramid {
     ///
     /// # Errors
     ///
-    /// Any [`DisparityMapError`].
+    /// [`DisparityMapError::WeightsSize`], [`DisparityMapError::Weight`],
+    /// [`DisparityMapError::Levels`] and [`DisparityMapError::Deviation`].
     pub fn new<'a>(
         map: &DisparityMap,
         weights: impl Into<PlaneView<'a, f32>>,
@@ -302,7 +303,7 @@ impl ModellingPoint {
     ///
     /// # Errors
     ///
-    /// Any [`DisparityMapError`].
+    /// [`DisparityMapError::Denominator`] and [`DisparityMapError::NotFinite`].
     pub fn predicted_distance(&self, controls: DistanceControls) -> Result<f64, DisparityMapError> {
         predicted_distance(self.disparity_px, self.spacing_px(), controls)
     }

@@ -56,7 +56,8 @@ impl Surface {
     /// Points without a triangle are left out.
     ///
     /// # Errors
-    /// [`DisparityMapError`].
+    /// [`DisparityMapError::NoTriangles`], [`DisparityMapError::PictureSize`] and
+    /// [`DisparityMapError::Mesh`].
     pub fn to_mesh<'a>(
         &self,
         picture: impl Into<PlaneView<'a, [u8; 3]>>,
@@ -72,7 +73,7 @@ impl Surface {
     /// not lit: the picture already shows the light of the scene.
     ///
     /// # Errors
-    /// [`DisparityMapError`].
+    /// [`DisparityMapError::NoTriangles`] and [`DisparityMapError::Mesh`].
     pub fn to_textured_mesh(
         &self,
         media_type: &str,

@@ -27,7 +27,9 @@ impl CompressedClip {
     ///
     /// # Errors
     ///
-    /// Any [`ClipError`].
+    /// [`ClipError::NotAClip`], [`ClipError::Version`], [`ClipError::Truncated`],
+    /// [`ClipError::TooLong`], [`ClipError::Checksum`], [`ClipError::Invalid`] and
+    /// [`ClipError::Header`].
     pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, ClipError> {
         let (header, segments) = file::parse(&bytes)?;
         let tracks: Vec<(bool, f64)> = header
@@ -47,7 +49,7 @@ impl CompressedClip {
     ///
     /// # Errors
     ///
-    /// [`ReadError::Io`], or [`ReadError::Contents`] with any [`ClipError`].
+    /// [`ReadError::Io`], or [`ReadError::Contents`] as [`from_bytes`](Self::from_bytes) gives.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<ClipError>> {
         ga_files::read(path, |bytes| Self::from_bytes(bytes.to_vec()))
     }

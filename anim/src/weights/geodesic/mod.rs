@@ -75,7 +75,8 @@ pub struct GeodesicWeights {
 ///
 /// # Errors
 ///
-/// Any [`SkinError`].
+/// Those of [`distance_weights`](super::distance::distance_weights), and [`SkinError::Mesh`],
+/// [`SkinError::NoTriangles`] and [`SkinError::BadResolution`].
 ///
 /// # Examples
 ///
