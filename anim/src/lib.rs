@@ -73,6 +73,7 @@
 pub mod bvh;
 pub mod clip;
 pub mod curve;
+mod file_error;
 mod frame_position;
 pub mod gltf;
 pub mod inverse_kinematics;
@@ -87,6 +88,8 @@ pub mod skin;
 pub mod transform;
 pub mod unit;
 pub mod weights;
+
+pub use file_error::MotionFileError;
 
 /// An alias of [`weights::distance`].
 #[doc(no_inline)]

@@ -15,7 +15,7 @@
 use ga_runtime::cga3::{Line, Motor, Point, Rotor};
 
 use crate::kinematics::forward_pose;
-use crate::skeleton::Skeleton;
+use crate::skeleton::{Skeleton, SkeletonError};
 
 /// A pose of a skeleton.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,16 +25,6 @@ pub struct Pose {
     /// The own motion L of each joint, in the order of [`Skeleton::joints`]. Where it is a rotation
     /// about the joint's position, the joint stays there.
     pub joints: Vec<Motor<f64>>,
-}
-
-/// A pose does not fit a skeleton.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("a pose of {found} joints for a skeleton of {expected}")]
-pub struct PoseError {
-    /// How many joints the skeleton has.
-    pub expected: usize,
-    /// How many the pose has.
-    pub found: usize,
 }
 
 impl Pose {
@@ -52,7 +42,7 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// [`PoseError`] when there is not one rotor for each joint.
+    /// [`SkeletonError`] when there is not one rotor for each joint.
     ///
     /// # Examples
     ///
@@ -86,7 +76,7 @@ impl Pose {
         skeleton: &Skeleton,
         root: Motor<f64>,
         rotors: &[Rotor<f64>],
-    ) -> Result<Self, PoseError> {
+    ) -> Result<Self, SkeletonError> {
         check(skeleton, rotors.len())?;
         let joints = skeleton.joints().iter().zip(rotors);
         Ok(Self {
@@ -101,8 +91,8 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// [`PoseError`] when the pose is for a skeleton with another number of joints.
-    pub fn motions(&self, skeleton: &Skeleton) -> Result<Vec<Motor<f64>>, PoseError> {
+    /// [`SkeletonError`] when the pose is for a skeleton with another number of joints.
+    pub fn motions(&self, skeleton: &Skeleton) -> Result<Vec<Motor<f64>>, SkeletonError> {
         check(skeleton, self.joints.len())?;
         let mut motions = vec![Motor::default(); self.joints.len()];
         forward_pose(skeleton, self.root, &self.joints, &mut motions);
@@ -114,7 +104,7 @@ impl Pose {
     /// # Errors
     ///
     /// As [`Pose::motions`].
-    pub fn bones(&self, skeleton: &Skeleton) -> Result<Vec<[[f64; 3]; 2]>, PoseError> {
+    pub fn bones(&self, skeleton: &Skeleton) -> Result<Vec<[[f64; 3]; 2]>, SkeletonError> {
         let motions = self.motions(skeleton)?;
         let bones = skeleton.joints().iter().zip(motions);
         Ok(bones
@@ -128,7 +118,7 @@ impl Pose {
     /// # Errors
     ///
     /// As [`Pose::motions`].
-    pub fn bone_lines(&self, skeleton: &Skeleton) -> Result<Vec<Option<Line<f64>>>, PoseError> {
+    pub fn bone_lines(&self, skeleton: &Skeleton) -> Result<Vec<Option<Line<f64>>>, SkeletonError> {
         let motions = self.motions(skeleton)?;
         let lines = skeleton
             .joints()
@@ -160,12 +150,12 @@ impl Pose {
     }
 }
 
-fn check(skeleton: &Skeleton, found: usize) -> Result<(), PoseError> {
+fn check(skeleton: &Skeleton, found: usize) -> Result<(), SkeletonError> {
     let expected = skeleton.len();
     if expected == found {
         Ok(())
     } else {
-        Err(PoseError { expected, found })
+        Err(SkeletonError::PoseLength { expected, found })
     }
 }
 

@@ -16,11 +16,10 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::{JointPixel, Observation};
-use crate::pose_error::{
-    ComparisonError, mean_per_joint_position_error, procrustes_aligned, root_aligned_error,
-};
+use crate::BodyError;
+use crate::pose_error::{mean_per_joint_position_error, procrustes_aligned, root_aligned_error};
 use ga_camera::Camera;
-use ga_camera::observation::{ObservationError, observe};
+use ga_camera::observation::observe;
 use ga_camera::triangulation::triangulate_views;
 
 /// What is wrong with the pixels of cameras that observe a motion.
@@ -34,24 +33,6 @@ pub struct Disturbance {
     pub seed: u64,
 }
 
-/// Why a motion cannot be observed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SimulationError {
-    /// A camera does not see a joint, or the noise is not a standard deviation.
-    #[error("frame {frame}, view {view}: {error}")]
-    Observation {
-        /// Which frame, from 0.
-        frame: usize,
-        /// Which view, from 0.
-        view: usize,
-        /// What is wrong.
-        error: Box<ObservationError>,
-    },
-    /// A probability is not between 0 and 1.
-    #[error("{0} is not a probability that a joint is missing")]
-    Missing(f64),
-}
-
 /// The deviation of pixels without noise: that of rounding, far below any real one.
 const LEAST_DEVIATION: f64 = 0.05;
 
@@ -59,7 +40,7 @@ const LEAST_DEVIATION: f64 = 0.05;
 /// joints. Each pixel has the deviation of the noise.
 ///
 /// # Errors
-/// [`SimulationError`] for the first point that a camera does not see, for noise that is negative,
+/// [`BodyError`] for the first point that a camera does not see, for noise that is negative,
 /// and a probability that is not from 0 to 1.
 ///
 /// ```
@@ -80,17 +61,17 @@ pub fn simulate(
     cameras: &[Camera],
     motion: &[Vec<Point<f64>>],
     disturbance: &Disturbance,
-) -> Result<Vec<Observation>, SimulationError> {
+) -> Result<Vec<Observation>, BodyError> {
     let missing = disturbance.missing;
     if !(0.0..=1.0).contains(&missing) {
-        return Err(SimulationError::Missing(missing));
+        return Err(BodyError::Missing(missing));
     }
     let deviation = disturbance.noise_px.max(LEAST_DEVIATION);
     let mut seeds = ChaCha8Rng::seed_from_u64(disturbance.seed);
     let frames = motion.iter().enumerate().map(|(frame, points)| {
         let views = cameras.iter().enumerate().map(|(view, camera)| {
             let pixels = observe(camera, points, disturbance.noise_px, seeds.next_u64());
-            let pixels = pixels.map_err(|error| SimulationError::Observation {
+            let pixels = pixels.map_err(|error| BodyError::Observation {
                 frame,
                 view,
                 error: Box::new(error),
@@ -106,7 +87,7 @@ pub fn simulate(
             });
             Ok(pixels.collect())
         });
-        let views = views.collect::<Result<_, SimulationError>>()?;
+        let views = views.collect::<Result<_, BodyError>>()?;
         Ok(Observation { views })
     });
     frames.collect()
@@ -154,7 +135,7 @@ pub struct Scores {
 /// root.
 ///
 /// # Errors
-/// [`ComparisonError`] for other numbers of frames or joints than the true motion has, for joints
+/// [`BodyError`] for other numbers of frames or joints than the true motion has, for joints
 /// that are not finite, and where no joint was found.
 ///
 /// ```
@@ -179,9 +160,9 @@ pub fn score(
     cameras: &[Camera],
     truth: &[Vec<Point<f64>>],
     found: &[Vec<Option<Point<f64>>>],
-) -> Result<Scores, ComparisonError> {
+) -> Result<Scores, BodyError> {
     if truth.len() != found.len() {
-        return Err(ComparisonError::Counts {
+        return Err(BodyError::JointCounts {
             expected: truth.len(),
             found: found.len(),
         });
@@ -195,7 +176,7 @@ pub fn score(
     ] = [Mean::default(); 5];
     for (truth, found) in truth.iter().zip(found) {
         if truth.len() != found.len() {
-            return Err(ComparisonError::Counts {
+            return Err(BodyError::JointCounts {
                 expected: truth.len(),
                 found: found.len(),
             });
@@ -223,7 +204,7 @@ pub fn score(
         }
     }
     Ok(Scores {
-        position_error: position.value().ok_or(ComparisonError::Empty)?,
+        position_error: position.value().ok_or(BodyError::NoJoints)?,
         root_relative_error: relative.value(),
         aligned_error: aligned.value(),
         joint_error_px: pixels.value().unwrap_or(0.0),

@@ -1,5 +1,6 @@
 //! Fits of poses to what views show.
 
+use crate::BodyError;
 use crate::normal::Normal;
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::Point;
@@ -11,7 +12,7 @@ use super::clip::{self, tracks};
 use super::descent::{Found, Search, descend, log_determinant};
 use super::likelihood::{Likelihood, Near, Observed};
 use super::start::{Links, Start, WRONG, starts};
-use super::{BodyError, BodyModel, ClipError, Observation};
+use super::{BodyModel, Observation};
 use ga_camera::Camera;
 use ga_numerics::least_squares::Loss;
 
@@ -63,7 +64,7 @@ struct Stretch {
     /// `None` before the first frame that has a pose.
     states: Vec<Option<State>>,
     /// Why the first frame has no pose by itself that has none.
-    error: Option<ClipError>,
+    error: Option<BodyError>,
 }
 
 /// A pose that was fitted.
@@ -127,7 +128,9 @@ impl<'a> BodyFit<'a> {
     /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
     ///
     /// # Errors
-    /// Any [`BodyError`] but [`BodyError::NoViews`] and [`BodyError::FrameRate`].
+    /// [`BodyError::Views`], [`BodyError::Points`], [`BodyError::Pixel`], [`BodyError::Deviation`],
+    /// [`BodyError::TooFewPoints`], [`BodyError::Behind`], [`BodyError::Camera`] and
+    /// [`BodyError::NoPose`].
     pub fn frame(&self, observation: &Observation) -> Result<FittedPose, BodyError> {
         self.fitted(observation, &self.state(observation)?)
     }
@@ -159,19 +162,27 @@ impl<'a> BodyFit<'a> {
     /// accelerations are: then they are those of a human who moves without haste.
     ///
     /// # Errors
-    /// [`ClipError`] with the first frame that does not fit the cameras and the model, or with the
-    /// first one of all, where no frame by itself has a pose; [`BodyError::FrameRate`] for a rate
-    /// that is not positive and finite.
+    /// [`BodyError::Frame`] with the first frame that does not fit the cameras and the model, or
+    /// with the first one of all, where no frame by itself has a pose; [`BodyError::FrameRate`] for
+    /// a rate that is not positive and finite.
     pub fn clip(
         &self,
         observations: &[Observation],
         frames_per_second: f64,
-    ) -> Result<Vec<FittedPose>, ClipError> {
+    ) -> Result<Vec<FittedPose>, BodyError> {
         if !(frames_per_second > 0.0 && frames_per_second.is_finite()) {
             let error = BodyError::FrameRate(frames_per_second);
-            return Err(ClipError { frame: 0, error });
+            return Err(BodyError::Frame {
+                frame: 0,
+                error: Box::new(error),
+            });
         }
-        let of_frame = |frame| move |error| ClipError { frame, error };
+        let of_frame = |frame| {
+            move |error| BodyError::Frame {
+                frame,
+                error: Box::new(error),
+            }
+        };
         for (frame, observation) in observations.iter().enumerate() {
             self.check(observation).map_err(of_frame(frame))?;
         }
@@ -319,7 +330,7 @@ impl<'a> BodyFit<'a> {
     }
 
     /// The states of all frames by themselves.
-    fn one_by_one(&self, observations: &[Observation]) -> Result<Vec<State>, ClipError> {
+    fn one_by_one(&self, observations: &[Observation]) -> Result<Vec<State>, BodyError> {
         /// How many frames follow one another; stretches are independent.
         const STRETCH: usize = 96;
         // One view leaves several poses open, of which a clip has one.
@@ -384,7 +395,10 @@ impl<'a> BodyFit<'a> {
                     (Ok(found), _) => Some(found),
                     (Err(error), near) => {
                         let frame = first + index;
-                        first_error.get_or_insert(ClipError { frame, error });
+                        first_error.get_or_insert(BodyError::Frame {
+                            frame,
+                            error: Box::new(error),
+                        });
                         near
                     }
                 },

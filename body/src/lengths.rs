@@ -6,11 +6,10 @@ use ga_runtime::vga3::Vector;
 use super::chain::{Chain, State};
 use super::likelihood::Likelihood;
 use super::model::{BodyModel, BodyPoint};
-use super::{BodyError, BodyFit, ClipError, Observation};
+use super::{BodyFit, Observation};
+use crate::BodyError;
 use ga_camera::Camera;
-use ga_numerics::least_squares::{
-    Columns, Equations, LeastSquaresError, Problem, Settings, minimise,
-};
+use ga_numerics::least_squares::{Columns, Equations, Problem, Settings, minimise};
 
 /// Which lengths are unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,26 +32,6 @@ pub struct FittedLengths {
     pub factors: Vec<f64>,
 }
 
-/// Why lengths cannot be fitted.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum LengthsError {
-    /// One view does not show how large a body is.
-    #[error("the size of a body needs two views, and there is {0}")]
-    OneView(usize),
-    /// No bone is seen with both its ends.
-    #[error("no bone is seen with both ends in two views of a frame")]
-    NoBone,
-    /// A frame cannot be fitted.
-    #[error(transparent)]
-    Frame(#[from] ClipError),
-    /// No lengths are most likely.
-    #[error("the lengths of the bones: {0}")]
-    LeastSquares(#[from] LeastSquaresError),
-    /// The lengths found do not form a skeleton.
-    #[error(transparent)]
-    Skeleton(#[from] SkeletonError),
-}
-
 /// The standard deviation of the logarithm of a bone's factor.
 const PROPORTIONS: f64 = 0.1;
 /// The search ends with a step that changes the residuals by no more than this in the mean. They
@@ -66,7 +45,8 @@ const FRAMES: usize = 32;
 /// pose of each frame is eliminated. Of many frames, 32 are used.
 ///
 /// # Errors
-/// [`LengthsError`].
+/// [`BodyError::OneView`], [`BodyError::NoBone`], [`BodyError::Frame`], [`BodyError::LeastSquares`]
+/// and [`BodyError::Skeleton`].
 ///
 /// ```
 /// use ga_anim::skeleton::{Joint, Skeleton};
@@ -108,18 +88,21 @@ pub fn fit_lengths(
     cameras: &[Camera],
     observations: &[Observation],
     lengths: Lengths,
-) -> Result<FittedLengths, LengthsError> {
+) -> Result<FittedLengths, BodyError> {
     if cameras.len() < 2 {
-        return Err(LengthsError::OneView(cameras.len()));
+        return Err(BodyError::OneView(cameras.len()));
     }
     let spread = observations.len().div_ceil(FRAMES).max(1);
     let frames: Vec<(usize, &Observation)> =
         observations.iter().enumerate().step_by(spread).collect();
     let size = super::start::size(&Chain::new(model), cameras, frames.iter().map(|(_, o)| *o));
-    let size = size.ok_or(LengthsError::NoBone)?;
+    let size = size.ok_or(BodyError::NoBone)?;
     let joints = model.skeleton().len();
     let scaled = with_factors(model, &vec![size; joints], size)?;
-    let of_camera = |error| ClipError { frame: 0, error };
+    let of_camera = |error| BodyError::Frame {
+        frame: 0,
+        error: Box::new(error),
+    };
     let fit = BodyFit::new(&scaled, cameras).map_err(of_camera)?;
     let (mut poses, mut used) = (Vec::new(), Vec::new());
     for (frame, observation) in frames {
@@ -130,11 +113,16 @@ pub fn fit_lengths(
             }
             // A frame that shows too little says nothing about lengths.
             Err(BodyError::TooFewPoints { .. }) => {}
-            Err(error) => return Err(ClipError { frame, error }.into()),
+            Err(error) => {
+                return Err(BodyError::Frame {
+                    frame,
+                    error: Box::new(error),
+                });
+            }
         }
     }
     if poses.is_empty() {
-        return Err(LengthsError::NoBone);
+        return Err(BodyError::NoBone);
     }
     let bones = Bones::new(&scaled, lengths);
     let logarithms = vec![0.0; bones.count];

@@ -88,10 +88,10 @@ pub mod pose_error;
 mod skinned;
 mod start;
 
-pub use error::{BodyError, ClipError};
+pub use error::BodyError;
 pub use fit::{BodyFit, FittedPose};
-pub use lengths::{FittedLengths, Lengths, LengthsError, fit_lengths};
-pub use model::{BodyModel, BodyModelError, BodyPoint};
+pub use lengths::{FittedLengths, Lengths, fit_lengths};
+pub use model::{BodyModel, BodyPoint};
 
 /// A point of the body as a view shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]

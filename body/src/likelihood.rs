@@ -1,11 +1,12 @@
 //! How likely a pose is for what the views show, and the normal equations of a step.
 
+use crate::BodyError;
 use crate::normal::{Normal, PointError};
 use ga_runtime::vga3::Vector;
 
 use super::chain::{Chain, State, rotation_vector};
 use super::descent::Cost;
-use super::{BodyError, JointPixel, Observation};
+use super::{JointPixel, Observation};
 use ga_camera::Camera;
 use ga_numerics::least_squares::Loss;
 

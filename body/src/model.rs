@@ -1,6 +1,7 @@
 //! Bodies: a skeleton and the points of the body that pictures show.
 
-use ga_anim::skeleton::{JointLimits, LimitError, Skeleton};
+use crate::BodyError;
+use ga_anim::skeleton::{JointLimits, Skeleton, SkeletonError};
 use ga_anim::skin::Method;
 
 /// A point of the body that pictures show: a joint, or a point of the skin.
@@ -26,57 +27,6 @@ pub struct BodyModel {
     blending: Method,
 }
 
-/// Why a skeleton and points are not a body.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BodyModelError {
-    /// No point is observed.
-    #[error("no point of the body is observed")]
-    NoPoints,
-    /// The skeleton has no joint of a name.
-    #[error("the skeleton has no joint {name:?}; its joints are {}", .joints.join(", "))]
-    NoJoint {
-        /// The name.
-        name: String,
-        /// The names of the skeleton's joints.
-        joints: Vec<String>,
-    },
-    /// Two points have the same name.
-    #[error("two points of the body are called {name:?}")]
-    DuplicateName {
-        /// The name.
-        name: String,
-    },
-    /// A point follows a joint that does not exist.
-    #[error("the point {name:?} follows joint {joint}, and the skeleton has {count}")]
-    JointMissing {
-        /// The point.
-        name: String,
-        /// The joint.
-        joint: usize,
-        /// How many joints there are.
-        count: usize,
-    },
-    /// The weights of a point are not shares that sum to 1.
-    #[error("the weights {weights:?} of the point {name:?} are not shares of 1")]
-    Weights {
-        /// The point.
-        name: String,
-        /// Its weights.
-        weights: Vec<f64>,
-    },
-    /// The coordinates of a point are not finite.
-    #[error("the point {name:?} is at {at_rest:?}, which is not finite")]
-    NotFinite {
-        /// The point.
-        name: String,
-        /// Where it is at rest.
-        at_rest: [f64; 3],
-    },
-    /// The limits do not fit the skeleton.
-    #[error(transparent)]
-    Limits(#[from] LimitError),
-}
-
 /// By how much weights may miss the sum of 1: those of files are rounded.
 const ROUNDING: f64 = 1e-3;
 
@@ -84,16 +34,17 @@ impl BodyModel {
     /// A body whose points are given.
     ///
     /// # Errors
-    /// [`BodyModelError`], but for limits.
-    pub fn new(skeleton: Skeleton, points: Vec<BodyPoint>) -> Result<Self, BodyModelError> {
+    /// [`BodyError::NoPoints`], [`BodyError::NoJoint`], [`BodyError::DuplicateName`],
+    /// [`BodyError::JointMissing`], [`BodyError::Weights`] and [`BodyError::PointNotFinite`].
+    pub fn new(skeleton: Skeleton, points: Vec<BodyPoint>) -> Result<Self, BodyError> {
         if points.is_empty() {
-            return Err(BodyModelError::NoPoints);
+            return Err(BodyError::NoPoints);
         }
         for (index, point) in points.iter().enumerate() {
             check(&skeleton, point)?;
             if points[..index].iter().any(|other| other.name == point.name) {
                 let name = point.name.clone();
-                return Err(BodyModelError::DuplicateName { name });
+                return Err(BodyError::DuplicateName { name });
             }
         }
         Ok(Self {
@@ -107,22 +58,19 @@ impl BodyModel {
     /// A body that is observed at the joints of these names, in this order.
     ///
     /// # Errors
-    /// [`BodyModelError::NoJoint`] for a name that is not that of a joint,
-    /// [`BodyModelError::DuplicateName`], [`BodyModelError::NoPoints`].
-    pub fn of_joints<N: AsRef<str>>(
-        skeleton: Skeleton,
-        names: &[N],
-    ) -> Result<Self, BodyModelError> {
+    /// [`BodyError::NoJoint`] for a name that is not that of a joint,
+    /// [`BodyError::DuplicateName`], [`BodyError::NoPoints`].
+    pub fn of_joints<N: AsRef<str>>(skeleton: Skeleton, names: &[N]) -> Result<Self, BodyError> {
         let points = names.iter().map(|name| {
             let name = name.as_ref();
-            let missing = || BodyModelError::NoJoint {
+            let missing = || BodyError::NoJoint {
                 name: name.to_owned(),
                 joints: skeleton.joints().iter().map(|j| j.name.clone()).collect(),
             };
             let joint = skeleton.index(name).ok_or_else(missing)?;
             Ok(point_of_joint(&skeleton, joint))
         });
-        let points = points.collect::<Result<_, BodyModelError>>()?;
+        let points = points.collect::<Result<_, BodyError>>()?;
         Self::new(skeleton, points)
     }
 
@@ -131,7 +79,7 @@ impl BodyModel {
     ///
     /// # Errors
     /// None in practice: a skeleton has joints.
-    pub fn of_distinct_joints(skeleton: Skeleton) -> Result<Self, BodyModelError> {
+    pub fn of_distinct_joints(skeleton: Skeleton) -> Result<Self, BodyError> {
         let joints = skeleton.joints();
         let is_first = |index: &usize| {
             let head = joints[*index].head;
@@ -147,11 +95,11 @@ impl BodyModel {
     /// The same body with limits of its joints.
     ///
     /// # Errors
-    /// [`LimitError::Count`] where they are for another number of joints.
-    pub fn with_limits(self, limits: JointLimits) -> Result<Self, BodyModelError> {
+    /// [`SkeletonError::LimitCount`] where they are for another number of joints.
+    pub fn with_limits(self, limits: JointLimits) -> Result<Self, BodyError> {
         let (expected, found) = (self.skeleton.len(), limits.joint_count());
         if expected != found {
-            return Err(LimitError::Count { expected, found }.into());
+            return Err(SkeletonError::LimitCount { expected, found }.into());
         }
         Ok(Self {
             limits: Some(limits),
@@ -209,11 +157,11 @@ fn point_of_joint(skeleton: &Skeleton, joint: usize) -> BodyPoint {
     }
 }
 
-fn check(skeleton: &Skeleton, point: &BodyPoint) -> Result<(), BodyModelError> {
+fn check(skeleton: &Skeleton, point: &BodyPoint) -> Result<(), BodyError> {
     let name = || point.name.clone();
     let count = skeleton.len();
     if let Some(&(joint, _)) = point.joints.iter().find(|(joint, _)| *joint >= count) {
-        return Err(BodyModelError::JointMissing {
+        return Err(BodyError::JointMissing {
             name: name(),
             joint,
             count,
@@ -222,13 +170,13 @@ fn check(skeleton: &Skeleton, point: &BodyPoint) -> Result<(), BodyModelError> {
     let weights = || point.joints.iter().map(|(_, weight)| *weight);
     let sum: f64 = weights().sum();
     if !weights().all(|weight| weight >= 0.0) || (sum - 1.0).abs() > ROUNDING || sum.is_nan() {
-        return Err(BodyModelError::Weights {
+        return Err(BodyError::Weights {
             name: name(),
             weights: weights().collect(),
         });
     }
     if !point.at_rest.iter().all(|x| x.is_finite()) {
-        return Err(BodyModelError::NotFinite {
+        return Err(BodyError::PointNotFinite {
             name: name(),
             at_rest: point.at_rest,
         });

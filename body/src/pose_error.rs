@@ -5,41 +5,8 @@
 //! [`Similarity::from_point_pairs`]). They are proper: for a mirror image the best rotation without
 //! a reflection is taken.
 
+use crate::BodyError;
 use ga_runtime::cga3::{Motor, Point, Similarity};
-use ga_runtime::geometry::motion::FitError;
-
-/// Why two poses cannot be compared.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum ComparisonError {
-    /// The poses have different numbers of joints.
-    #[error("{found} joints were reconstructed, but there are {expected} true ones")]
-    Counts {
-        /// How many there should be.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// There are no joints.
-    #[error("poses without joints have no mean error")]
-    Empty,
-    /// A joint of either pose is infinite or not a number.
-    #[error("joint {joint}, from 0, has a coordinate that is not finite")]
-    NotFinite {
-        /// Which joint, from 0.
-        joint: usize,
-    },
-    /// There is no such joint.
-    #[error("joint {root} cannot be the root of {joints} joints, which count from 0")]
-    Root {
-        /// The joint that should be the root.
-        root: usize,
-        /// How many joints there are.
-        joints: usize,
-    },
-    /// No alignment fits best.
-    #[error("the poses cannot be aligned: {0}")]
-    Alignment(#[from] FitError<f64>),
-}
 
 /// Two poses after an alignment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +24,7 @@ pub struct Aligned<V> {
 /// per joint position error, MPJPE; Cui, table 3).
 ///
 /// # Errors
-/// [`ComparisonError`] where there are no joints, different numbers of them, or joints that are not
+/// [`BodyError`] where there are no joints, different numbers of them, or joints that are not
 /// finite.
 ///
 /// ```
@@ -70,7 +37,7 @@ pub struct Aligned<V> {
 pub fn mean_per_joint_position_error(
     truth: &[Point<f64>],
     found: &[Point<f64>],
-) -> Result<f64, ComparisonError> {
+) -> Result<f64, BodyError> {
     check(truth, found)?;
     let distances = truth.iter().zip(found).map(|(a, b)| a.distance(*b));
     Ok(mean(distances, truth.len()))
@@ -80,7 +47,7 @@ pub fn mean_per_joint_position_error(
 /// error apart from where the body is. The root counts with its error of 0.
 ///
 /// # Errors
-/// [`ComparisonError`] where there are no joints, different numbers of them, joints that are not
+/// [`BodyError`] where there are no joints, different numbers of them, joints that are not
 /// finite, or no such root.
 ///
 /// ```
@@ -94,11 +61,11 @@ pub fn root_aligned_error(
     truth: &[Point<f64>],
     found: &[Point<f64>],
     root: usize,
-) -> Result<f64, ComparisonError> {
+) -> Result<f64, BodyError> {
     check(truth, found)?;
     let joints = truth.len();
     let (Some(&here), Some(&there)) = (truth.get(root), found.get(root)) else {
-        return Err(ComparisonError::Root { root, joints });
+        return Err(BodyError::Root { root, joints });
     };
     let pairs = truth.iter().zip(found);
     let distances = pairs.map(|(&a, &b)| here.vector_to(a).distance(there.vector_to(b)));
@@ -109,7 +76,7 @@ pub fn root_aligned_error(
 /// and scaled to the true ones first.
 ///
 /// # Errors
-/// [`ComparisonError`] where there are fewer than three joints or different numbers of them, for
+/// [`BodyError`] where there are fewer than three joints or different numbers of them, for
 /// joints that are not finite, and where several similarities fit equally well, as for joints on a
 /// line.
 ///
@@ -121,12 +88,12 @@ pub fn root_aligned_error(
 /// let found = [[0.0, 0.0, 3.0], [-2.0, 0.0, 3.0], [0.0, 2.0, 3.0]].map(Point::from);
 /// let aligned = procrustes_aligned(&truth, &found)?;
 /// assert!(aligned.mean_error < 1e-15 && (aligned.motion.factor() - 0.5).abs() < 1e-15);
-/// # Ok::<(), ga_body::pose_error::ComparisonError>(())
+/// # Ok::<(), ga_body::BodyError>(())
 /// ```
 pub fn procrustes_aligned(
     truth: &[Point<f64>],
     found: &[Point<f64>],
-) -> Result<Aligned<Similarity<f64>>, ComparisonError> {
+) -> Result<Aligned<Similarity<f64>>, BodyError> {
     let pairs = pairs(truth, found)?;
     let fit = Similarity::from_point_pairs(&pairs)?;
     Ok(aligned(fit.motion, fit.residual(&pairs), &pairs, |found| {
@@ -146,12 +113,12 @@ pub fn procrustes_aligned(
 /// let truth = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(Point::from);
 /// let found = [[0.0, 0.0, 3.0], [-1.0, 0.0, 3.0], [0.0, 1.0, 3.0]].map(Point::from);
 /// assert!(rigidly_aligned(&truth, &found)?.mean_error < 1e-15);
-/// # Ok::<(), ga_body::pose_error::ComparisonError>(())
+/// # Ok::<(), ga_body::BodyError>(())
 /// ```
 pub fn rigidly_aligned(
     truth: &[Point<f64>],
     found: &[Point<f64>],
-) -> Result<Aligned<Motor<f64>>, ComparisonError> {
+) -> Result<Aligned<Motor<f64>>, BodyError> {
     let pairs = pairs(truth, found)?;
     let fit = Motor::from_point_pairs(&pairs)?;
     Ok(aligned(fit.motion, fit.residual(&pairs), &pairs, |found| {
@@ -179,7 +146,7 @@ fn aligned<V>(
 type Pair = (Point<f64>, Point<f64>);
 
 /// The reconstructed joints with the true ones.
-fn pairs(truth: &[Point<f64>], found: &[Point<f64>]) -> Result<Vec<Pair>, ComparisonError> {
+fn pairs(truth: &[Point<f64>], found: &[Point<f64>]) -> Result<Vec<Pair>, BodyError> {
     check(truth, found)?;
     Ok(found.iter().copied().zip(truth.iter().copied()).collect())
 }
@@ -188,18 +155,18 @@ fn mean(distances: impl Iterator<Item = f64>, count: usize) -> f64 {
     distances.sum::<f64>() / count as f64
 }
 
-fn check(truth: &[Point<f64>], reconstructed: &[Point<f64>]) -> Result<(), ComparisonError> {
+fn check(truth: &[Point<f64>], reconstructed: &[Point<f64>]) -> Result<(), BodyError> {
     let (expected, found) = (truth.len(), reconstructed.len());
     if expected != found {
-        return Err(ComparisonError::Counts { expected, found });
+        return Err(BodyError::JointCounts { expected, found });
     }
     if expected == 0 {
-        return Err(ComparisonError::Empty);
+        return Err(BodyError::NoJoints);
     }
     let is_finite = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
     let mut pairs = truth.iter().zip(reconstructed);
     match pairs.position(|(a, b)| !is_finite(a) || !is_finite(b)) {
-        Some(joint) => Err(ComparisonError::NotFinite { joint }),
+        Some(joint) => Err(BodyError::JointNotFinite { joint }),
         None => Ok(()),
     }
 }

@@ -26,6 +26,7 @@ mod instruction_set;
 pub mod interop;
 pub mod linear;
 mod macros;
+pub mod prelude;
 pub mod products;
 pub mod scalar;
 #[cfg(feature = "testing")]

@@ -5,10 +5,12 @@ use std::path::PathBuf;
 
 use ga_files::ReadError;
 use ga_image::file::DecodeError;
+use ga_image::quality::WeightError;
 use ga_image::y4m::StreamError;
 
-/// Why a video cannot be read, or not further. Frames are counted from 0. What was read before an
-/// error remains valid. The file of the standard input is called so.
+/// Why a video cannot be read, analysed or compared with another, or not further. Frames are
+/// counted from 0. What was read before an error remains valid. The file of the standard input is
+/// called so.
 #[derive(Debug, thiserror::Error)]
 pub enum VideoError {
     /// The operating system could not open the file, or not read its beginning.
@@ -193,6 +195,42 @@ pub enum VideoError {
         /// When the right one is shown.
         right_seconds: f64,
     },
+    /// A frame differs in size from the first, or has no pixels.
+    #[error("frame {frame} has {} × {} pixels, the first has {} × {}", size[0], size[1], first[0], first[1])]
+    KeyFrameSize {
+        /// The frame.
+        frame: usize,
+        /// Its columns and rows.
+        size: [usize; 2],
+        /// Columns and rows of the first frame.
+        first: [usize; 2],
+    },
+    /// The videos differ in a property.
+    #[error("the videos differ in {what}: {reference} and {distorted}")]
+    Properties {
+        /// The property.
+        what: &'static str,
+        /// That of the reference.
+        reference: String,
+        /// That of the other video.
+        distorted: String,
+    },
+    /// One video ends before the other.
+    #[error("the {ended} video has no frame {frame}, the other has")]
+    ReferenceLength {
+        /// The first frame that only one video has.
+        frame: usize,
+        /// Which video ended: "reference" or "distorted".
+        ended: &'static str,
+    },
+    /// A frame cannot be measured.
+    #[error("frame {frame}: {problem}")]
+    Unmeasured {
+        /// The number of the frame, from 0.
+        frame: usize,
+        /// Why.
+        problem: WeightError,
+    },
 }
 
 impl VideoError {
@@ -208,7 +246,10 @@ impl VideoError {
             | Self::Missing { frame, .. }
             | Self::Decoding { frame, .. }
             | Self::Length { frame, .. }
-            | Self::Time { frame, .. } => Some(*frame),
+            | Self::Time { frame, .. }
+            | Self::KeyFrameSize { frame, .. }
+            | Self::ReferenceLength { frame, .. }
+            | Self::Unmeasured { frame, .. } => Some(*frame),
             Self::Open { .. }
             | Self::UnknownFormat { .. }
             | Self::Mp4Feature { .. }
@@ -218,7 +259,8 @@ impl VideoError {
             | Self::Pattern { .. }
             | Self::Mp4 { .. }
             | Self::Layout { .. }
-            | Self::Views { .. } => None,
+            | Self::Views { .. }
+            | Self::Properties { .. } => None,
         }
     }
 }

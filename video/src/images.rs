@@ -10,7 +10,8 @@ use ga_image::plane::Plane;
 use ga_image::y4m::Sampling;
 use ga_image::ycbcr::{Range, YCbCr};
 
-use super::{Frame, Properties, Samples, Source, VideoError};
+use super::{Frame, Properties, Samples, Source};
+use crate::VideoError;
 
 /// Endings of the files that are looked at in a folder.
 const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "ppm", "pgm", "pnm", "pfm"];

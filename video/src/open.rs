@@ -1,9 +1,8 @@
 //! Opening videos of any kind.
 
-use super::VideoError;
 use super::images::{self, ImageSource};
 use super::y4m::Y4mSource;
-use crate::Source;
+use crate::{Source, VideoError};
 use ga_image::file::Format;
 use std::fs::File;
 use std::io::{self, Cursor, Read};

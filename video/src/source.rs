@@ -1,6 +1,7 @@
 //! Where frames come from.
 
-use super::{Frame, Properties, VideoError};
+use super::{Frame, Properties};
+use crate::VideoError;
 
 /// A video that is read frame by frame.
 pub trait Source {

@@ -2,7 +2,8 @@
 
 use ga_image::plane::{Plane, SizeError};
 
-use super::{Frame, Planes, Properties, Samples, Source, VideoError};
+use super::{Frame, Planes, Properties, Samples, Source};
+use crate::VideoError;
 
 /// Where the two views lie in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use ga_image::plane::Plane;
 use ga_image::y4m::{Header, Interlacing, Number, Stream, StreamError};
 
-use super::{Frame, Planes, Properties, Samples, Source, VideoError};
+use super::{Frame, Planes, Properties, Samples, Source};
+use crate::VideoError;
 
 /// A video in Y4M with 8 or 10 bits, from any source of bytes.
 ///

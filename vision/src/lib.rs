@@ -28,6 +28,7 @@ pub mod contour;
 pub mod diagnosis;
 pub mod disparity;
 pub mod feature;
+mod geometry_error;
 pub mod homography;
 pub mod matcher;
 pub mod modelling_points;
@@ -37,3 +38,5 @@ pub mod rectification;
 pub mod relative_pose;
 pub mod surface;
 pub mod texture;
+
+pub use geometry_error::ViewGeometryError;

@@ -28,31 +28,31 @@
 //! readers agree.
 
 mod conversion;
-mod error;
 mod joint;
 mod kinematics;
 mod motion;
 mod parser;
+mod problem;
 mod warning;
 mod words;
 mod writer;
 
 use std::path::Path;
 
+use crate::file_error::MotionFileError;
 use ga_files::ReadError;
 
-pub use error::{BvhError, BvhProblem};
 pub use joint::{BvhJoint, Channel};
 pub use motion::Bvh;
+pub use problem::BvhProblem;
 pub use warning::{BvhWarning, PositionChannels};
-pub use writer::BvhConversionError;
 
 /// Reads the motion in a file.
 ///
 /// # Errors
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
-pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<BvhError>> {
+pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<MotionFileError>> {
     ga_files::read(path, parse)
 }
 
@@ -60,7 +60,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<BvhError>> {
 ///
 /// # Errors
 ///
-/// [`BvhError`], for the first fault.
+/// [`MotionFileError`], for the first fault.
 ///
 /// # Examples
 ///
@@ -86,8 +86,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<BvhError>> {
 ///
 /// let error = ga_anim::bvh::parse(&text[..text.len() - 5]).unwrap_err();
 /// assert_eq!(error.to_string(), "line 14: a frame has 4 numbers, but this one has 2");
-/// # Ok::<(), ga_anim::bvh::BvhError>(())
+/// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
+pub fn parse(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
     parser::parse(bytes)
 }

@@ -1,16 +1,17 @@
 use std::collections::HashSet;
 
 use super::words::{Words, number};
-use super::{Bvh, BvhError, BvhJoint, BvhProblem, BvhWarning, Channel, warning};
+use super::{Bvh, BvhJoint, BvhProblem, BvhWarning, Channel, warning};
+use crate::file_error::MotionFileError;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
+pub(super) fn parse(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
     let mut words = Words::new(text(bytes)?);
     words.expect("HIERARCHY")?;
     let joints = hierarchy(&mut words)?;
     motion(&mut words, joints)
 }
 
-fn text(bytes: &[u8]) -> Result<&str, BvhError> {
+fn text(bytes: &[u8]) -> Result<&str, MotionFileError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let end = match std::str::from_utf8(bytes) {
         Ok(text) => match text.find('\0') {
@@ -20,7 +21,7 @@ fn text(bytes: &[u8]) -> Result<&str, BvhError> {
         Err(error) => error.valid_up_to(),
     };
     let line = 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count();
-    Err(BvhError {
+    Err(MotionFileError::Bvh {
         line,
         problem: BvhProblem::NotText,
     })
@@ -35,7 +36,7 @@ struct Open {
 
 /// The joints up to the word `MOTION`, which is taken too. A stack takes the place of recursion, so
 /// that no depth is too great.
-fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
+fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
     const IN_JOINT: &str = "OFFSET, CHANNELS, JOINT, End Site or }";
     let mut joints: Vec<BvhJoint> = Vec::new();
     let mut names = HashSet::new();
@@ -98,7 +99,12 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, BvhError> {
     }
 }
 
-fn once(words: &Words, joint: &BvhJoint, what: &'static str, found: usize) -> Result<(), BvhError> {
+fn once(
+    words: &Words,
+    joint: &BvhJoint,
+    what: &'static str,
+    found: usize,
+) -> Result<(), MotionFileError> {
     if found == 1 {
         return Ok(());
     }
@@ -114,7 +120,7 @@ fn begin(
     joints: &mut Vec<BvhJoint>,
     names: &mut HashSet<String>,
     parent: Option<usize>,
-) -> Result<Open, BvhError> {
+) -> Result<Open, MotionFileError> {
     let name = words.name()?;
     if !names.insert(name.clone()) {
         return Err(words.error(BvhProblem::DuplicateName { name }));
@@ -135,7 +141,7 @@ fn begin(
     })
 }
 
-fn channels(words: &mut Words, joint: &mut BvhJoint) -> Result<(), BvhError> {
+fn channels(words: &mut Words, joint: &mut BvhJoint) -> Result<(), MotionFileError> {
     let count = words.count()?;
     for _ in 0..count {
         let word = words.next("a channel")?;
@@ -165,7 +171,7 @@ fn channel(word: &str) -> Option<Channel> {
     })
 }
 
-fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, BvhError> {
+fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, MotionFileError> {
     let mut channel_count = 0;
     for joint in &mut joints {
         joint.first_channel = channel_count;

@@ -1,4 +1,5 @@
-use super::{BvhError, BvhProblem};
+use super::BvhProblem;
+use crate::file_error::MotionFileError;
 
 /// The words of a text, each with its line.
 pub(super) struct Words<'a> {
@@ -22,15 +23,15 @@ impl<'a> Words<'a> {
         self.line.max(1)
     }
 
-    pub(super) fn error(&self, problem: BvhProblem) -> BvhError {
-        BvhError {
+    pub(super) fn error(&self, problem: BvhProblem) -> MotionFileError {
+        MotionFileError::Bvh {
             line: self.line(),
             problem,
         }
     }
 
     /// The next word, on this line or a later one.
-    pub(super) fn next(&mut self, expected: &'static str) -> Result<&'a str, BvhError> {
+    pub(super) fn next(&mut self, expected: &'static str) -> Result<&'a str, MotionFileError> {
         loop {
             if let Some(word) = self.words.next() {
                 return Ok(word);
@@ -50,7 +51,7 @@ impl<'a> Words<'a> {
     }
 
     /// Takes the next word, which must be `expected` in small or capital letters.
-    pub(super) fn expect(&mut self, expected: &'static str) -> Result<(), BvhError> {
+    pub(super) fn expect(&mut self, expected: &'static str) -> Result<(), MotionFileError> {
         let found = self.next(expected)?;
         if found.eq_ignore_ascii_case(expected) {
             return Ok(());
@@ -59,14 +60,14 @@ impl<'a> Words<'a> {
     }
 
     /// Nothing may be left on this line.
-    pub(super) fn expect_end_of_line(&self) -> Result<(), BvhError> {
+    pub(super) fn expect_end_of_line(&self) -> Result<(), MotionFileError> {
         match self.words.clone().next() {
             None => Ok(()),
             Some(word) => Err(self.expected("the end of the line", word)),
         }
     }
 
-    pub(super) fn expected(&self, expected: &'static str, found: &str) -> BvhError {
+    pub(super) fn expected(&self, expected: &'static str, found: &str) -> MotionFileError {
         self.error(BvhProblem::Expected {
             expected,
             found: found.to_owned(),
@@ -74,7 +75,7 @@ impl<'a> Words<'a> {
     }
 
     /// The rest of this line up to an opening brace: a name, which may be of several words.
-    pub(super) fn name(&mut self) -> Result<String, BvhError> {
+    pub(super) fn name(&mut self) -> Result<String, MotionFileError> {
         let mut name = self.next("a name")?.to_owned();
         let mut ahead = self.words.clone();
         while let Some(word) = ahead.next().filter(|&word| word != "{") {
@@ -89,17 +90,17 @@ impl<'a> Words<'a> {
         }
     }
 
-    pub(super) fn number(&mut self) -> Result<f64, BvhError> {
+    pub(super) fn number(&mut self) -> Result<f64, MotionFileError> {
         let word = self.next("a number")?;
         number(word).map_err(|problem| self.error(problem))
     }
 
-    pub(super) fn count(&mut self) -> Result<usize, BvhError> {
+    pub(super) fn count(&mut self) -> Result<usize, MotionFileError> {
         let word = self.next("a count")?;
         word.parse().map_err(|_| self.expected("a count", word))
     }
 
-    pub(super) fn vector(&mut self) -> Result<[f64; 3], BvhError> {
+    pub(super) fn vector(&mut self) -> Result<[f64; 3], MotionFileError> {
         Ok([self.number()?, self.number()?, self.number()?])
     }
 }

@@ -8,38 +8,12 @@ use ga_runtime::vga3::Vector;
 
 use super::{Bvh, BvhJoint, Channel, PositionChannels};
 use crate::clip::Clip;
-use crate::pose::{Pose, PoseError};
-use crate::skeleton::Skeleton;
+use crate::file_error::MotionFileError;
+use crate::pose::Pose;
+use crate::skeleton::{Skeleton, SkeletonError};
 
 /// The order of the angles where there is no other: the usual one of these files.
 const ORDER: [usize; 3] = [2, 0, 1];
-
-/// A clip that a BVH file cannot hold.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BvhConversionError {
-    /// The clip is for another skeleton.
-    #[error(transparent)]
-    Pose(#[from] PoseError),
-    /// A joint below a root moves away from its place relative to its parent.
-    #[error(
-        "joint {name:?} is {distance} units from its place in frame {frame}; in a BVH file, joints \
-         below the root only rotate"
-    )]
-    Moves {
-        /// The joint.
-        name: String,
-        /// The frame, from 0.
-        frame: usize,
-        /// How far it is from there.
-        distance: f64,
-    },
-    /// Two names become equal where line breaks and braces are replaced.
-    #[error("two joints are called {name:?} in a BVH file")]
-    DuplicateName {
-        /// The name.
-        name: String,
-    },
-}
 
 impl Bvh {
     /// A clip as a recording: roots have positions and angles, all other joints angles. Joints
@@ -48,7 +22,8 @@ impl Bvh {
     ///
     /// # Errors
     ///
-    /// [`BvhConversionError`].
+    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
+    /// [`MotionFileError::DuplicateName`].
     ///
     /// ```
     /// use ga_anim::bvh::{self, Bvh};
@@ -64,7 +39,7 @@ impl Bvh {
     /// assert_eq!(again, motion);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, BvhConversionError> {
+    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
         let order = depth_first(skeleton);
         let joints = skeleton.joints();
         let mut place = vec![0; joints.len()];
@@ -85,7 +60,7 @@ impl Bvh {
             let count = channels.len();
             let name = plain(&joint.name);
             if !names.insert(name.clone()) {
-                return Err(BvhConversionError::DuplicateName { name });
+                return Err(MotionFileError::DuplicateName { name });
             }
             written.push(BvhJoint {
                 name,
@@ -114,8 +89,9 @@ impl Bvh {
     ///
     /// # Errors
     ///
-    /// [`BvhConversionError`].
-    pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, BvhConversionError> {
+    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
+    /// [`MotionFileError::DuplicateName`].
+    pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
         let mut motion = Self {
             joints: self.joints.clone(),
             frame_time: clip.frame_time(),
@@ -144,10 +120,10 @@ impl Bvh {
         skeleton: &Skeleton,
         order: &[usize],
         clip: &Clip,
-    ) -> Result<(), BvhConversionError> {
+    ) -> Result<(), MotionFileError> {
         let (expected, found) = (skeleton.len(), clip.joint_count());
         if expected != found || self.joints.len() != expected {
-            return Err(PoseError { expected, found }.into());
+            return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let heads = skeleton
             .joints()
@@ -162,7 +138,7 @@ impl Bvh {
                 if joint.parent.is_none() {
                     self.values.extend(away.coordinates());
                 } else if away.length().is_nan() || away.length() > 1e-9 * size {
-                    return Err(BvhConversionError::Moves {
+                    return Err(MotionFileError::Moves {
                         name: joint.name.clone(),
                         frame,
                         distance: away.length(),

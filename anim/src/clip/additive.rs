@@ -2,7 +2,8 @@
 
 use ga_runtime::cga3::Motor;
 
-use super::{Clip, ClipError};
+use super::Clip;
+use crate::clip::ClipError;
 use crate::pose::Pose;
 
 impl Pose {

@@ -1,7 +1,8 @@
 //! From one clip to another.
 
+use super::Clip;
 use super::layering::mean;
-use super::{Clip, ClipError};
+use crate::clip::ClipError;
 use crate::pose::Pose;
 
 /// The change from one clip to another: the first alone, then both with a weight that rises

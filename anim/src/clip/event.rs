@@ -1,5 +1,6 @@
 //! What happens at a time, and what changes beside the joints.
 
+use crate::clip::ClipError;
 use crate::curve::{Curve, CurveError};
 
 /// Things that happen at times of a clip, such as the steps of a walk.
@@ -10,25 +11,11 @@ use crate::curve::{Curve, CurveError};
 /// // What happened in the last frame of a clip of one second in a loop.
 /// let seen: Vec<_> = steps.in_loop(1.0, 0.6, 1.3).map(|(time, &foot)| (time, foot)).collect();
 /// assert_eq!(seen, [(0.7, "right"), (1.2, "left")]);
-/// # Ok::<(), ga_anim::clip::EventError>(())
+/// # Ok::<(), ga_anim::clip::ClipError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventTrack<T> {
     events: Vec<(f64, T)>,
-}
-
-/// Events that cannot be in a track.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum EventError {
-    /// The time of an event is infinite or not a number.
-    #[error("event {index} is at the time {time}")]
-    Time {
-        /// The event, from 0.
-        index: usize,
-        /// Its time.
-        time: f64,
-    },
 }
 
 impl<T> EventTrack<T> {
@@ -36,10 +23,10 @@ impl<T> EventTrack<T> {
     ///
     /// # Errors
     ///
-    /// [`EventError::Time`].
-    pub fn new(mut events: Vec<(f64, T)>) -> Result<Self, EventError> {
+    /// [`ClipError::EventTime`].
+    pub fn new(mut events: Vec<(f64, T)>) -> Result<Self, ClipError> {
         if let Some(index) = events.iter().position(|(time, _)| !time.is_finite()) {
-            return Err(EventError::Time {
+            return Err(ClipError::EventTime {
                 index,
                 time: events[index].0,
             });

@@ -2,6 +2,7 @@
 
 use ga_runtime::cga3::Motor;
 
+use crate::clip::ClipError;
 use crate::pose::Pose;
 
 /// A pose that is laid over others.
@@ -16,40 +17,6 @@ pub struct Layer<'a> {
     pub joints: Option<&'a [f64]>,
     /// A factor for the root's motion, from 0 to 1.
     pub root: f64,
-}
-
-/// Poses that cannot be combined. Layers and joints count from 0.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum LayerError {
-    /// A pose has another number of joints than the one below it.
-    #[error("layer {layer} has {found} joints, but the pose below has {expected}")]
-    JointCount {
-        /// The layer.
-        layer: usize,
-        /// How many joints the pose below has.
-        expected: usize,
-        /// How many the layer has.
-        found: usize,
-    },
-    /// There is not one factor for each joint.
-    #[error("layer {layer} has {found} weights for {expected} joints")]
-    WeightCount {
-        /// The layer.
-        layer: usize,
-        /// How many joints there are.
-        expected: usize,
-        /// How many factors there are.
-        found: usize,
-    },
-    /// A weight is not from 0 to 1.
-    #[error("a weight of layer {layer} is {weight}, not from 0 to 1")]
-    Weight {
-        /// The layer.
-        layer: usize,
-        /// The weight.
-        weight: f64,
-    },
 }
 
 impl<'a> Layer<'a> {
@@ -89,7 +56,7 @@ impl<'a> Layer<'a> {
 ///
 /// # Errors
 ///
-/// [`LayerError`]; the pose is then unchanged.
+/// [`ClipError`]; the pose is then unchanged.
 ///
 /// ```
 /// use ga_anim::clip::{Layer, overlay};
@@ -101,9 +68,9 @@ impl<'a> Layer<'a> {
 /// overlay(&mut pose, &[Layer::new(&other, 0.5).of_joints(&[1.0, 0.5])])?;
 /// let [x, ..]: [f64; 3] = pose.joints[1].translator().displacement();
 /// assert!((x - 1.0).abs() < 1e-15);
-/// # Ok::<(), ga_anim::clip::LayerError>(())
+/// # Ok::<(), ga_anim::clip::ClipError>(())
 /// ```
-pub fn overlay(pose: &mut Pose, layers: &[Layer<'_>]) -> Result<(), LayerError> {
+pub fn overlay(pose: &mut Pose, layers: &[Layer<'_>]) -> Result<(), ClipError> {
     for (index, layer) in layers.iter().enumerate() {
         check(index, layer, pose.joints.len())?;
     }
@@ -138,10 +105,10 @@ pub(super) fn mean(from: Motor<f64>, to: Motor<f64>, weight: f64) -> Motor<f64> 
     from.nlerp(to, weight)
 }
 
-fn check(index: usize, layer: &Layer<'_>, expected: usize) -> Result<(), LayerError> {
+fn check(index: usize, layer: &Layer<'_>, expected: usize) -> Result<(), ClipError> {
     let found = layer.pose.joints.len();
     if found != expected {
-        return Err(LayerError::JointCount {
+        return Err(ClipError::LayerJointCount {
             layer: index,
             expected,
             found,
@@ -150,7 +117,7 @@ fn check(index: usize, layer: &Layer<'_>, expected: usize) -> Result<(), LayerEr
     let factors = layer.joints.unwrap_or_default();
     if layer.joints.is_some() && factors.len() != expected {
         let found = factors.len();
-        return Err(LayerError::WeightCount {
+        return Err(ClipError::LayerWeightCount {
             layer: index,
             expected,
             found,
@@ -160,7 +127,7 @@ fn check(index: usize, layer: &Layer<'_>, expected: usize) -> Result<(), LayerEr
         .into_iter()
         .chain(factors.iter().copied());
     match weights.find(|weight| !(0.0..=1.0).contains(weight)) {
-        Some(weight) => Err(LayerError::Weight {
+        Some(weight) => Err(ClipError::LayerWeight {
             layer: index,
             weight,
         }),

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use ga_runtime::cga3::{DualPlane, Point, Translator};
 
-use super::{Clip, ClipError};
+use super::Clip;
+use crate::clip::ClipError;
 use crate::pose::Pose;
 use crate::recording::RecordingError;
 use crate::retarget::convention::{Side, word_ranges};
@@ -52,84 +53,31 @@ pub struct Mirror {
     counterparts: Vec<(usize, [f64; 3])>,
 }
 
-/// A skeleton that cannot be mirrored as asked.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MirrorError {
-    /// The normal of the plane is zero, or a coefficient is not finite.
-    #[error("the plane has no direction")]
-    Plane,
-    /// A pair names a joint that does not exist.
-    #[error("there is no joint {joint} in a skeleton of {count}")]
-    NoJoint {
-        /// The joint.
-        joint: usize,
-        /// How many joints there are.
-        count: usize,
-    },
-    /// A joint is in two pairs.
-    #[error("joint {name:?} is in more than one pair")]
-    Twice {
-        /// Its name.
-        name: String,
-    },
-    /// A joint of one side has none on the other.
-    #[error("joint {name:?} has no counterpart {expected:?}")]
-    NoCounterpart {
-        /// Its name.
-        name: String,
-        /// The name that the counterpart would have.
-        expected: String,
-    },
-    /// A joint is scaled so that its image is not a rotation, a translation and factors along its
-    /// axes.
-    #[error(
-        "joint {name:?} is scaled unevenly or by a negative factor in {}, and has no mirror image",
-        frame.map_or("rest".to_owned(), |frame| format!("frame {frame}"))
-    )]
-    Scaled {
-        /// Its name.
-        name: String,
-        /// The frame, from 0; `None` at rest.
-        frame: Option<usize>,
-    },
-    /// The mirror image overflows.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-    /// The parents of two counterparts are not counterparts.
-    #[error("joints {name:?} and {other:?} are a pair, but their parents are not")]
-    Parents {
-        /// The name of a joint.
-        name: String,
-        /// The name of its counterpart.
-        other: String,
-    },
-}
-
 impl Mirror {
     /// The mirror for a skeleton in which the joints of each pair change places and all others stay
     /// in theirs.
     ///
     /// # Errors
     ///
-    /// [`MirrorError`].
+    /// [`RecordingError::MirrorNoJoint`], [`RecordingError::PairedTwice`],
+    /// [`RecordingError::PairParents`] and [`RecordingError::MirrorPlane`].
     pub fn by_pairs(
         skeleton: &Skeleton,
         plane: DualPlane<f64>,
         pairs: &[(usize, usize)],
-    ) -> Result<Self, MirrorError> {
+    ) -> Result<Self, RecordingError> {
         let joints = skeleton.joints();
         let mut counterpart: Vec<usize> = (0..joints.len()).collect();
         for &(left, right) in pairs {
             for joint in [left, right] {
                 if joint >= joints.len() {
-                    return Err(MirrorError::NoJoint {
+                    return Err(RecordingError::MirrorNoJoint {
                         joint,
                         count: joints.len(),
                     });
                 }
                 if counterpart[joint] != joint {
-                    return Err(MirrorError::Twice {
+                    return Err(RecordingError::PairedTwice {
                         name: joints[joint].name.clone(),
                     });
                 }
@@ -139,7 +87,7 @@ impl Mirror {
         for (joint, &other) in counterpart.iter().enumerate() {
             if joints[joint].parent.map(|parent| counterpart[parent]) != joints[other].parent {
                 let (name, other) = (joints[joint].name.clone(), joints[other].name.clone());
-                return Err(MirrorError::Parents { name, other });
+                return Err(RecordingError::PairParents { name, other });
             }
         }
         let counterparts = counterpart.into_iter().enumerate().map(|(joint, other)| {
@@ -149,7 +97,7 @@ impl Mirror {
         });
         let counterparts = counterparts
             .collect::<Option<Vec<_>>>()
-            .ok_or(MirrorError::Plane)?;
+            .ok_or(RecordingError::MirrorPlane)?;
         Ok(Self {
             plane,
             counterparts,
@@ -167,8 +115,8 @@ impl Mirror {
     ///
     /// # Errors
     ///
-    /// [`MirrorError::NoCounterpart`] where only one side is there, and as [`Mirror::by_pairs`].
-    pub fn by_names(skeleton: &Skeleton, plane: DualPlane<f64>) -> Result<Self, MirrorError> {
+    /// [`RecordingError::NoCounterpart`] where only one side is there, and as [`Mirror::by_pairs`].
+    pub fn by_names(skeleton: &Skeleton, plane: DualPlane<f64>) -> Result<Self, RecordingError> {
         let mut pairs = Vec::new();
         for (joint, described) in skeleton.joints().iter().enumerate() {
             let Some(counterpart) = other_side(&described.name) else {
@@ -179,7 +127,7 @@ impl Mirror {
                 Some(other) if joint < other => pairs.push((joint, other)),
                 None if counterpart.is_certain => {
                     let name = described.name.clone();
-                    return Err(MirrorError::NoCounterpart { name, expected });
+                    return Err(RecordingError::NoCounterpart { name, expected });
                 }
                 _ => {}
             }

@@ -12,6 +12,7 @@
 
 mod additive;
 mod cross_fade;
+mod error;
 mod event;
 mod layering;
 mod mirror;
@@ -24,11 +25,12 @@ use crate::frame_position::frame_at;
 use crate::pose::Pose;
 
 pub use cross_fade::CrossFade;
-pub use event::{EventError, EventTrack, ScalarTracks};
-pub use layering::{Layer, LayerError, overlay};
-pub use mirror::{Mirror, MirrorError};
+pub use error::ClipError;
+pub use event::{EventTrack, ScalarTracks};
+pub use layering::{Layer, overlay};
+pub use mirror::Mirror;
 pub(crate) use mirror::{other_side, reflected};
-pub use root_motion::{GroundMotion, RootMotion, RootMotionError};
+pub use root_motion::{GroundMotion, RootMotion};
 pub use time_warp::TimeWarp;
 
 /// A motion of a skeleton: poses of equally many joints, one each `frame_time`.
@@ -36,34 +38,6 @@ pub use time_warp::TimeWarp;
 pub struct Clip {
     frame_time: f64,
     frames: Vec<Pose>,
-}
-
-/// Poses that do not form a clip, or a rate that a clip cannot have.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum ClipError {
-    /// There is no pose.
-    #[error("a clip has at least one frame")]
-    Empty,
-    /// The time from one frame to the next is 0, negative, infinite or not a number.
-    #[error("{0} seconds is not a time from one frame to the next")]
-    FrameTime(f64),
-    /// Two poses have another number of joints.
-    #[error("frame {frame} has {found} joints, but the first has {expected}")]
-    JointCount {
-        /// The frame, from 0.
-        frame: usize,
-        /// How many joints the first frame has.
-        expected: usize,
-        /// How many this one has.
-        found: usize,
-    },
-    /// A rate is 0, negative, infinite or not a number, or gives a clip out of proportion to this
-    /// one.
-    #[error("{0} is not a number of frames per second for this clip")]
-    Rate(f64),
-    /// A time is negative, infinite or not a number.
-    #[error("{0} seconds is not a time of a clip")]
-    Time(f64),
 }
 
 impl Clip {

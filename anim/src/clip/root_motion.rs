@@ -3,7 +3,8 @@
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
-use super::{Clip, ClipError};
+use super::Clip;
+use crate::clip::ClipError;
 use crate::frame_position::frame_at;
 use crate::skeleton::Skeleton;
 
@@ -38,39 +39,6 @@ pub struct RootMotion {
     motions: Vec<Motor<f64>>,
 }
 
-/// A trajectory that cannot be found.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RootMotionError {
-    /// The clip is for another skeleton.
-    #[error("a clip of {found} joints for a skeleton of {expected}")]
-    JointCount {
-        /// How many joints the skeleton has.
-        expected: usize,
-        /// How many the clip has.
-        found: usize,
-    },
-    /// There is no such joint.
-    #[error("there is no joint {joint} in a skeleton of {count}")]
-    Joint {
-        /// The joint that was asked for.
-        joint: usize,
-        /// How many joints there are.
-        count: usize,
-    },
-    /// The direction up is zero or not finite.
-    #[error("{0:?} is not a direction")]
-    Up([f64; 3]),
-    /// There is not one motor for each frame of the clip.
-    #[error("{found} motions for {expected} frames")]
-    FrameCount {
-        /// How many frames the clip has.
-        expected: usize,
-        /// How many motions there are.
-        found: usize,
-    },
-}
-
 impl Clip {
     /// Splits the clip into the trajectory on the ground and the motion in place: in each frame the
     /// root's motor is M = W N, with the trajectory W and the root N of the clip in place.
@@ -83,29 +51,29 @@ impl Clip {
     ///
     /// # Errors
     ///
-    /// [`RootMotionError`].
+    /// [`ClipError::SkeletonJointCount`], [`ClipError::NoJoint`] and [`ClipError::Up`].
     pub fn root_motion(
         &self,
         skeleton: &Skeleton,
         ground: GroundMotion,
-    ) -> Result<(RootMotion, Self), RootMotionError> {
+    ) -> Result<(RootMotion, Self), ClipError> {
         let (expected, found) = (skeleton.len(), self.joint_count());
         if expected != found {
-            return Err(RootMotionError::JointCount { expected, found });
+            return Err(ClipError::SkeletonJointCount { expected, found });
         }
         let Some(head) = skeleton
             .joints()
             .get(ground.joint)
             .map(|joint| Vector::from(joint.head))
         else {
-            return Err(RootMotionError::Joint {
+            return Err(ClipError::NoJoint {
                 joint: ground.joint,
                 count: expected,
             });
         };
         let length = ground.up.length();
         if !(length.is_finite() && length > 0.0) {
-            return Err(RootMotionError::Up(ground.up.coordinates()));
+            return Err(ClipError::Up(ground.up.coordinates()));
         }
         let up = ground.up * length.recip();
         let mut heading = Rotor::default();
@@ -143,11 +111,11 @@ impl Clip {
     ///
     /// # Errors
     ///
-    /// [`RootMotionError::FrameCount`].
-    pub fn with_root_motion(&self, motion: &RootMotion) -> Result<Self, RootMotionError> {
+    /// [`ClipError::MotionCount`].
+    pub fn with_root_motion(&self, motion: &RootMotion) -> Result<Self, ClipError> {
         let (expected, found) = (self.frames.len(), motion.motions.len());
         if expected != found {
-            return Err(RootMotionError::FrameCount { expected, found });
+            return Err(ClipError::MotionCount { expected, found });
         }
         let mut clip = self.clone();
         for (pose, &way) in clip.frames.iter_mut().zip(&motion.motions) {

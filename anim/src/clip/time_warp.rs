@@ -1,6 +1,7 @@
 //! Clips faster, slower, or in step with another.
 
-use super::{Clip, ClipError};
+use super::Clip;
+use crate::clip::ClipError;
 use crate::curve::{Curve, CurveError};
 
 /// A clock that runs unevenly: the time of a clip as a function of the time at which it is seen.

@@ -1,8 +1,8 @@
 //! The length of a curve, and the time at which a length is reached.
 
-use super::error::CurveError;
 use super::piecewise::{Curve, derivative};
 use super::value::Value;
+use crate::curve::CurveError;
 
 /// Halvings of a piece after which a sharp bend of the speed no longer matters.
 const MOST_HALVINGS: u32 = 50;

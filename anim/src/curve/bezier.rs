@@ -1,7 +1,8 @@
 //! Bézier keys whose handles have times of their own.
 
-use super::error::{CurveError, check_times};
+use super::error::check_times;
 use super::value::Value;
+use crate::curve::CurveError;
 
 /// A key with a handle on either side, as in editors of animation curves.
 #[derive(Clone, Copy, Debug, PartialEq)]

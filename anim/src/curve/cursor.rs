@@ -1,8 +1,8 @@
 //! Evaluation at times that follow each other.
 
-use super::error::CurveError;
 use super::piecewise::{Curve, Place, derivative, second_derivative, value};
 use super::value::Value;
+use crate::curve::CurveError;
 
 /// A place on a curve, from which the next is found quickly: in O(1) amortised where times rise or
 /// fall, in O(log n) after a leap.

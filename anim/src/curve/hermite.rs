@@ -1,8 +1,9 @@
 //! Cubic pieces given by values and slopes at their ends.
 
-use super::error::{CurveError, check_times, check_values};
+use super::error::{check_times, check_values};
 use super::piecewise::{Curve, Outside};
 use super::value::Value;
+use crate::curve::CurveError;
 
 impl<V: Value> Curve<V> {
     /// The cubic Hermite curve: from each key to the next the cubic polynomial with the values of

@@ -1,8 +1,9 @@
 //! Straight lines from key to key, and steps.
 
-use super::error::{CurveError, check_times, check_values};
+use super::error::{check_times, check_values};
 use super::piecewise::{Curve, Outside};
 use super::value::Value;
+use crate::curve::CurveError;
 
 impl<V: Value> Curve<V> {
     /// The curve that goes straight from each key to the next at constant speed (glTF's LINEAR for

@@ -31,6 +31,6 @@ pub use cursor::Cursor;
 pub use ends::{EndKind, Ends};
 pub use error::CurveError;
 pub use piecewise::{Curve, Outside};
-pub use resample::{Distance, ResampleError, Resampled, resample_channels, sample_channels};
+pub use resample::{Distance, Resampled, resample_channels, sample_channels};
 pub use spline::SplineSystem;
 pub use value::Value;

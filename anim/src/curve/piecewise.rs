@@ -1,7 +1,7 @@
 //! Curves as pieces of cubic polynomials.
 
-use super::error::CurveError;
 use super::value::Value;
+use crate::curve::CurveError;
 
 /// A curve over time: from each key to the next a polynomial of degree 3 or less,
 ///

@@ -1,9 +1,10 @@
 //! Piecewise cubic splines with two continuous derivatives (Cui, eqs 12–17).
 
 use super::ends::{EndKind, Ends};
-use super::error::{CurveError, check_times, check_values};
+use super::error::{check_times, check_values};
 use super::piecewise::{Curve, Outside};
 use super::value::Value;
+use crate::curve::CurveError;
 
 impl<V: Value> Curve<V> {
     /// The cubic spline through keys: the curve of cubic pieces with continuous first and second

@@ -1,13 +1,14 @@
 use std::collections::HashSet;
 
+use ga_mesh::Mesh;
 use ga_mesh::gltf::{Document, Node};
-use ga_mesh::{Mesh, MeshError};
 use ga_runtime::vga3::Vector;
 
-use super::{Placement, PlayError, Player};
+use super::{Placement, Player};
+use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
 use crate::skin::Method;
-use crate::weights::{SkinWeights, WeightsError};
+use crate::weights::SkinWeights;
 
 /// A body that moves: a mesh at rest, its joints, and how they move its vertices.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,26 +21,6 @@ pub struct Character {
     pub weights: SkinWeights,
 }
 
-/// Why a document has no character.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum CharacterError {
-    /// The document is not valid, or its pose at rest is not finite.
-    #[error(transparent)]
-    Play(#[from] PlayError),
-    /// No node has a skin.
-    #[error("no node has a skin")]
-    NoSkin,
-    /// The vertices and faces do not form a mesh.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// The joints do not form a skeleton.
-    #[error(transparent)]
-    Skeleton(#[from] SkeletonError),
-    /// The influences are not weights.
-    #[error(transparent)]
-    Weights(#[from] WeightsError),
-}
-
 /// The character of a document: all meshes that its skins move, as its nodes stand without an
 /// animation, with the joints of all skins in one skeleton.
 ///
@@ -50,7 +31,8 @@ pub enum CharacterError {
 ///
 /// # Errors
 ///
-/// Any [`CharacterError`].
+/// Those of [`Player::new`](super::Player::new), and [`MotionFileError::NoSkin`],
+/// [`MotionFileError::Mesh`], [`MotionFileError::Skeleton`] and [`MotionFileError::Skin`].
 ///
 /// # Examples
 ///
@@ -76,14 +58,14 @@ pub enum CharacterError {
 /// let body = character(&document)?;
 /// assert_eq!(body.skeleton.index("hip"), Some(0));
 /// assert_eq!(body.weights.influences(0)[0].weight, 1.0);
-/// # Ok::<(), ga_anim::gltf::CharacterError>(())
+/// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
-pub fn character(document: &Document) -> Result<Character, CharacterError> {
-    document.validate().map_err(PlayError::Document)?;
+pub fn character(document: &Document) -> Result<Character, MotionFileError> {
+    document.validate().map_err(MotionFileError::Document)?;
     let whole = Player::new(document)?;
     let joint_nodes = joint_nodes(document, &whole);
     if joint_nodes.is_empty() {
-        return Err(CharacterError::NoSkin);
+        return Err(MotionFileError::NoSkin);
     }
     let mut joint_of = vec![None; document.nodes.len()];
     for (joint, &node) in joint_nodes.iter().enumerate() {
@@ -175,7 +157,7 @@ pub(super) fn skeleton_of(
     document: &Document,
     player: &Player,
     joint_nodes: &[usize],
-) -> Result<Result<Skeleton, SkeletonError>, PlayError> {
+) -> Result<Result<Skeleton, SkeletonError>, MotionFileError> {
     let mut joint_of = vec![None; document.nodes.len()];
     for (joint, &node) in joint_nodes.iter().enumerate() {
         joint_of[node] = Some(joint as u32);

@@ -4,8 +4,8 @@ use ga_mesh::gltf::model::{Animation, JointNode, Track};
 use ga_runtime::cga3::{Motor, Translator};
 
 use crate::clip::Clip;
-use crate::pose::{Pose, PoseError};
-use crate::skeleton::{Joint, Skeleton};
+use crate::pose::Pose;
+use crate::skeleton::{Joint, Skeleton, SkeletonError};
 use crate::weights::{Influence, SkinWeights};
 
 /// The joints of a skeleton, at rest.
@@ -43,7 +43,7 @@ pub fn vertex_weights(weights: &SkinWeights) -> Vec<Vec<(u32, f64)>> {
 ///
 /// # Errors
 ///
-/// [`PoseError`] when the clip is for a skeleton with another number of joints.
+/// [`SkeletonError`] when the clip is for a skeleton with another number of joints.
 ///
 /// # Examples
 ///
@@ -64,12 +64,12 @@ pub fn vertex_weights(weights: &SkinWeights) -> Vec<Vec<(u32, f64)>> {
 /// assert_eq!(key.translator().displacement(), [0.0, 1.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn animation(name: &str, skeleton: &Skeleton, clip: &Clip) -> Result<Animation, PoseError> {
+pub fn animation(name: &str, skeleton: &Skeleton, clip: &Clip) -> Result<Animation, SkeletonError> {
     let joints = skeleton.joints();
     for pose in clip.frames() {
         let (expected, found) = (joints.len(), pose.joints.len());
         if expected != found {
-            return Err(PoseError { expected, found });
+            return Err(SkeletonError::PoseLength { expected, found });
         }
     }
     let track = |(index, joint): (usize, &Joint)| {

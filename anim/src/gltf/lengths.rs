@@ -4,8 +4,8 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::rigged::{Rigged, RiggedError, parts};
-use crate::pose::PoseError;
+use super::rigged::{Rigged, parts};
+use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
 
 impl Rigged {
@@ -19,9 +19,9 @@ impl Rigged {
     ///
     /// # Errors
     ///
-    /// [`RiggedError::Pose`] for another number of factors than joints, [`RiggedError::Length`] for
-    /// a factor that is not positive and finite, [`RiggedError::Uneven`], and where the longer
-    /// bones are not finite.
+    /// [`MotionFileError::Skeleton`] for another number of factors than joints,
+    /// [`MotionFileError::Length`] for a factor that is not positive and finite,
+    /// [`MotionFileError::Uneven`], and where the longer bones are not finite.
     ///
     /// # Examples
     ///
@@ -42,16 +42,16 @@ impl Rigged {
     /// assert_eq!(heads.collect::<Vec<_>>(), [2.0, 2.75]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn with_lengths(&self, factors: &[f64]) -> Result<Self, RiggedError> {
+    pub fn with_lengths(&self, factors: &[f64]) -> Result<Self, MotionFileError> {
         let (expected, found) = (self.nodes.len(), factors.len());
         if expected != found {
-            return Err(PoseError { expected, found }.into());
+            return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let joints = self.skeleton.joints();
         for (joint, &factor) in joints.iter().zip(factors) {
             if !(factor > 0.0 && factor.is_finite()) {
                 let joint = joint.name.clone();
-                return Err(RiggedError::Length { joint, factor });
+                return Err(MotionFileError::Length { joint, factor });
             }
         }
         let player = super::Player::new(&self.document)?;
@@ -61,7 +61,7 @@ impl Rigged {
         // For each joint the factor of the tree that it is in.
         let mut of_tree: Vec<f64> = Vec::with_capacity(joints.len());
         for (joint, &node) in self.nodes.iter().enumerate() {
-            let mut local = parts(&rest.locals[node]).ok_or(RiggedError::Uneven { node })?;
+            let mut local = parts(&rest.locals[node]).ok_or(MotionFileError::Uneven { node })?;
             let whole = match joints[joint].parent {
                 Some(parent) => {
                     let whole = of_tree[parent];
@@ -75,7 +75,7 @@ impl Rigged {
                     let back = match player.parents()[node] {
                         Some(above) => {
                             let back = rest.world[above].inverse();
-                            back.ok_or(RiggedError::Uneven { node: above })?
+                            back.ok_or(MotionFileError::Uneven { node: above })?
                         }
                         None => Affine::default(),
                     };

@@ -38,7 +38,6 @@
 //! Its bones can be given [other lengths](Rigged::with_lengths).
 
 mod character;
-mod error;
 mod export;
 mod lengths;
 mod placement;
@@ -46,9 +45,8 @@ mod player;
 mod rigged;
 mod sampler;
 
-pub use character::{Character, CharacterError, character};
-pub use error::PlayError;
+pub use character::{Character, character};
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
-pub use rigged::{Rigged, RiggedError};
+pub use rigged::Rigged;

@@ -8,9 +8,11 @@ use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
 use super::player::is_finite;
-use super::{NodePose, PlayError, Player};
-use crate::skin::{Binding, Method, Posed, SkinError};
-use crate::weights::{SkinWeights, WeightsError};
+use super::{NodePose, Player};
+use crate::file_error::MotionFileError;
+use crate::skin::{Binding, Method, Posed};
+use crate::weights::SkinWeights;
+use crate::weights::error::SkinError;
 
 /// Places the vertices of all meshes of a document in the world: for each node that has a mesh, in
 /// rising index, those of each of its primitives.
@@ -41,7 +43,7 @@ use crate::weights::{SkinWeights, WeightsError};
 /// let placement = Placement::new(&player)?;
 /// let placed = placement.place(&player.pose(None, 0.0)?, Method::Linear)?;
 /// assert_eq!(placed.positions[0].coordinates(), [2.0, 5.0, 0.0]);
-/// # Ok::<(), ga_anim::gltf::PlayError>(())
+/// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Placement<'a> {
@@ -88,9 +90,10 @@ impl<'a> Placement<'a> {
     ///
     /// # Errors
     ///
-    /// [`PlayError::Weights`], and [`PlayError::TooLarge`] where nodes place more than 16 million
-    /// vertices and corners of faces, and their meshes more than a thousand times each on average.
-    pub fn new(player: &Player<'a>) -> Result<Self, PlayError> {
+    /// [`MotionFileError::Weights`], and [`MotionFileError::TooLarge`] where nodes place more than
+    /// 16 million vertices and corners of faces, and their meshes more than a thousand times each
+    /// on average.
+    pub fn new(player: &Player<'a>) -> Result<Self, MotionFileError> {
         let document = player.document();
         check_size(document)?;
         let mut placement = Self {
@@ -156,10 +159,10 @@ impl<'a> Placement<'a> {
     ///
     /// # Errors
     ///
-    /// [`PlayError::Singular`], except with [`Method::Linear`]; [`PlayError::JointNotFinite`] and
-    /// [`PlayError::VertexNotFinite`]; [`PlayError::Skin`] for more pairs of joints than can be
-    /// counted.
-    pub fn place(&self, pose: &NodePose, method: Method) -> Result<Placed, PlayError> {
+    /// [`MotionFileError::Singular`], except with [`Method::Linear`];
+    /// [`MotionFileError::JointNotFinite`] and [`MotionFileError::VertexNotFinite`];
+    /// [`MotionFileError::Skin`] for more pairs of joints than can be counted.
+    pub fn place(&self, pose: &NodePose, method: Method) -> Result<Placed, MotionFileError> {
         let mut placed = Placed {
             positions: Vec::with_capacity(self.vertex_count()),
             is_mirrored: Vec::with_capacity(self.parts.len()),
@@ -186,7 +189,7 @@ impl<'a> Placement<'a> {
             };
             let is_placed = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
             if let Some(vertex) = positions.iter().position(|point| !is_placed(point)) {
-                return Err(PlayError::VertexNotFinite {
+                return Err(MotionFileError::VertexNotFinite {
                     node: part.node,
                     primitive: part.primitive,
                     vertex,
@@ -264,17 +267,17 @@ impl<'a> Placement<'a> {
         skin: usize,
         pose: &NodePose,
         method: Method,
-    ) -> Result<Vec<Affine<f64>>, PlayError> {
+    ) -> Result<Vec<Affine<f64>>, MotionFileError> {
         let of_skin = &self.document.skins[skin];
         let mut maps = Vec::with_capacity(of_skin.joints.len());
         for (joint, &node) in of_skin.joints.iter().enumerate() {
             let inverse = of_skin.inverse_bind_matrices.get(joint);
             let map = pose.world[node] * inverse.map_or_else(Affine::default, affine);
             if !is_finite(map) {
-                return Err(PlayError::JointNotFinite { skin, joint, node });
+                return Err(MotionFileError::JointNotFinite { skin, joint, node });
             }
             if method != Method::Linear && !has_rotation(map) {
-                return Err(PlayError::Singular { skin, joint, node });
+                return Err(MotionFileError::Singular { skin, joint, node });
             }
             maps.push(map);
         }
@@ -289,9 +292,9 @@ impl Skinned {
         joints: usize,
         node: usize,
         number: usize,
-    ) -> Result<Self, PlayError> {
+    ) -> Result<Self, MotionFileError> {
         let weights = influences(primitive, joints);
-        let weights = weights.map_err(|problem| PlayError::Weights {
+        let weights = weights.map_err(|problem| MotionFileError::Weights {
             node,
             primitive: number,
             problem,
@@ -365,7 +368,7 @@ fn morphed(primitive: &Primitive, weights: &[f64]) -> Vec<Point<f64>> {
 
 /// The influences of all sets together. Where a vertex has two weights for a joint, which glTF does
 /// not allow, their sum counts.
-fn influences(primitive: &Primitive, joints: usize) -> Result<SkinWeights, WeightsError> {
+fn influences(primitive: &Primitive, joints: usize) -> Result<SkinWeights, SkinError> {
     let row = |vertex: usize| {
         let mut row: Vec<(u32, f64)> = Vec::with_capacity(4 * primitive.joints.len());
         for (joints, weights) in primitive.joints.iter().zip(&primitive.weights) {
@@ -383,7 +386,7 @@ fn influences(primitive: &Primitive, joints: usize) -> Result<SkinWeights, Weigh
 }
 
 /// A few bytes for each of many nodes that place one mesh must not become vertices without limit.
-fn check_size(document: &Document) -> Result<(), PlayError> {
+fn check_size(document: &Document) -> Result<(), MotionFileError> {
     const FREE: u64 = 1 << 24;
     const TIMES: u64 = 1000;
     let size = |primitive: &Primitive| {
@@ -399,7 +402,7 @@ fn check_size(document: &Document) -> Result<(), PlayError> {
     let needed = meshes.fold(0, |sum: u64, mesh| sum.saturating_add(sizes[mesh]));
     let limit = FREE.max(TIMES.saturating_mul(sizes.iter().sum()));
     if needed > limit {
-        return Err(PlayError::TooLarge { needed, limit });
+        return Err(MotionFileError::TooLarge { needed, limit });
     }
     Ok(())
 }

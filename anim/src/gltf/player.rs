@@ -3,8 +3,8 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::PlayError;
 use super::sampler;
+use crate::file_error::MotionFileError;
 use crate::transform::Transform;
 
 /// Evaluates the animations of a document: the frames of its nodes and the weights of its morph
@@ -35,7 +35,7 @@ use crate::transform::Transform;
 /// assert_eq!(pose.world[0].translation, [1.0, 0.0, 0.0]);
 /// let at_rest = player.pose(None, 0.0)?;
 /// assert_eq!(at_rest.world[0].translation, [0.0; 3]);
-/// # Ok::<(), ga_anim::gltf::PlayError>(())
+/// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Player<'a> {
@@ -96,9 +96,9 @@ impl<'a> Player<'a> {
     ///
     /// # Errors
     ///
-    /// [`PlayError::Document`] where the document is not valid and [`PlayError::AnimatedMatrix`]
-    /// where an animation moves a node that has a matrix.
-    pub fn new(document: &'a Document) -> Result<Self, PlayError> {
+    /// [`MotionFileError::Document`] where the document is not valid and
+    /// [`MotionFileError::AnimatedMatrix`] where an animation moves a node that has a matrix.
+    pub fn new(document: &'a Document) -> Result<Self, MotionFileError> {
         document.validate()?;
         for (index, animation) in document.animations.iter().enumerate() {
             for (number, channel) in animation.channels.iter().enumerate() {
@@ -106,7 +106,7 @@ impl<'a> Player<'a> {
                 let frame = &document.nodes[channel.node].transform;
                 if is_frame && matches!(frame, ga_mesh::gltf::Transform::Matrix(_)) {
                     let (element, node) = (element(index, number), channel.node);
-                    return Err(PlayError::AnimatedMatrix { element, node });
+                    return Err(MotionFileError::AnimatedMatrix { element, node });
                 }
             }
         }
@@ -153,9 +153,9 @@ impl<'a> Player<'a> {
     ///
     /// # Errors
     ///
-    /// [`PlayError::NoAnimation`], [`PlayError::Time`], [`PlayError::NoRotation`] and
-    /// [`PlayError::FrameNotFinite`].
-    pub fn pose(&self, animation: Option<usize>, time: f64) -> Result<NodePose, PlayError> {
+    /// [`MotionFileError::NoAnimation`], [`MotionFileError::Time`], [`MotionFileError::NoRotation`]
+    /// and [`MotionFileError::FrameNotFinite`].
+    pub fn pose(&self, animation: Option<usize>, time: f64) -> Result<NodePose, MotionFileError> {
         let mut pose = self.rest.clone();
         self.pose_into(animation, time, &mut pose)?;
         Ok(pose)
@@ -172,15 +172,15 @@ impl<'a> Player<'a> {
         animation: Option<usize>,
         time: f64,
         pose: &mut NodePose,
-    ) -> Result<(), PlayError> {
+    ) -> Result<(), MotionFileError> {
         pose.clone_from(&self.rest);
         if time.is_nan() {
-            return Err(PlayError::Time(time));
+            return Err(MotionFileError::Time(time));
         }
         if let Some(index) = animation {
             let count = self.document.animations.len();
             let animation = self.document.animations.get(index);
-            let animation = animation.ok_or(PlayError::NoAnimation {
+            let animation = animation.ok_or(MotionFileError::NoAnimation {
                 animation: index,
                 count,
             })?;
@@ -194,7 +194,7 @@ impl<'a> Player<'a> {
             };
             if !is_finite(pose.world[node]) {
                 let seconds = time;
-                return Err(PlayError::FrameNotFinite { node, seconds });
+                return Err(MotionFileError::FrameNotFinite { node, seconds });
             }
         }
         Ok(())
@@ -206,16 +206,17 @@ impl<'a> Player<'a> {
         animation: &Animation,
         time: f64,
         pose: &mut NodePose,
-    ) -> Result<(), PlayError> {
+    ) -> Result<(), MotionFileError> {
         for (number, channel) in animation.channels.iter().enumerate() {
             if let Keys::Weights(keys) = &channel.keys {
                 let weights = pose.offsets[channel.node]..pose.offsets[channel.node + 1];
                 sampler::weights(channel, keys, time, &mut pose.weights[weights]);
             } else if let LocalFrame::Parts(parts) = &mut pose.locals[channel.node] {
-                *parts = moved(*parts, channel, time).ok_or_else(|| PlayError::NoRotation {
-                    element: element(index, number),
-                    seconds: time,
-                })?;
+                *parts =
+                    moved(*parts, channel, time).ok_or_else(|| MotionFileError::NoRotation {
+                        element: element(index, number),
+                        seconds: time,
+                    })?;
             }
         }
         Ok(())

@@ -7,9 +7,9 @@ use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::geometry::Affine;
 
 use super::character::{all_joints, skeleton_of};
-use super::{LocalFrame, PlayError, Player};
+use super::{LocalFrame, Player};
 use crate::clip::Clip;
-use crate::pose::PoseError;
+use crate::file_error::MotionFileError;
 use crate::skeleton::{Skeleton, SkeletonError};
 
 /// The joints of a document as a skeleton, and the nodes that they are.
@@ -23,43 +23,14 @@ pub struct Rigged {
     pub(super) nodes: Vec<usize>,
 }
 
-/// A document whose joints no clip can move.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RiggedError {
-    /// The document is not valid, or its pose at rest is not finite.
-    #[error(transparent)]
-    Play(#[from] PlayError),
-    /// The nodes do not form a skeleton.
-    #[error(transparent)]
-    Skeleton(#[from] SkeletonError),
-    /// A clip is for another skeleton.
-    #[error(transparent)]
-    Pose(#[from] PoseError),
-    /// The frame of a node is sheared, mirrored, flat or unevenly scaled.
-    #[error(
-        "node {node}: its frame in the world is scaled unevenly, so that no joint below rotates"
-    )]
-    Uneven {
-        /// The node.
-        node: usize,
-    },
-    /// The factor of a length is not positive and finite.
-    #[error("joint {joint:?}: a length cannot be {factor} times what it was")]
-    Length {
-        /// The name of the joint.
-        joint: String,
-        /// The factor.
-        factor: f64,
-    },
-}
-
 impl Rigged {
     /// Finds the joints of a document, as its nodes stand without an animation.
     ///
     /// # Errors
     ///
-    /// [`RiggedError::Play`] and [`RiggedError::Skeleton`].
-    pub fn new(document: &Document) -> Result<Self, RiggedError> {
+    /// Those of [`Player::new`], [`MotionFileError::FrameNotFinite`] and
+    /// [`MotionFileError::Skeleton`].
+    pub fn new(document: &Document) -> Result<Self, MotionFileError> {
         let player = Player::new(document)?;
         let nodes = all_joints(document, &player);
         let skeleton = skeleton_of(document, &player, &nodes)??;
@@ -129,12 +100,12 @@ impl Rigged {
     ///
     /// # Errors
     ///
-    /// [`RiggedError::Pose`] for a clip of another skeleton, [`RiggedError::Uneven`], and
-    /// [`RiggedError::Play`].
-    pub fn with_clip(&self, name: &str, clip: &Clip) -> Result<Document, RiggedError> {
+    /// [`MotionFileError::Skeleton`] for a clip of another skeleton, [`MotionFileError::Uneven`],
+    /// and [`MotionFileError::FrameNotFinite`].
+    pub fn with_clip(&self, name: &str, clip: &Clip) -> Result<Document, MotionFileError> {
         let (expected, found) = (self.nodes.len(), clip.joint_count());
         if expected != found {
-            return Err(PoseError { expected, found }.into());
+            return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let mut document = self.document.clone();
         document.animations.clear();
@@ -144,14 +115,15 @@ impl Rigged {
         let mut joints = Vec::with_capacity(self.nodes.len());
         for (joint, &node) in self.nodes.iter().enumerate() {
             joints.push(JointNode {
-                local: parts(&rest.locals[node]).ok_or(RiggedError::Uneven { node })?,
+                local: parts(&rest.locals[node]).ok_or(MotionFileError::Uneven { node })?,
                 above: match parents[node] {
                     Some(parent) => {
                         let world = rest.world[parent];
-                        let rotor = rotor_of(world).ok_or(RiggedError::Uneven { node: parent })?;
+                        let rotor =
+                            rotor_of(world).ok_or(MotionFileError::Uneven { node: parent })?;
                         let back = world
                             .inverse()
-                            .ok_or(RiggedError::Uneven { node: parent })?;
+                            .ok_or(MotionFileError::Uneven { node: parent })?;
                         (rotor, back)
                     }
                     None => (Rotor::default(), Affine::default()),

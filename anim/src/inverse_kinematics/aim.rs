@@ -1,13 +1,12 @@
 //! Aiming: an axis of a joint towards a target, another one upwards.
 
-use super::check::fits;
+use super::check::{exists, finite, fits};
 use super::motion::{own_motion, total_motion};
 use super::rotation::{rotated, rotation_between_frames};
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::error::{KinematicsError, exists, finite};
-
+use crate::kinematics::KinematicsError;
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 
@@ -25,7 +24,7 @@ const PARALLEL: f64 = 1e-9;
 /// let rotor = head.rotor([3.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
 /// let eyes = rotor.transform(Direction::new(0.0, 0.0, 1.0));
 /// assert!((eyes - Direction::new(1.0, 0.0, 0.0)).length() < 1e-15);
-/// # Ok::<(), ga_anim::inverse_kinematics::KinematicsError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
@@ -71,7 +70,7 @@ impl Aim {
 ///
 /// # Errors
 ///
-/// [`KinematicsError::NoJoint`], [`KinematicsError::Pose`], [`KinematicsError::Limits`],
+/// [`KinematicsError::NoJoint`], [`KinematicsError::Skeleton`], [`KinematicsError::Limits`],
 /// [`KinematicsError::NotFinite`], and those of [`Aim::rotor`], as for a target at the joint.
 pub fn aim_joint(
     skeleton: &Skeleton,

@@ -1,14 +1,14 @@
 //! FABRIK: forward and backward reaching (Aristidou and Lasenby, FABRIK: a fast, iterative solver
 //! for the inverse kinematics problem, Graphical Models 73, 2011).
 
-use super::check::{below, fits};
+use super::check::{below, check_tolerance, exists, finite, fits};
 use super::motion::{own_motion, total_motion, with_rotation};
 use ga_runtime::cga3::{Line, Point, Rotor};
 use ga_runtime::ga;
 use ga_runtime::vga3::Vector;
 
-use super::error::{KinematicsError, check_tolerance, exists, finite};
 use super::two_bone::displaced;
+use crate::kinematics::KinematicsError;
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 
@@ -37,7 +37,7 @@ ga! { ga_runtime::cga3;
 /// let report = chain.solve(&mut joints, target, &FabrikSettings::default())?;
 /// assert!(report.distance <= 1e-6 && joints[3].distance(target) <= 1e-6);
 /// assert!((joints[1].distance(joints[2]) - 1.0).abs() < 1e-15);
-/// # Ok::<(), ga_anim::inverse_kinematics::KinematicsError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fabrik {
@@ -255,7 +255,7 @@ fn towards(centre: Point<f64>, point: Point<f64>, length: f64) -> Point<f64> {
 ///
 /// # Errors
 ///
-/// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Pose`],
+/// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Skeleton`],
 /// [`KinematicsError::Limits`], [`KinematicsError::NotFinite`], [`KinematicsError::Chain`] for
 /// fewer than two joints, [`KinematicsError::ZeroLengthBone`] with the joint's name,
 /// [`KinematicsError::Tolerance`].

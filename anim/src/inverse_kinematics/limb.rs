@@ -1,11 +1,11 @@
 //! Two bones of a skeleton.
 
-use super::check::{below, fits};
+use super::check::{below, exists, finite, fits};
 use super::motion::total_motion;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
-use super::error::{KinematicsError, exists, finite};
 use super::two_bone::{Bent, Reach, TwoBone};
+use crate::kinematics::KinematicsError;
 use crate::pose::{Pose, moved};
 use crate::skeleton::Skeleton;
 
@@ -16,7 +16,7 @@ use crate::skeleton::Skeleton;
 ///
 /// # Errors
 ///
-/// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Pose`],
+/// [`KinematicsError::NoJoint`], [`KinematicsError::NotBelow`], [`KinematicsError::Skeleton`],
 /// [`KinematicsError::NotFinite`], [`KinematicsError::ZeroLengthBone`] with the joint's name, and
 /// those of [`TwoBone::solve`]; without a pole, a straight limb whose target is on its line gives
 /// [`KinematicsError::Pole`].

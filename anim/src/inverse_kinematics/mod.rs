@@ -18,7 +18,6 @@
 
 mod aim;
 mod check;
-mod error;
 mod fabrik;
 mod limb;
 mod motion;
@@ -28,7 +27,6 @@ mod two_bone;
 mod whole_pose;
 
 pub use aim::{Aim, aim_joint};
-pub use error::KinematicsError;
 pub use fabrik::{Fabrik, FabrikReport, FabrikSettings, reach_with_chain};
 pub use limb::bend_limb;
 pub use two_bone::{Bent, Reach, TwoBone};

@@ -5,7 +5,8 @@ use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::ga;
 use ga_runtime::vga3::Vector;
 
-use super::error::{KinematicsError, finite};
+use super::check::finite;
+use crate::kinematics::KinematicsError;
 
 ga! { ga_runtime::cga3;
     /// The middle joint of a limb with its root at the origin: of the two points in which the
@@ -68,7 +69,7 @@ pub(crate) fn middle_joint(
 /// let far = arm.solve(shoulder, Point::new(13.0, 0.0, 0.0), Point::new(4.0, 0.0, 9.0))?;
 /// assert!(matches!(far.reach, Reach::TooFar { by } if (by - 3.0).abs() < 1e-14));
 /// assert!(far.end.distance(Point::new(10.0, 0.0, 0.0)) < 1e-14);
-/// # Ok::<(), ga_anim::inverse_kinematics::KinematicsError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoBone {

@@ -4,6 +4,7 @@ use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Motor;
 use ga_runtime::scalar::Real;
 
+use crate::kinematics::KinematicsError;
 use crate::skeleton::Skeleton;
 
 /// The parent of each joint, parents before their children: what forward kinematics needs of a
@@ -13,50 +14,16 @@ pub struct Hierarchy {
     parents: Vec<Option<usize>>,
 }
 
-/// Parents that do not form a hierarchy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum HierarchyError {
-    /// A parent does not come before its child.
-    #[error("joint {joint} has joint {parent} as its parent, which does not come before it")]
-    ParentNotBefore {
-        /// The joint.
-        joint: usize,
-        /// The index that it has as its parent.
-        parent: usize,
-    },
-}
-
-/// A slice that is not a whole number of poses, or not as long as another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum LengthError {
-    /// The motors are not a whole number of poses.
-    #[error("{found} motors are not a whole number of poses of {joints} joints")]
-    Poses {
-        /// How many joints a pose has.
-        joints: usize,
-        /// How many motors there are.
-        found: usize,
-    },
-    /// The result has another length than the operand.
-    #[error("{found} motors for the result of {expected}")]
-    Result {
-        /// How many motors there are to compute.
-        expected: usize,
-        /// How many there is room for.
-        found: usize,
-    },
-}
-
 impl Hierarchy {
     /// The hierarchy with these parents, `None` for a root.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError::ParentNotBefore`].
-    pub fn new(parents: &[Option<usize>]) -> Result<Self, HierarchyError> {
+    /// [`KinematicsError::ParentNotBefore`].
+    pub fn new(parents: &[Option<usize>]) -> Result<Self, KinematicsError> {
         for (joint, parent) in parents.iter().enumerate() {
             if let Some(parent) = parent.filter(|&parent| parent >= joint) {
-                return Err(HierarchyError::ParentNotBefore { joint, parent });
+                return Err(KinematicsError::ParentNotBefore { joint, parent });
             }
         }
         Ok(Self {
@@ -79,13 +46,13 @@ impl Hierarchy {
     ///
     /// # Errors
     ///
-    /// [`LengthError`]; nothing is written then.
+    /// [`KinematicsError`]; nothing is written then.
     pub fn forward<S: Real>(
         &self,
         root: Motor<S>,
         own: &[Motor<S>],
         total: &mut [Motor<S>],
-    ) -> Result<(), LengthError> {
+    ) -> Result<(), KinematicsError> {
         whole_poses(self.parents.len(), own.len())?;
         same_length(own.len(), total.len())?;
         let work = Forward {
@@ -156,19 +123,19 @@ impl<S: Real, P: ExactSizeIterator<Item = Option<usize>> + Clone> Work for Forwa
     }
 }
 
-pub(super) fn whole_poses(joints: usize, found: usize) -> Result<(), LengthError> {
+pub(super) fn whole_poses(joints: usize, found: usize) -> Result<(), KinematicsError> {
     // Without joints there are no motors: only 0 is a multiple of 0.
     if found.is_multiple_of(joints) {
         Ok(())
     } else {
-        Err(LengthError::Poses { joints, found })
+        Err(KinematicsError::PoseMotors { joints, found })
     }
 }
 
-pub(super) fn same_length(expected: usize, found: usize) -> Result<(), LengthError> {
+pub(super) fn same_length(expected: usize, found: usize) -> Result<(), KinematicsError> {
     if expected == found {
         Ok(())
     } else {
-        Err(LengthError::Result { expected, found })
+        Err(KinematicsError::ResultLength { expected, found })
     }
 }

@@ -4,22 +4,8 @@ use ga_runtime::batch::{Batch, Work};
 use ga_runtime::cga3::Motor;
 use ga_runtime::scalar::{Mask, Real};
 
-use super::LengthError;
 use super::forward::{same_length, whole_poses};
-
-/// Layers that cannot be blended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum LayerError {
-    /// The slices do not fit each other.
-    #[error(transparent)]
-    Length(#[from] LengthError),
-    /// The weight of a joint is not a number from 0 to 1.
-    #[error("the weight of joint {joint} is not from 0 to 1")]
-    Weight {
-        /// The joint.
-        joint: usize,
-    },
-}
+use crate::kinematics::KinematicsError;
 
 /// Blends a layer of poses over others, joint by joint: `(1 − w) M ± w N`, normalised, with the
 /// motor M of the joint below, N above and the weight w of the joint ([`Motor::nlerp`]).
@@ -32,7 +18,7 @@ pub enum LayerError {
 ///
 /// # Errors
 ///
-/// [`LayerError`]; nothing is written then.
+/// [`KinematicsError`]; nothing is written then.
 ///
 /// ```
 /// use ga_anim::kinematics::blend_layers;
@@ -43,14 +29,14 @@ pub enum LayerError {
 /// let mut blended = standing;
 /// blend_layers(&standing, &reaching, &[0.5, 0.25], &mut blended)?;
 /// assert_eq!(blended.map(|m| m.translator().displacement()[0]), [0.5, 0.5]);
-/// # Ok::<(), ga_anim::kinematics::LayerError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 pub fn blend_layers<S: Real>(
     below: &[Motor<S>],
     above: &[Motor<S>],
     weights: &[S],
     blended: &mut [Motor<S>],
-) -> Result<(), LayerError> {
+) -> Result<(), KinematicsError> {
     whole_poses(weights.len(), below.len())?;
     same_length(below.len(), above.len())?;
     same_length(below.len(), blended.len())?;
@@ -62,7 +48,7 @@ pub fn blend_layers<S: Real>(
     if !are_shares {
         let wrong = |weight: &S| !is_share(*weight).all();
         let joint = weights.iter().position(wrong).unwrap_or_default();
-        return Err(LayerError::Weight { joint });
+        return Err(KinematicsError::LayerWeight { joint });
     }
     let joints = weights.len().max(1);
     let batch = Batch::new();

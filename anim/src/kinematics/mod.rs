@@ -24,9 +24,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod error;
 mod forward;
 mod layers;
 
+pub use error::KinematicsError;
+pub use forward::Hierarchy;
 pub(crate) use forward::forward_pose;
-pub use forward::{Hierarchy, HierarchyError, LengthError};
-pub use layers::{LayerError, blend_layers};
+pub use layers::blend_layers;

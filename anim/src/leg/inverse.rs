@@ -2,7 +2,8 @@
 
 use ga_runtime::cga3::{Motor, Point};
 
-use super::{Leg, LegAngles, LegError, finite};
+use super::{Leg, LegAngles, finite};
+use crate::kinematics::KinematicsError;
 
 impl Leg {
     /// The inverse problem: hip and angles from the motors of thigh, calf and foot.
@@ -13,14 +14,14 @@ impl Leg {
     /// of them.
     ///
     /// # Errors
-    /// [`LegError::Apart`] where two segments do not meet within the tolerance in metres, and
-    /// [`LegError::NotHinged`] where knee or ankle are rotated about an axis that they do not have
-    /// by more than the tolerance in radians.
+    /// [`KinematicsError::LegApart`] where two segments do not meet within the tolerance in metres,
+    /// and [`KinematicsError::LegNotHinged`] where knee or ankle are rotated about an axis that
+    /// they do not have by more than the tolerance in radians.
     pub fn inverse(
         &self,
         motions: &[Motor<f64>; 3],
         tolerance: f64,
-    ) -> Result<(Point<f64>, LegAngles), LegError> {
+    ) -> Result<(Point<f64>, LegAngles), KinematicsError> {
         let [hip, knee, ankle, _] = self.rest();
         let [thigh, calf, foot] = *motions;
         let place = thigh.transform(hip);
@@ -85,21 +86,25 @@ fn meets(
     above: Point<f64>,
     below: Point<f64>,
     tolerance: f64,
-) -> Result<(), LegError> {
+) -> Result<(), KinematicsError> {
     let gap = above.distance(below);
     if gap.is_finite() && gap <= tolerance {
         Ok(())
     } else {
-        Err(LegError::Apart { joint, gap })
+        Err(KinematicsError::LegApart { joint, gap })
     }
 }
 
 /// Whether a joint's rotation about an axis that it does not have is small enough.
-pub(super) fn hinged(joint: &'static str, angle: f64, tolerance: f64) -> Result<(), LegError> {
+pub(super) fn hinged(
+    joint: &'static str,
+    angle: f64,
+    tolerance: f64,
+) -> Result<(), KinematicsError> {
     if angle.abs() <= tolerance {
         Ok(())
     } else {
-        Err(LegError::NotHinged { joint, angle })
+        Err(KinematicsError::LegNotHinged { joint, angle })
     }
 }
 

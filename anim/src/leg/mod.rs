@@ -23,8 +23,10 @@ mod reach;
 use ga_runtime::cga3::{Line, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
-use crate::skin::{Method, SkinError, skin};
+use crate::kinematics::KinematicsError;
+use crate::skin::{Method, skin};
 use crate::weights::SkinWeights;
+use crate::weights::error::SkinError;
 
 /// A leg, by the lengths of its segments.
 ///
@@ -39,7 +41,7 @@ use crate::weights::SkinWeights;
 /// assert!(pose.ankle.distance(Point::new(0.0, 0.45, -0.43)) < 1e-15);
 /// let (hip, angles) = leg.inverse(&pose.motions, 1e-9)?;
 /// assert!(hip.distance(pose.hip) < 1e-15 && (angles.knee - bent.knee).abs() < 1e-15);
-/// # Ok::<(), ga_anim::leg::LegError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg {
@@ -81,93 +83,15 @@ pub struct LegPose {
     pub motions: [Motor<f64>; 3],
 }
 
-/// Why a leg cannot have these lengths, or cannot take a pose.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum LegError {
-    /// A segment's length is not positive and finite.
-    #[error("the {segment} cannot be {length} m long")]
-    Length {
-        /// The segment.
-        segment: &'static str,
-        /// Its length.
-        length: f64,
-    },
-    /// An angle is not finite.
-    #[error("the angle {angle} is not finite: {value}")]
-    Angle {
-        /// The name of the angle.
-        angle: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A position is not finite.
-    #[error("the {place} has a coordinate that is not finite: {coordinates:?}")]
-    Place {
-        /// What is there.
-        place: &'static str,
-        /// Its coordinates.
-        coordinates: [f64; 3],
-    },
-    /// The distance between two joints differs from the length of their bone.
-    #[error("the {segment} is {found} m long between its joints; it should be {expected} m")]
-    Bone {
-        /// The segment.
-        segment: &'static str,
-        /// Its length.
-        expected: f64,
-        /// The distance of the joints.
-        found: f64,
-    },
-    /// Two segments do not meet in their joint.
-    #[error("the segments are {gap} m apart at the {joint}")]
-    Apart {
-        /// The joint.
-        joint: &'static str,
-        /// How far they are apart.
-        gap: f64,
-    },
-    /// A joint is rotated about an axis that it does not have.
-    #[error("the {joint} is rotated by {angle} rad about an axis that it does not have")]
-    NotHinged {
-        /// The joint.
-        joint: &'static str,
-        /// By how much, in radians.
-        angle: f64,
-    },
-    /// The target is too far or too near.
-    #[error(
-        "the target is {distance} m from the hip; the ankle reaches from {least} m to {most} m"
-    )]
-    Unreachable {
-        /// The distance of the target from the hip.
-        distance: f64,
-        /// The least distance.
-        least: f64,
-        /// The greatest distance.
-        most: f64,
-    },
-    /// The target is the hip, so that the direction of the thigh is not determined.
-    #[error(
-        "the target is {distance} m from the hip, too close to determine the direction of the thigh"
-    )]
-    Folded {
-        /// The distance of the target from the hip.
-        distance: f64,
-    },
-    /// The pole is on the line from hip to target, so that it does not determine a side.
-    #[error("the pole is on the line from the hip to the target")]
-    Pole,
-}
-
 impl Leg {
     /// A leg with segments of these lengths in metres.
     ///
     /// # Errors
-    /// [`LegError::Length`] for a length that is not positive and finite.
-    pub fn new(thigh: f64, calf: f64, foot: f64) -> Result<Self, LegError> {
+    /// [`KinematicsError::LegLength`] for a length that is not positive and finite.
+    pub fn new(thigh: f64, calf: f64, foot: f64) -> Result<Self, KinematicsError> {
         for (segment, length) in [("thigh", thigh), ("calf", calf), ("foot", foot)] {
             if !length.is_finite() || length <= 0.0 {
-                return Err(LegError::Length { segment, length });
+                return Err(KinematicsError::LegLength { segment, length });
             }
         }
         Ok(Self { thigh, calf, foot })
@@ -195,11 +119,11 @@ impl Leg {
     /// The forward problem: the pose of the leg, given the hip and the angles.
     ///
     /// # Errors
-    /// [`LegError`] where an angle or the hip is not finite.
-    pub fn forward(&self, hip: Point<f64>, angles: &LegAngles) -> Result<LegPose, LegError> {
+    /// [`KinematicsError`] where an angle or the hip is not finite.
+    pub fn forward(&self, hip: Point<f64>, angles: &LegAngles) -> Result<LegPose, KinematicsError> {
         for (angle, value) in angles.named() {
             if !value.is_finite() {
-                return Err(LegError::Angle { angle, value });
+                return Err(KinematicsError::LegAngle { angle, value });
             }
         }
         finite("hip", hip)?;
@@ -281,12 +205,12 @@ impl LegAngles {
     }
 }
 
-fn finite(place: &'static str, point: Point<f64>) -> Result<(), LegError> {
+fn finite(place: &'static str, point: Point<f64>) -> Result<(), KinematicsError> {
     let coordinates = point.coordinates();
     if coordinates.iter().all(|x| x.is_finite()) {
         Ok(())
     } else {
-        Err(LegError::Place { place, coordinates })
+        Err(KinematicsError::LegPlace { place, coordinates })
     }
 }
 

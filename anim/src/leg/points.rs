@@ -4,7 +4,8 @@ use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
 use super::inverse::{angles_about_zyx, hinged};
-use super::{Leg, LegAngles, LegError, finite, rotation};
+use super::{Leg, LegAngles, finite, rotation};
+use crate::kinematics::KinematicsError;
 
 /// Two directions count as parallel below this sine of the angle between them.
 const PARALLEL: f64 = 1e-12;
@@ -22,10 +23,10 @@ impl Leg {
     /// [`Leg::inverse`].
     ///
     /// # Errors
-    /// [`LegError::Place`] for a point that is not finite, [`LegError::Bone`] where thigh or calf
-    /// differ from the leg's by more than the tolerance in metres, and [`LegError::NotHinged`]
-    /// where knee or ankle are rotated about an axis that they do not have by more than the
-    /// tolerance in radians.
+    /// [`KinematicsError::LegPlace`] for a point that is not finite, [`KinematicsError::LegBone`]
+    /// where thigh or calf differ from the leg's by more than the tolerance in metres, and
+    /// [`KinematicsError::LegNotHinged`] where knee or ankle are rotated about an axis that they do
+    /// not have by more than the tolerance in radians.
     ///
     /// ```
     /// use ga_anim::leg::{Leg, LegAngles};
@@ -45,14 +46,14 @@ impl Leg {
     ///     1e-9,
     /// )?;
     /// assert!((found.knee - 1.2).abs() < 1e-14 && (found.ankle_z - 0.2).abs() < 1e-14);
-    /// # Ok::<(), ga_anim::leg::LegError>(())
+    /// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
     /// ```
     pub fn inverse_of_points(
         &self,
         [hip, knee, ankle]: [Point<f64>; 3],
         foot: Rotor<f64>,
         tolerance: f64,
-    ) -> Result<LegAngles, LegError> {
+    ) -> Result<LegAngles, KinematicsError> {
         for (place, point) in [("hip", hip), ("knee", knee), ("ankle", ankle)] {
             finite(place, point)?;
         }
@@ -94,9 +95,9 @@ fn bone(
     between: Vector<f64>,
     expected: f64,
     tolerance: f64,
-) -> Result<Vector<f64>, LegError> {
+) -> Result<Vector<f64>, KinematicsError> {
     let found = between.length();
-    let error = LegError::Bone {
+    let error = KinematicsError::LegBone {
         segment,
         expected,
         found,

@@ -4,8 +4,9 @@ use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
 use super::inverse::angles_about_zyx;
-use super::{Leg, LegAngles, LegError, finite, rotation};
+use super::{Leg, LegAngles, finite, rotation};
 use crate::inverse_kinematics::middle_joint;
+use crate::kinematics::KinematicsError;
 
 impl Leg {
     /// The angles that bring the ankle to a target, with the knee on the side of a pole; the foot
@@ -17,9 +18,10 @@ impl Leg {
     /// spheres touch.
     ///
     /// # Errors
-    /// [`LegError::Unreachable`] for a target that is too far or too near, [`LegError::Folded`] for
-    /// one at the hip itself, which any direction of the thigh reaches, [`LegError::Pole`] for a
-    /// pole in line with hip and target, [`LegError::Place`] for points that are not finite.
+    /// [`KinematicsError::LegUnreachable`] for a target that is too far or too near,
+    /// [`KinematicsError::LegFolded`] for one at the hip itself, which any direction of the thigh
+    /// reaches, [`KinematicsError::LegPole`] for a pole in line with hip and target,
+    /// [`KinematicsError::LegPlace`] for points that are not finite.
     ///
     /// ```
     /// use ga_anim::leg::Leg;
@@ -29,14 +31,14 @@ impl Leg {
     /// let angles = leg.reach(hip, target, Point::new(0.1, 0.5, 1.0))?;
     /// let pose = leg.forward(hip, &angles)?;
     /// assert!(pose.ankle.distance(target) < 1e-14 && pose.knee.e3() > 0.1);
-    /// # Ok::<(), ga_anim::leg::LegError>(())
+    /// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
     /// ```
     pub fn reach(
         &self,
         hip: Point<f64>,
         target: Point<f64>,
         pole: Point<f64>,
-    ) -> Result<LegAngles, LegError> {
+    ) -> Result<LegAngles, KinematicsError> {
         for (place, point) in [("hip", hip), ("target", target), ("pole", pole)] {
             finite(place, point)?;
         }
@@ -49,34 +51,38 @@ impl Leg {
             .fold(most, |m, x| m.max(x.abs()));
         let rounding = 8.0 * f64::EPSILON * size;
         if distance < least - rounding || distance > most + rounding {
-            return Err(LegError::Unreachable {
+            return Err(KinematicsError::LegUnreachable {
                 distance,
                 least,
                 most,
             });
         }
         if distance <= rounding {
-            return Err(LegError::Folded { distance });
+            return Err(KinematicsError::LegFolded { distance });
         }
         // From here on the hip is the origin and the stretched leg the unit of length: spheres far
         // from the origin, very large or very small would lose digits.
         let scaled = |point| hip.vector_to(point) / most;
         let target = scaled(target);
-        let down = target.normalized().ok_or(LegError::Folded { distance })?;
+        let down = target
+            .normalized()
+            .ok_or(KinematicsError::LegFolded { distance })?;
         let across = |vector: Vector<f64>| vector - down * vector.dot(down);
         let aside = across(scaled(pole));
         // The rounding of the coordinates moves the axis, the more the farther the pole is away.
         let lever = 1.0 + pole.distance(hip) / distance;
         if aside.length() <= rounding / most * lever {
-            return Err(LegError::Pole);
+            return Err(KinematicsError::LegPole);
         }
-        let aside = aside.normalized().ok_or(LegError::Pole)?;
-        let aside = across(aside).normalized().ok_or(LegError::Pole)?;
+        let aside = aside.normalized().ok_or(KinematicsError::LegPole)?;
+        let aside = across(aside).normalized().ok_or(KinematicsError::LegPole)?;
         let hinge = aside.cross(down);
 
         let knee = middle_joint(thigh / most, calf / most, target, aside);
-        let upper = knee.normalized().ok_or(LegError::Pole)?;
-        let lower = (target - knee).normalized().ok_or(LegError::Pole)?;
+        let upper = knee.normalized().ok_or(KinematicsError::LegPole)?;
+        let lower = (target - knee)
+            .normalized()
+            .ok_or(KinematicsError::LegPole)?;
         let [hip_z, hip_y, hip_x] = angles_about_zyx(rotation(hinge, -upper));
         let bend = upper.cross(lower).dot(hinge).atan2(upper.dot(lower));
         Ok(LegAngles {

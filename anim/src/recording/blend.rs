@@ -4,60 +4,9 @@ use ga_runtime::cga3::{Motor, Rotor};
 use ga_runtime::vga3::Vector;
 
 use super::resample::{checked_frames, frames_within};
-use super::{RecordedJoint, Recording, RecordingError, ScalarTrack};
+use super::{RecordedJoint, Recording, ScalarTrack};
+use crate::recording::RecordingError;
 use crate::transform::Transform;
-
-/// Recordings that cannot be blended. They and their joints count from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BlendError {
-    /// A weight is negative, infinite or not a number.
-    #[error("the weight of recording {recording} is {weight}, not 0 or more")]
-    Weight {
-        /// The recording.
-        recording: usize,
-        /// Its weight.
-        weight: f64,
-    },
-    /// All weights are 0, or their sum overflows.
-    #[error("the weights have the sum {0}, by which they cannot be divided")]
-    Sum(f64),
-    /// A recording has another number of joints than the first.
-    #[error("recording {recording} has {found} joints, but the first has {expected}")]
-    JointCount {
-        /// The recording.
-        recording: usize,
-        /// How many joints the first has.
-        expected: usize,
-        /// How many this one has.
-        found: usize,
-    },
-    /// A joint has another name than in the first recording.
-    #[error(
-        "joint {joint} of recording {recording} is {found:?}, but that of the first is {expected:?}"
-    )]
-    JointName {
-        /// The recording.
-        recording: usize,
-        /// The joint.
-        joint: usize,
-        /// Its name in the first recording.
-        expected: String,
-        /// Its name in this one.
-        found: String,
-    },
-    /// A joint has another parent than in the first recording.
-    #[error("joint {name:?} of recording {recording} has another parent than in the first")]
-    JointParent {
-        /// The recording.
-        recording: usize,
-        /// The name of the joint.
-        name: String,
-    },
-    /// The frames do not form a recording: there are too many, or a sum overflows.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-}
 
 /// The mean of recordings of the same joints, each with its weight. Weights are divided by their
 /// sum.
@@ -82,7 +31,9 @@ pub enum BlendError {
 ///
 /// # Errors
 ///
-/// [`BlendError`].
+/// [`RecordingError::Weight`], [`RecordingError::Sum`], [`RecordingError::JointCount`],
+/// [`RecordingError::JointName`] and [`RecordingError::JointParent`], and where the frames do not
+/// form a recording.
 ///
 /// # Examples
 ///
@@ -103,7 +54,7 @@ pub enum BlendError {
 /// assert!((angle.to_degrees() - 30.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, BlendError> {
+pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, RecordingError> {
     let sum = check(recordings)?;
     let weighted: Vec<(&Recording, f64)> = recordings
         .iter()
@@ -112,7 +63,7 @@ pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, BlendError> 
         .collect();
     // There is at least one, since the sum is positive.
     let Some(&(first, _)) = weighted.first() else {
-        return Err(BlendError::Sum(sum));
+        return Err(RecordingError::Sum(sum));
     };
     if weighted.len() == 1 {
         return Ok(first.clone());
@@ -140,19 +91,14 @@ pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, BlendError> 
         ..described.clone()
     });
     let tracks = blended_tracks(&weighted, frame_time, frames);
-    Ok(Recording::new(
-        joints.collect(),
-        frame_time,
-        locals,
-        tracks,
-    )?)
+    Recording::new(joints.collect(), frame_time, locals, tracks)
 }
 
 /// The sum of the weights, where the recordings can be blended.
-fn check(recordings: &[(&Recording, f64)]) -> Result<f64, BlendError> {
+fn check(recordings: &[(&Recording, f64)]) -> Result<f64, RecordingError> {
     for (recording, &(_, weight)) in recordings.iter().enumerate() {
         if !weight.is_finite() || weight < 0.0 {
-            return Err(BlendError::Weight { recording, weight });
+            return Err(RecordingError::Weight { recording, weight });
         }
     }
     if let Some(((first, _), others)) = recordings.split_first() {
@@ -163,14 +109,18 @@ fn check(recordings: &[(&Recording, f64)]) -> Result<f64, BlendError> {
     let sum: f64 = recordings.iter().map(|&(_, weight)| weight).sum();
     match sum > 0.0 && sum.is_finite() {
         true => Ok(sum),
-        false => Err(BlendError::Sum(sum)),
+        false => Err(RecordingError::Sum(sum)),
     }
 }
 
-fn check_joints(first: &Recording, other: &Recording, recording: usize) -> Result<(), BlendError> {
+fn check_joints(
+    first: &Recording,
+    other: &Recording,
+    recording: usize,
+) -> Result<(), RecordingError> {
     let (expected, found) = (first.joints.len(), other.joints.len());
     if expected != found {
-        return Err(BlendError::JointCount {
+        return Err(RecordingError::JointCount {
             recording,
             expected,
             found,
@@ -178,7 +128,7 @@ fn check_joints(first: &Recording, other: &Recording, recording: usize) -> Resul
     }
     for (joint, (a, b)) in first.joints.iter().zip(&other.joints).enumerate() {
         if a.name != b.name {
-            return Err(BlendError::JointName {
+            return Err(RecordingError::JointName {
                 recording,
                 joint,
                 expected: a.name.clone(),
@@ -187,7 +137,7 @@ fn check_joints(first: &Recording, other: &Recording, recording: usize) -> Resul
         }
         if a.parent != b.parent {
             let name = a.name.clone();
-            return Err(BlendError::JointParent { recording, name });
+            return Err(RecordingError::JointParent { recording, name });
         }
     }
     Ok(())

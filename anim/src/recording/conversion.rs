@@ -3,31 +3,13 @@
 use ga_runtime::cga3::{Motor, Translator};
 use ga_runtime::vga3::Vector;
 
-use super::{ModelSpaceError, RecordedJoint, Recording, RecordingError, model_motors};
-use crate::clip::{Clip, ClipError};
-use crate::pose::{Pose, PoseError};
+use super::{RecordedJoint, Recording, model_motors};
+use crate::clip::Clip;
+use crate::kinematics::KinematicsError;
+use crate::pose::Pose;
+use crate::recording::RecordingError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
 use crate::transform::Transform;
-
-/// A recording that is not a clip, or the other way round.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ConversionError {
-    /// A joint is scaled.
-    #[error(transparent)]
-    ModelSpace(#[from] ModelSpaceError),
-    /// The joints do not form a skeleton.
-    #[error(transparent)]
-    Skeleton(#[from] SkeletonError),
-    /// The frames do not form a clip.
-    #[error(transparent)]
-    Clip(#[from] ClipError),
-    /// The clip is for another skeleton.
-    #[error(transparent)]
-    Pose(#[from] PoseError),
-    /// The transforms do not form a recording.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-}
 
 impl Recording {
     /// The skeleton at rest, in model space. A bone ends at the mean place of its children; one
@@ -35,9 +17,9 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ConversionError::ModelSpace`] where a joint is scaled at rest, and
-    /// [`ConversionError::Skeleton`] where two joints have the same name.
-    pub fn to_skeleton(&self) -> Result<Skeleton, ConversionError> {
+    /// [`RecordingError::Kinematics`] where a joint is scaled at rest, and
+    /// [`RecordingError::Skeleton`] where two joints have the same name.
+    pub fn to_skeleton(&self) -> Result<Skeleton, RecordingError> {
         let heads: Vec<Vector<f64>> = self
             .rest_motors()?
             .into_iter()
@@ -68,7 +50,7 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ConversionError::ModelSpace`] where a joint is scaled.
+    /// [`RecordingError::Kinematics`] where a joint is scaled.
     ///
     /// # Examples
     ///
@@ -87,7 +69,7 @@ impl Recording {
     /// assert!((hand[1] - 1.0).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn to_clip(&self) -> Result<Clip, ConversionError> {
+    pub fn to_clip(&self) -> Result<Clip, RecordingError> {
         let rest = self.rest_motors()?;
         let mut frames = Vec::with_capacity(self.frame_count());
         let mut motors = vec![Motor::default(); self.joints.len()];
@@ -113,8 +95,8 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ConversionError::Pose`] where the clip is for a skeleton with another number of joints.
-    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, ConversionError> {
+    /// [`RecordingError::Skeleton`] where the clip is for a skeleton with another number of joints.
+    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, RecordingError> {
         let joints = skeleton.joints();
         let to = |place: [f64; 3]| Motor::from(Translator::from_displacement(place));
         let from = |place: [f64; 3]| to(place.map(|x| -x));
@@ -128,7 +110,7 @@ impl Recording {
         for pose in clip.frames() {
             let (expected, found) = (joints.len(), pose.joints.len());
             if expected != found {
-                return Err(PoseError { expected, found }.into());
+                return Err(SkeletonError::PoseLength { expected, found }.into());
             }
             let own = joints.iter().zip(&pose.joints);
             locals.extend(own.map(|(joint, &own)| local(joint, pose.root, own)));
@@ -138,15 +120,10 @@ impl Recording {
             parent: joint.parent,
             rest: local(joint, Motor::default(), Motor::default()),
         });
-        Ok(Self::new(
-            joints.collect(),
-            clip.frame_time(),
-            locals,
-            Vec::new(),
-        )?)
+        Self::new(joints.collect(), clip.frame_time(), locals, Vec::new())
     }
 
-    fn rest_motors(&self) -> Result<Vec<Motor<f64>>, ModelSpaceError> {
+    fn rest_motors(&self) -> Result<Vec<Motor<f64>>, KinematicsError> {
         let locals: Vec<_> = self.joints.iter().map(|joint| joint.rest).collect();
         let mut motors = vec![Motor::default(); locals.len()];
         model_motors(&self.parents, &locals, &mut motors)?;

@@ -1,7 +1,8 @@
 use ga_runtime::cga3::Motor;
 
-use super::{RecordedJoint, Recording, RecordingError};
+use super::{RecordedJoint, Recording};
 use crate::bvh::Bvh;
+use crate::recording::RecordingError;
 use crate::transform::Transform;
 
 impl Recording {

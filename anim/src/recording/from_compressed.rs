@@ -1,8 +1,9 @@
 //! Recordings of compressed clips.
 
 use super::resample::checked_frames;
-use super::{ConversionError, RecordedJoint, Recording, ScalarTrack};
+use super::{RecordedJoint, Recording, ScalarTrack};
 use crate::clip::compressed::{CompressedClip, Sampler, double_transform};
+use crate::recording::RecordingError;
 use crate::transform::Transform;
 
 impl Recording {
@@ -10,7 +11,7 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ConversionError::Recording`] where a small file announces very many frames, as one in
+    /// [`RecordingError::TooLarge`] where a small file announces very many frames, as one in
     /// which nothing moves can, or where a number is not finite.
     ///
     /// # Examples
@@ -32,7 +33,7 @@ impl Recording {
     /// assert!((arm.translation().coordinates()[0] - 4.0).abs() <= 1e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn from_compressed(clip: &CompressedClip) -> Result<Self, ConversionError> {
+    pub fn from_compressed(clip: &CompressedClip) -> Result<Self, RecordingError> {
         let joints: Vec<_> = clip
             .names()
             .iter()
@@ -63,6 +64,6 @@ impl Recording {
                 track.values.push(value);
             }
         }
-        Ok(Self::new(joints, clip.frame_time(), locals, tracks)?)
+        Self::new(joints, clip.frame_time(), locals, tracks)
     }
 }

@@ -3,9 +3,11 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::{RecordedJoint, Recording, RecordingError, ScalarTrack};
+use super::{RecordedJoint, Recording, ScalarTrack};
 use crate::clip::compressed::ShellError;
-use crate::gltf::{LocalFrame, NodePose, PlayError, Player};
+use crate::file_error::MotionFileError;
+use crate::gltf::{LocalFrame, NodePose, Player};
+use crate::recording::RecordingError;
 use crate::transform::Transform;
 
 /// An animation of a glTF document as the motion of joints.
@@ -61,56 +63,20 @@ struct Source {
     above: Transform<f64>,
 }
 
-/// An animation that is not a recording.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum GltfMotionError {
-    /// The animation cannot be played.
-    #[error(transparent)]
-    Play(#[from] PlayError),
-    /// The frames do not form a recording: the length of a unit is out of range, or the animation
-    /// moves no joint.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-    /// The matrix of a node shears or is singular.
-    #[error("node {node}: its matrix is not a translation, a rotation and factors along axes")]
-    Shears {
-        /// The node.
-        node: usize,
-    },
-    /// A rate is 0, negative, infinite or not a number.
-    #[error("{0} is not a number of frames per second")]
-    Rate(f64),
-    /// At this rate the recording is out of proportion to the file.
-    #[error(
-        "{rate} frames per second over {seconds} s and {joints} joints are more than {limit} \
-         transforms"
-    )]
-    TooLarge {
-        /// The frames per second.
-        rate: f64,
-        /// The duration of the animation.
-        seconds: f64,
-        /// How many joints there are.
-        joints: usize,
-        /// The greatest number of transforms.
-        limit: usize,
-    },
-}
-
 impl Recording {
     /// An animation of a glTF document; see [`GltfMotion`], and [`GltfMotion::recording`] for the
     /// rate.
     ///
     /// # Errors
     ///
-    /// As [`GltfMotion::new`] and [`GltfMotion::recording`], and [`GltfMotionError::Play`] for a
-    /// document that is not valid.
+    /// As [`GltfMotion::new`] and [`GltfMotion::recording`], and [`MotionFileError::Document`] for
+    /// a document that is not valid.
     pub fn from_gltf(
         document: &Document,
         animation: usize,
         metres_per_unit: f64,
         rate: Option<f64>,
-    ) -> Result<Self, GltfMotionError> {
+    ) -> Result<Self, MotionFileError> {
         let player = Player::new(document)?;
         GltfMotion::new(&player, animation, metres_per_unit)?.recording(rate)
     }
@@ -122,20 +88,20 @@ impl<'a> GltfMotion<'a> {
     ///
     /// # Errors
     ///
-    /// [`PlayError::NoAnimation`]; [`RecordingError::Unit`]; [`RecordingError::NoJoints`] where
-    /// there is no skin and the animation moves no node; [`GltfMotionError::Shears`].
+    /// [`MotionFileError::NoAnimation`]; [`RecordingError::Unit`]; [`RecordingError::NoJoints`]
+    /// where there is no skin and the animation moves no node; [`MotionFileError::Shears`].
     pub fn new(
         player: &'a Player<'a>,
         animation: usize,
         metres_per_unit: f64,
-    ) -> Result<Self, GltfMotionError> {
+    ) -> Result<Self, MotionFileError> {
         if !metres_per_unit.is_finite() || metres_per_unit <= 0.0 {
             return Err(RecordingError::Unit(metres_per_unit).into());
         }
         let document = player.document();
         let Some(played) = document.animations.get(animation) else {
             let count = document.animations.len();
-            return Err(PlayError::NoAnimation { animation, count }.into());
+            return Err(MotionFileError::NoAnimation { animation, count });
         };
         let pose = player.pose(None, 0.0)?;
         let is_moving = moving_nodes(document, played);
@@ -158,7 +124,7 @@ impl<'a> GltfMotion<'a> {
                 Some(parent) if !is_joint[parent] => even(pose.world[parent]).unwrap_or_default(),
                 _ => Transform::default(),
             };
-            let rest = parts(&pose.locals[node]).ok_or(GltfMotionError::Shears { node })?;
+            let rest = parts(&pose.locals[node]).ok_or(MotionFileError::Shears { node })?;
             let source = Source { node, rest, above };
             joint_of[node] = Some(motion.joints.len());
             motion.joints.push(RecordedJoint {
@@ -194,7 +160,7 @@ impl<'a> GltfMotion<'a> {
     /// # Errors
     ///
     /// As [`Player::pose`].
-    pub fn model_maps(&self, time: f64) -> Result<Vec<Affine<f64>>, PlayError> {
+    pub fn model_maps(&self, time: f64) -> Result<Vec<Affine<f64>>, MotionFileError> {
         let pose = self.player.pose(Some(self.animation), time)?;
         let in_metres = |node: usize| {
             let map = pose.world[node];
@@ -210,7 +176,7 @@ impl<'a> GltfMotion<'a> {
     /// # Errors
     ///
     /// As [`Player::pose`].
-    pub fn track_values(&self, time: f64) -> Result<Vec<(String, f64)>, PlayError> {
+    pub fn track_values(&self, time: f64) -> Result<Vec<(String, f64)>, MotionFileError> {
         let pose = self.player.pose(Some(self.animation), time)?;
         let weights = self.morphed.iter().flat_map(|&node| pose.weights(node));
         let names = self.tracks(0).into_iter().map(|track| track.name);
@@ -228,15 +194,15 @@ impl<'a> GltfMotion<'a> {
     ///
     /// # Errors
     ///
-    /// [`GltfMotionError::Rate`], [`GltfMotionError::TooLarge`] past four million transforms, and
-    /// as [`Player::pose`].
-    pub fn recording(&self, rate: Option<f64>) -> Result<Recording, GltfMotionError> {
+    /// [`MotionFileError::Rate`], [`MotionFileError::RecordingTooLarge`] past four million
+    /// transforms, and as [`Player::pose`].
+    pub fn recording(&self, rate: Option<f64>) -> Result<Recording, MotionFileError> {
         const LIMIT: usize = 1 << 22;
         let keys = key_times(&self.player.document().animations[self.animation]);
         let last = keys.last().copied().unwrap_or(0.0);
         let grid = Grid::new(rate, &keys)?;
         if (grid.steps + 1.0) * self.joints.len() as f64 > LIMIT as f64 {
-            return Err(GltfMotionError::TooLarge {
+            return Err(MotionFileError::RecordingTooLarge {
                 rate: grid.step.recip(),
                 seconds: last,
                 joints: self.joints.len(),
@@ -278,13 +244,13 @@ impl<'a> GltfMotion<'a> {
     ///
     /// # Errors
     ///
-    /// [`GltfMotionError::Rate`], and as [`Player::pose`].
+    /// [`MotionFileError::Rate`], and as [`Player::pose`].
     pub fn deviation(
         &self,
         recording: &Recording,
         rate: Option<f64>,
         shell: f64,
-    ) -> Result<f64, GltfMotionError> {
+    ) -> Result<f64, MotionFileError> {
         let keys = key_times(&self.player.document().animations[self.animation]);
         let grid = Grid::new(rate, &keys)?;
         let mut error = ShellError::new(recording, shell);
@@ -339,11 +305,11 @@ impl Grid {
     const SHORTEST_STEP: f64 = 1.0 / 240.0;
 
     /// Frames at a rate, or those that the times of keys suggest.
-    fn new(rate: Option<f64>, keys: &[f64]) -> Result<Self, GltfMotionError> {
+    fn new(rate: Option<f64>, keys: &[f64]) -> Result<Self, MotionFileError> {
         let last = keys.last().copied().unwrap_or(0.0);
         match rate {
             Some(rate) if rate > 0.0 && rate.is_finite() => Ok(Self::of_step(rate.recip(), last)),
-            Some(rate) => Err(GltfMotionError::Rate(rate)),
+            Some(rate) => Err(MotionFileError::Rate(rate)),
             None => Ok(Self::of_keys(keys)),
         }
     }

@@ -6,7 +6,8 @@ use ga_runtime::cga3::{DualPlane, Motor, Translator};
 use ga_runtime::vga3::Vector;
 
 use super::{RecordedJoint, Recording, ScalarTrack};
-use crate::clip::{MirrorError, other_side, reflected};
+use crate::clip::{other_side, reflected};
+use crate::recording::RecordingError;
 use crate::transform::Transform;
 
 impl Recording {
@@ -32,9 +33,10 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`MirrorError::Plane`] for a normal of zero, [`MirrorError::NoCounterpart`] where only one
-    /// side is there, [`MirrorError::Twice`] where the names do not form pairs,
-    /// [`MirrorError::Parents`], [`MirrorError::Scaled`] and [`MirrorError::Recording`].
+    /// [`RecordingError::MirrorPlane`] for a normal of zero, [`RecordingError::NoCounterpart`]
+    /// where only one side is there, [`RecordingError::PairedTwice`] where the names do not form
+    /// pairs, [`RecordingError::PairParents`] and [`RecordingError::MirrorScaled`], and
+    /// [`RecordingError::Transform`] where the mirror image overflows.
     ///
     /// # Examples
     ///
@@ -57,8 +59,8 @@ impl Recording {
     /// assert!((axis[0] - 1.0).abs() < 1e-15 && (angle.to_degrees() - 30.0).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn mirrored(&self, normal: Vector<f64>) -> Result<Self, MirrorError> {
-        let normal = normal.normalized().ok_or(MirrorError::Plane)?;
+    pub fn mirrored(&self, normal: Vector<f64>) -> Result<Self, RecordingError> {
+        let normal = normal.normalized().ok_or(RecordingError::MirrorPlane)?;
         let plane = DualPlane::new(normal.e1, normal.e2, normal.e3, 0.0);
         let images = images(&self.joints)?;
         let count = self.joints.len();
@@ -66,18 +68,18 @@ impl Recording {
         for (frame, before) in self.locals.chunks_exact(count).enumerate() {
             for image in &images {
                 let local = image.of(plane, &before[image.other]);
-                locals.push(local.ok_or_else(|| MirrorError::Scaled {
+                locals.push(local.ok_or_else(|| RecordingError::MirrorScaled {
                     name: self.joints[image.other].name.clone(),
                     frame: Some(frame),
                 })?);
             }
         }
-        Ok(Self::new(
+        Self::new(
             self.joints.clone(),
             self.frame_time,
             locals,
             mirrored_tracks(&self.tracks),
-        )?)
+        )
     }
 }
 
@@ -117,7 +119,7 @@ impl Image {
     }
 }
 
-fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, MirrorError> {
+fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, RecordingError> {
     let counterparts = counterparts(joints)?;
     // The axes of each joint in model space at rest, and the length of its unit there.
     let mut axes: Vec<(Motor<f64>, f64)> = Vec::with_capacity(joints.len());
@@ -125,7 +127,7 @@ fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, MirrorError> {
         parent.map_or((Motor::default(), 1.0), |parent| axes[parent])
     };
     for joint in joints {
-        let factor = even_factor(joint.rest.scale).ok_or_else(|| MirrorError::Scaled {
+        let factor = even_factor(joint.rest.scale).ok_or_else(|| RecordingError::MirrorScaled {
             name: joint.name.clone(),
             frame: None,
         })?;
@@ -154,7 +156,7 @@ fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, MirrorError> {
 }
 
 /// The counterpart of each joint by its name.
-fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
+fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, RecordingError> {
     let names = joints.iter().enumerate();
     let places: HashMap<&str, usize> = names.map(|(k, joint)| (joint.name.as_str(), k)).collect();
     let mut counterparts: Vec<usize> = (0..joints.len()).collect();
@@ -165,7 +167,7 @@ fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
         match places.get(expected.name.as_str()) {
             Some(&other) => *counterpart = other,
             None if expected.is_certain => {
-                return Err(MirrorError::NoCounterpart {
+                return Err(RecordingError::NoCounterpart {
                     name: joint.name.clone(),
                     expected: expected.name,
                 });
@@ -176,11 +178,11 @@ fn counterparts(joints: &[RecordedJoint]) -> Result<Vec<usize>, MirrorError> {
     for (joint, &other) in counterparts.iter().enumerate() {
         let name = joints[joint].name.clone();
         if counterparts[other] != joint {
-            return Err(MirrorError::Twice { name });
+            return Err(RecordingError::PairedTwice { name });
         }
         if joints[joint].parent.map(|parent| counterparts[parent]) != joints[other].parent {
             let other = joints[other].name.clone();
-            return Err(MirrorError::Parents { name, other });
+            return Err(RecordingError::PairParents { name, other });
         }
     }
     Ok(counterparts)

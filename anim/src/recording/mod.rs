@@ -20,6 +20,7 @@
 
 mod blend;
 mod conversion;
+mod error;
 mod from_bvh;
 mod from_compressed;
 mod from_gltf;
@@ -28,12 +29,13 @@ mod model_space;
 mod resample;
 
 use crate::frame_position::frame_at;
+use crate::kinematics::KinematicsError;
 use crate::transform::Transform;
 
-pub use blend::{BlendError, blend};
-pub use conversion::ConversionError;
-pub use from_gltf::{GltfMotion, GltfMotionError};
-pub use model_space::{ModelSpaceError, model_maps, model_motors};
+pub use blend::blend;
+pub use error::RecordingError;
+pub use from_gltf::GltfMotion;
+pub use model_space::{model_maps, model_motors};
 
 /// A joint of a recording.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,85 +90,6 @@ pub struct Recording {
     tracks: Vec<ScalarTrack>,
 }
 
-/// Joints and frames that do not form a recording.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RecordingError {
-    /// There is no joint.
-    #[error("the recording has no joints")]
-    NoJoints,
-    /// There is no frame.
-    #[error("the recording has no frames")]
-    NoFrames,
-    /// A joint's parent is not among the joints before it.
-    #[error("joint {name:?} has joint {parent} as its parent, which does not come before it")]
-    ParentNotBefore {
-        /// The joint.
-        name: String,
-        /// The index that it has as its parent.
-        parent: usize,
-    },
-    /// The time from one frame to the next is 0, negative, infinite or not a number.
-    #[error("{0} seconds is not a time from one frame to the next")]
-    FrameTime(f64),
-    /// The transforms are not a whole number of frames.
-    #[error("{transforms} transforms are not a whole number of frames of {joints} joints")]
-    Length {
-        /// How many transforms there are.
-        transforms: usize,
-        /// How many joints a frame has.
-        joints: usize,
-    },
-    /// A transform has a coefficient that is infinite or not a number, or a motor that is not a
-    /// unit motor.
-    #[error("joint {name:?} has no rigid motion or no finite factors in {}", place(*frame))]
-    Transform {
-        /// The joint.
-        name: String,
-        /// The frame, from 0; `None` at rest.
-        frame: Option<usize>,
-    },
-    /// A track does not have one number for each frame.
-    #[error("track {name:?} has {found} numbers for {expected} frames")]
-    TrackLength {
-        /// The track.
-        name: String,
-        /// How many frames there are.
-        expected: usize,
-        /// How many numbers the track has.
-        found: usize,
-    },
-    /// A track has a number that is infinite or not a number.
-    #[error("track {name:?} is {value} in frame {frame}")]
-    TrackValue {
-        /// The track.
-        name: String,
-        /// The frame, from 0.
-        frame: usize,
-        /// The number.
-        value: f64,
-    },
-    /// A length of one unit in metres is 0, negative, infinite or not a number.
-    #[error("{0} metres is not the length of a unit")]
-    Unit(f64),
-    /// A rate is 0, negative, infinite or not a number.
-    #[error("{0} is not a number of frames per second")]
-    Rate(f64),
-    /// A recording would be out of proportion to what it is made of.
-    #[error("{frames} frames of {joints} joints are more than {limit} transforms")]
-    TooLarge {
-        /// How many frames there would be.
-        frames: f64,
-        /// How many joints there are.
-        joints: usize,
-        /// The greatest number of transforms.
-        limit: usize,
-    },
-}
-
-fn place(frame: Option<usize>) -> String {
-    frame.map_or("rest".to_owned(), |frame| format!("frame {frame}"))
-}
-
 impl Recording {
     /// A recording of these joints, parents first. `locals` has the transforms relative to the
     /// parents, frame after frame, and within a frame in the order of the joints. The first frame
@@ -174,8 +97,10 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// Any [`RecordingError`] but [`RecordingError::Unit`], [`RecordingError::Rate`] and
-    /// [`RecordingError::TooLarge`].
+    /// [`RecordingError::NoJoints`], [`RecordingError::NoFrames`],
+    /// [`RecordingError::ParentNotBefore`], [`RecordingError::FrameTime`],
+    /// [`RecordingError::Length`], [`RecordingError::Transform`], [`RecordingError::TrackLength`]
+    /// and [`RecordingError::TrackValue`].
     pub fn new(
         joints: Vec<RecordedJoint>,
         frame_time: f64,
@@ -258,12 +183,12 @@ impl Recording {
     ///
     /// # Errors
     ///
-    /// [`ModelSpaceError::Length`] unless `locals` has one place for each joint.
-    pub fn sample(&self, time: f64, locals: &mut [Transform<f64>]) -> Result<(), ModelSpaceError> {
+    /// [`KinematicsError::SliceLength`] unless `locals` has one place for each joint.
+    pub fn sample(&self, time: f64, locals: &mut [Transform<f64>]) -> Result<(), KinematicsError> {
         let count = self.joints.len();
         if locals.len() != count {
             let (expected, found) = (count, locals.len());
-            return Err(ModelSpaceError::Length { expected, found });
+            return Err(KinematicsError::SliceLength { expected, found });
         }
         self.fill(self.position(time), locals);
         Ok(())

@@ -4,40 +4,15 @@ use ga_runtime::cga3::Motor;
 use ga_runtime::geometry::Affine;
 use ga_runtime::scalar::Real;
 
+use crate::kinematics::KinematicsError;
 use crate::transform::Transform;
-
-/// Slices that do not fit, or transforms that are not rigid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum ModelSpaceError {
-    /// A slice does not have one element for each joint.
-    #[error("a slice has {found} elements for {expected} joints")]
-    Length {
-        /// How many joints there are.
-        expected: usize,
-        /// How many elements the slice has.
-        found: usize,
-    },
-    /// The parent of a joint does not come before it.
-    #[error("joint {joint} has joint {parent} as its parent, which does not come before it")]
-    ParentNotBefore {
-        /// The joint.
-        joint: usize,
-        /// The index that it has as its parent.
-        parent: usize,
-    },
-    /// A factor of a joint is not 1, so that its map is not a motor.
-    #[error("joint {joint} is scaled, and a motor does not scale")]
-    Scaled {
-        /// The joint.
-        joint: usize,
-    },
-}
 
 /// The affine map of each joint's frame to model space: A = A_parent A_local.
 ///
 /// # Errors
 ///
-/// [`ModelSpaceError::Length`] and [`ModelSpaceError::ParentNotBefore`]; then nothing is written.
+/// [`KinematicsError::SliceLength`] and [`KinematicsError::ParentNotBefore`]; then nothing is
+/// written.
 ///
 /// # Examples
 ///
@@ -56,13 +31,13 @@ pub enum ModelSpaceError {
 /// let mut maps = [Affine::from_translation([0.0; 3]); 2];
 /// model_maps(&[None, Some(0)], &locals, &mut maps)?;
 /// assert_eq!(maps[1].translation, [3.0, 0.0, 0.0]);
-/// # Ok::<(), ga_anim::recording::ModelSpaceError>(())
+/// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
 /// ```
 pub fn model_maps<S: Real>(
     parents: &[Option<usize>],
     locals: &[Transform<S>],
     maps: &mut [Affine<S>],
-) -> Result<(), ModelSpaceError> {
+) -> Result<(), KinematicsError> {
     check(parents, locals.len(), maps.len())?;
     for (joint, (parent, local)) in parents.iter().zip(locals).enumerate() {
         let local = local.to_affine();
@@ -75,15 +50,16 @@ pub fn model_maps<S: Real>(
 ///
 /// # Errors
 ///
-/// Any [`ModelSpaceError`]; then nothing is written.
+/// [`KinematicsError::SliceLength`], [`KinematicsError::ParentNotBefore`] and
+/// [`KinematicsError::Scaled`]; then nothing is written.
 pub fn model_motors<S: Real<Mask = bool>>(
     parents: &[Option<usize>],
     locals: &[Transform<S>],
     motors: &mut [Motor<S>],
-) -> Result<(), ModelSpaceError> {
+) -> Result<(), KinematicsError> {
     check(parents, locals.len(), motors.len())?;
     if let Some(joint) = locals.iter().position(|local| !local.is_rigid()) {
-        return Err(ModelSpaceError::Scaled { joint });
+        return Err(KinematicsError::Scaled { joint });
     }
     for (joint, (parent, local)) in parents.iter().zip(locals).enumerate() {
         motors[joint] = parent.map_or(local.motor, |parent| motors[parent] * local.motor);
@@ -91,16 +67,16 @@ pub fn model_motors<S: Real<Mask = bool>>(
     Ok(())
 }
 
-fn check(parents: &[Option<usize>], locals: usize, results: usize) -> Result<(), ModelSpaceError> {
+fn check(parents: &[Option<usize>], locals: usize, results: usize) -> Result<(), KinematicsError> {
     let expected = parents.len();
     for found in [locals, results] {
         if found != expected {
-            return Err(ModelSpaceError::Length { expected, found });
+            return Err(KinematicsError::SliceLength { expected, found });
         }
     }
     for (joint, parent) in parents.iter().enumerate() {
         if let Some(parent) = parent.filter(|&parent| parent >= joint) {
-            return Err(ModelSpaceError::ParentNotBefore { joint, parent });
+            return Err(KinematicsError::ParentNotBefore { joint, parent });
         }
     }
     Ok(())

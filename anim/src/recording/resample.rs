@@ -1,6 +1,7 @@
 //! The same motion at another number of frames per second.
 
-use super::{Recording, RecordingError, ScalarTrack};
+use super::{Recording, ScalarTrack};
+use crate::recording::RecordingError;
 use crate::transform::Transform;
 
 /// The greatest number of transforms that is made of a recording of fewer.

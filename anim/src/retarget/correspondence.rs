@@ -1,10 +1,10 @@
-use super::error::RetargetError;
 use std::f64::consts::FRAC_PI_2;
 
 use ga_runtime::cga3::{Direction, Rotor};
 use ga_runtime::vga3::Vector;
 
 use super::{JointMap, Soles, Source};
+use crate::recording::RecordingError;
 use crate::skeleton::Skeleton;
 
 /// Which bones of the target become parallel to those of the source.
@@ -85,10 +85,10 @@ impl Correspondence {
         soles: &Soles,
         map: &JointMap,
         alignment: Alignment,
-    ) -> Result<Self, RetargetError> {
+    ) -> Result<Self, RecordingError> {
         let source_of = map.source_of().to_vec();
         if source_of.iter().all(Option::is_none) {
-            return Err(RetargetError::NoMatch);
+            return Err(RecordingError::NoMatch);
         }
         let bodies = Bodies::new(source, target, soles, &source_of);
         let long_bones = bodies.long_bones();
@@ -308,7 +308,7 @@ impl<'a> Bodies<'a> {
         &self,
         long_bones: &[Option<(Bone, usize)>],
         soles: &Soles,
-    ) -> Result<(Vec<Leg>, [f64; 2]), RetargetError> {
+    ) -> Result<(Vec<Leg>, [f64; 2]), RecordingError> {
         let mut legs: Vec<Leg> = Vec::new();
         let (mut target_length, mut source_length) = (0.0, 0.0);
         for sole in soles.joints() {
@@ -355,7 +355,7 @@ impl<'a> Bodies<'a> {
         }
         let scale = target_length / source_length;
         if legs.is_empty() || !scale.is_finite() {
-            Err(RetargetError::NoLegs)
+            Err(RecordingError::NoLegs)
         } else {
             let mean = source_length / legs.len() as f64;
             Ok((legs, [scale, mean]))

@@ -1,6 +1,5 @@
 //! Feet that stand where they stand in the source.
 
-use super::error::RetargetError;
 use std::ops::RangeInclusive;
 
 use ga_runtime::cga3::{Point, Rotor};
@@ -10,6 +9,7 @@ use super::Retarget;
 use crate::clip::Clip;
 use crate::inverse_kinematics::{Bent, TwoBone, place_limb};
 use crate::pose::{Pose, moved};
+use crate::recording::RecordingError;
 
 /// How feet are found to stand, and how they are kept in place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,19 +109,19 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::FootLocking`] for settings that are not positive and finite, and
-    /// [`RetargetError::Pose`].
+    /// [`RecordingError::FootLocking`] for settings that are not positive and finite, and
+    /// [`RecordingError::Skeleton`].
     pub fn with_foot_locking(
         &self,
         settings: &FootLocking,
-    ) -> Result<LockedFeet<'_, 'a>, RetargetError> {
+    ) -> Result<LockedFeet<'_, 'a>, RecordingError> {
         for (name, value) in [
             ("the length of a unit", settings.metres_per_unit),
             ("the speed of a standing foot", settings.speed),
             ("the time in which a foot comes and goes", settings.blend),
         ] {
             if !value.is_finite() || value <= 0.0 {
-                return Err(RetargetError::FootLocking { name, value });
+                return Err(RecordingError::FootLocking { name, value });
             }
         }
         let mut feet = self.feet();
@@ -173,7 +173,7 @@ impl<'a> Retarget<'a> {
     }
 
     /// Each leg in every frame, without foot locking.
-    fn paths(&self, feet: &[Foot]) -> Result<Vec<Vec<LegPose>>, RetargetError> {
+    fn paths(&self, feet: &[Foot]) -> Result<Vec<Vec<LegPose>>, RecordingError> {
         let count = self.source.frame_count();
         let mut paths = vec![Vec::with_capacity(count); feet.len()];
         let soles: Vec<Vec<bool>> = feet
@@ -230,8 +230,8 @@ impl LockedFeet<'_, '_> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::FrameRange`].
-    pub fn pose(&self, frame: usize) -> Result<Pose, RetargetError> {
+    /// [`RecordingError::FrameRange`].
+    pub fn pose(&self, frame: usize) -> Result<Pose, RecordingError> {
         let target = self.retarget.target;
         let mut pose = self.retarget.pose(frame)?;
         let motions = pose.motions(target)?;
@@ -269,8 +269,8 @@ impl LockedFeet<'_, '_> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::FrameRange`].
-    pub fn clip(&self, frames: RangeInclusive<usize>) -> Result<Clip, RetargetError> {
+    /// [`RecordingError::FrameRange`].
+    pub fn clip(&self, frames: RangeInclusive<usize>) -> Result<Clip, RecordingError> {
         self.retarget.check_range(&frames)?;
         let poses: Result<Vec<Pose>, _> = frames.map(|frame| self.pose(frame)).collect();
         Ok(Clip::new(self.retarget.source.frame_time(), poses?)?)

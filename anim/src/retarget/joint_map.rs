@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::Source;
 use super::convention::{Part, Side, meaning};
 use super::structure::{Meaning, Parts, parts_by_structure};
+use crate::recording::RecordingError;
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
 
@@ -41,41 +42,6 @@ use crate::skeleton::Skeleton;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointMap {
     source_of: Vec<Option<usize>>,
-}
-
-/// A map of joints that does not fit.
-#[derive(Debug, thiserror::Error)]
-pub enum JointMapError {
-    /// The text is not JSON, or not an object of names and lists of names.
-    #[error(
-        "a map is an object {{\"joint of the motion\": \"joint of the skeleton\"}}, or with a list \
-         of joints of the skeleton: {0}"
-    )]
-    Json(#[from] serde_json::Error),
-    /// The recording has no such joint.
-    #[error("the motion has no joint {name:?}")]
-    Source {
-        /// The name.
-        name: String,
-    },
-    /// The skeleton has no such joint.
-    #[error("the skeleton has no joint {name:?}")]
-    Target {
-        /// The name.
-        name: String,
-    },
-    /// Two joints of the recording are to move one joint.
-    #[error("joint {name:?} of the skeleton is listed twice in the map")]
-    Twice {
-        /// The joint of the skeleton.
-        name: String,
-    },
-    /// A joint of the recording has two entries.
-    #[error("joint {name:?} of the motion is listed twice in the map")]
-    Repeated {
-        /// The joint of the recording.
-        name: String,
-    },
 }
 
 impl JointMap {
@@ -236,29 +202,31 @@ impl JointMap {
     ///
     /// # Errors
     ///
-    /// Any [`JointMapError`].
+    /// [`RecordingError::MapJson`], [`RecordingError::MapSource`], [`RecordingError::MapTarget`],
+    /// [`RecordingError::MapTwice`] and [`RecordingError::MapRepeated`].
     pub fn from_json(
         bytes: &[u8],
         source: &dyn Source,
         target: &Skeleton,
-    ) -> Result<Self, JointMapError> {
-        let Members(entries) = serde_json::from_slice::<Members<Targets>>(bytes)?;
+    ) -> Result<Self, RecordingError> {
+        let Members(entries) = serde_json::from_slice::<Members<Targets>>(bytes)
+            .map_err(|error| RecordingError::MapJson(error.to_string()))?;
         let source_names = source.names();
         let mut source_of = vec![None; target.len()];
         let mut seen = HashSet::new();
         for (there, targets) in entries {
             let Some(found) = source_names.iter().position(|name| *name == there) else {
-                return Err(JointMapError::Source { name: there });
+                return Err(RecordingError::MapSource { name: there });
             };
             if !seen.insert(found) {
-                return Err(JointMapError::Repeated { name: there });
+                return Err(RecordingError::MapRepeated { name: there });
             }
             for here in targets.names() {
                 let Some(joint) = target.index(&here) else {
-                    return Err(JointMapError::Target { name: here });
+                    return Err(RecordingError::MapTarget { name: here });
                 };
                 if source_of[joint].replace(found).is_some() {
-                    return Err(JointMapError::Twice { name: here });
+                    return Err(RecordingError::MapTwice { name: here });
                 }
             }
         }

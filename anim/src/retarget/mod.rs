@@ -51,7 +51,6 @@
 
 pub(crate) mod convention;
 mod correspondence;
-mod error;
 mod foot_locking;
 mod joint_map;
 mod soles;
@@ -65,14 +64,14 @@ use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
 use crate::clip::Clip;
-use crate::pose::{Pose, PoseError};
-use crate::skeleton::Skeleton;
+use crate::pose::Pose;
+use crate::recording::RecordingError;
+use crate::skeleton::{Skeleton, SkeletonError};
 use correspondence::Correspondence;
 
 pub use correspondence::Alignment;
-pub use error::RetargetError;
 pub use foot_locking::{Contact, FootLocking, LockedFeet};
-pub use joint_map::{JointMap, JointMapError};
+pub use joint_map::JointMap;
 pub use soles::Soles;
 pub use source::Source;
 
@@ -93,13 +92,14 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::NoMatch`], [`RetargetError::NoLegs`], [`RetargetError::NoFrames`],
-    /// [`RetargetError::Overflow`], and [`RetargetError::Pose`] for the soles of another skeleton.
+    /// [`RecordingError::NoMatch`], [`RecordingError::NoLegs`], [`RecordingError::NoMotion`],
+    /// [`RecordingError::Overflow`], and [`RecordingError::Skeleton`] for the soles of another
+    /// skeleton.
     pub fn new(
         source: &'a dyn Source,
         target: &'a Skeleton,
         soles: &Soles,
-    ) -> Result<Self, RetargetError> {
+    ) -> Result<Self, RecordingError> {
         Self::with_map(source, target, soles, &JointMap::by_names(source, target))
     }
 
@@ -107,13 +107,13 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// Those of [`Retarget::new`], and [`RetargetError::Pose`] for a map for another skeleton.
+    /// Those of [`Retarget::new`], and [`RecordingError::Skeleton`] for a map for another skeleton.
     pub fn with_map(
         source: &'a dyn Source,
         target: &'a Skeleton,
         soles: &Soles,
         map: &JointMap,
-    ) -> Result<Self, RetargetError> {
+    ) -> Result<Self, RecordingError> {
         Self::with_alignment(source, target, soles, map, Alignment::default())
     }
 
@@ -128,14 +128,14 @@ impl<'a> Retarget<'a> {
         soles: &Soles,
         map: &JointMap,
         alignment: Alignment,
-    ) -> Result<Self, RetargetError> {
+    ) -> Result<Self, RecordingError> {
         let (expected, found) = (target.len(), map.source_of().len());
         if expected != found {
-            return Err(PoseError { expected, found }.into());
+            return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let (expected, found) = (target.len(), soles.joint_count);
         if expected != found {
-            return Err(PoseError { expected, found }.into());
+            return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let correspondence = Correspondence::new(source, target, soles, map, alignment)?;
         let mut retarget = Self {
@@ -150,11 +150,11 @@ impl<'a> Retarget<'a> {
             let pose = retarget.pose(frame)?;
             let height = soles.lowest(&pose.motions(target)?);
             if !height.is_finite() {
-                return Err(RetargetError::Overflow { frame });
+                return Err(RecordingError::Overflow { frame });
             }
             lowest.push(height);
         }
-        let lowest = Sorted::new(&mut lowest).ok_or(RetargetError::NoFrames)?;
+        let lowest = Sorted::new(&mut lowest).ok_or(RecordingError::NoMotion)?;
         retarget.lift = -lowest.quantile(0.25);
         Ok(retarget)
     }
@@ -188,10 +188,10 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::FrameRange`].
-    pub fn pose(&self, frame: usize) -> Result<Pose, RetargetError> {
+    /// [`RecordingError::FrameRange`].
+    pub fn pose(&self, frame: usize) -> Result<Pose, RecordingError> {
         let frames = self.source.frame_count();
-        let out_of_range = RetargetError::FrameRange {
+        let out_of_range = RecordingError::FrameRange {
             from: frame,
             to: frame,
             frames,
@@ -238,18 +238,18 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RetargetError::FrameRange`].
-    pub fn clip(&self, frames: RangeInclusive<usize>) -> Result<Clip, RetargetError> {
+    /// [`RecordingError::FrameRange`].
+    pub fn clip(&self, frames: RangeInclusive<usize>) -> Result<Clip, RecordingError> {
         self.check_range(&frames)?;
         let poses: Result<Vec<Pose>, _> = frames.map(|frame| self.pose(frame)).collect();
         Ok(Clip::new(self.source.frame_time(), poses?)?)
     }
 
-    fn check_range(&self, frames: &RangeInclusive<usize>) -> Result<(), RetargetError> {
+    fn check_range(&self, frames: &RangeInclusive<usize>) -> Result<(), RecordingError> {
         let (from, to) = (*frames.start(), *frames.end());
         let count = self.source.frame_count();
         if from > to || to >= count {
-            return Err(RetargetError::FrameRange {
+            return Err(RecordingError::FrameRange {
                 from,
                 to,
                 frames: count,

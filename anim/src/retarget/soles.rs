@@ -5,7 +5,7 @@ use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
 use crate::skeleton::Skeleton;
-use crate::skin::SkinError;
+use crate::weights::error::SkinError;
 use crate::weights::{Influence, SkinWeights};
 
 /// As fractions of the body's height: the greatest height above the ground at which a bone, and a

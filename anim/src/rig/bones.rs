@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 
-use super::RigError;
+use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton};
 
 /// The members of a JSON object in their order, including those with the same name, which a map
@@ -13,11 +13,11 @@ pub(crate) struct Members<V>(pub(crate) Vec<(String, V)>);
 
 impl<V> Members<V> {
     /// The members by name.
-    pub(super) fn by_name(self) -> Result<BTreeMap<String, V>, RigError> {
+    pub(super) fn by_name(self) -> Result<BTreeMap<String, V>, MotionFileError> {
         let mut map = BTreeMap::new();
         for (bone, value) in self.0 {
             if map.contains_key(&bone) {
-                return Err(RigError::DuplicateBone { bone });
+                return Err(MotionFileError::DuplicateBone { bone });
             }
             map.insert(bone, value);
         }
@@ -69,8 +69,9 @@ impl End {
     }
 }
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
-    let bones: Members<Bone> = serde_json::from_slice(bytes).map_err(RigError::Json)?;
+pub(super) fn parse(bytes: &[u8]) -> Result<Skeleton, MotionFileError> {
+    let bones: Members<Bone> =
+        serde_json::from_slice(bytes).map_err(|error| MotionFileError::Json(error.to_string()))?;
     let bones = bones.by_name()?;
     let mut roots = Vec::new();
     let mut children: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
@@ -81,7 +82,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
         } else if bones.contains_key(parent) {
             children.entry(parent).or_default().push(name);
         } else {
-            return Err(RigError::UnknownParent {
+            return Err(MotionFileError::UnknownParent {
                 bone: name.clone(),
                 parent: parent.to_owned(),
             });
@@ -113,7 +114,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
         let bone = (0..bones.len())
             .fold(above, |bone, _| &bones[bone].parent)
             .to_owned();
-        return Err(RigError::Cycle { bone });
+        return Err(MotionFileError::Cycle { bone });
     }
     Ok(Skeleton::new(joints)?)
 }

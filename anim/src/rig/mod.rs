@@ -10,15 +10,13 @@
 //! Source: the files of MPFB, the MakeHuman plug-in for Blender.
 
 pub(crate) mod bones;
-mod error;
 mod painted;
-
-pub use error::RigError;
 
 use std::path::Path;
 
 use ga_files::ReadError;
 
+use crate::file_error::MotionFileError;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 
@@ -31,7 +29,7 @@ pub const METRES_PER_UNIT: f64 = 0.1;
 /// # Errors
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
-pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
+pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<MotionFileError>> {
     ga_files::read(path, parse)
 }
 
@@ -41,8 +39,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
 ///
 /// # Errors
 ///
-/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownParent`],
-/// [`RigError::Cycle`] and [`RigError::Skeleton`].
+/// [`MotionFileError::Json`], [`MotionFileError::DuplicateBone`],
+/// [`MotionFileError::UnknownParent`], [`MotionFileError::Cycle`] and
+/// [`MotionFileError::Skeleton`].
 ///
 /// # Examples
 ///
@@ -63,9 +62,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<RigError>> {
 /// let foot = &skeleton.joints()[1];
 /// assert_eq!((foot.name.as_str(), foot.parent), ("foot", Some(0)));
 /// assert_eq!(foot.tail, [0.0, 0.0, 2.0]);
-/// # Ok::<(), ga_anim::rig::RigError>(())
+/// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Skeleton, RigError> {
+pub fn parse(bytes: &[u8]) -> Result<Skeleton, MotionFileError> {
     bones::parse(bytes)
 }
 
@@ -78,7 +77,7 @@ pub fn read_weights(
     path: impl AsRef<Path>,
     skeleton: &Skeleton,
     vertex_count: usize,
-) -> Result<SkinWeights, ReadError<RigError>> {
+) -> Result<SkinWeights, ReadError<MotionFileError>> {
     ga_files::read(path, |bytes| parse_weights(bytes, skeleton, vertex_count))
 }
 
@@ -89,13 +88,14 @@ pub fn read_weights(
 ///
 /// # Errors
 ///
-/// [`RigError::Json`], [`RigError::DuplicateBone`], [`RigError::UnknownBone`] for a bone that the
-/// skeleton does not have, [`RigError::VertexOutOfRange`] for a vertex that the mesh does not have,
-/// and [`RigError::Weights`], also for a vertex that no bone moves.
+/// [`MotionFileError::Json`], [`MotionFileError::DuplicateBone`], [`MotionFileError::UnknownBone`]
+/// for a bone that the skeleton does not have, [`MotionFileError::VertexOutOfRange`] for a vertex
+/// that the mesh does not have, and [`MotionFileError::Skin`], also for a vertex that no bone
+/// moves.
 pub fn parse_weights(
     bytes: &[u8],
     skeleton: &Skeleton,
     vertex_count: usize,
-) -> Result<SkinWeights, RigError> {
+) -> Result<SkinWeights, MotionFileError> {
     painted::parse(bytes, skeleton, vertex_count)
 }

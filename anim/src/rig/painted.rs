@@ -1,7 +1,7 @@
 use serde::Deserialize;
 
-use super::RigError;
 use super::bones::Members;
+use crate::file_error::MotionFileError;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
 
@@ -14,12 +14,13 @@ pub(super) fn parse(
     bytes: &[u8],
     skeleton: &Skeleton,
     vertex_count: usize,
-) -> Result<SkinWeights, RigError> {
-    let file: File = serde_json::from_slice(bytes).map_err(RigError::Json)?;
+) -> Result<SkinWeights, MotionFileError> {
+    let file: File =
+        serde_json::from_slice(bytes).map_err(|error| MotionFileError::Json(error.to_string()))?;
     let mut by_vertex: Vec<Vec<(u32, f64)>> = vec![Vec::new(); vertex_count];
     for (bone, painted) in file.weights.by_name()? {
         let Some(joint) = skeleton.index(&bone) else {
-            return Err(RigError::UnknownBone { bone });
+            return Err(MotionFileError::UnknownBone { bone });
         };
         for (vertex, weight) in painted {
             let row = usize::try_from(vertex)
@@ -28,7 +29,7 @@ pub(super) fn parse(
             match row {
                 Some(row) => row.push((joint as u32, weight)),
                 None => {
-                    return Err(RigError::VertexOutOfRange {
+                    return Err(MotionFileError::VertexOutOfRange {
                         bone,
                         vertex,
                         vertices: vertex_count,

@@ -21,6 +21,7 @@ use ga_runtime::cga3::Rotor;
 use ga_runtime::vga3::Vector;
 
 use super::Skeleton;
+use crate::skeleton::SkeletonError;
 
 /// The rotations that a joint admits, relative to its parent, from rest and in the axes of the
 /// skeleton at rest.
@@ -48,43 +49,6 @@ pub enum Limit {
         /// The least and the greatest angle of the rotation about the axis, which comes before the
         /// swing.
         twist: [f64; 2],
-    },
-}
-
-/// A limit that a joint cannot have.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum LimitError {
-    /// The number of limits is not that of the joints.
-    #[error("{found} limits for a skeleton of {expected} joints")]
-    Count {
-        /// How many joints there are.
-        expected: usize,
-        /// How many limits.
-        found: usize,
-    },
-    /// The axis has no length or is not finite.
-    #[error("joint {joint:?}: {axis:?} is not an axis")]
-    Axis {
-        /// The joint.
-        joint: String,
-        /// The axis.
-        axis: [f64; 3],
-    },
-    /// The range is empty, wider than a whole rotation, or not finite.
-    #[error("joint {joint:?}: from {} to {} rad is not a range of angles", .range[0], .range[1])]
-    Range {
-        /// The joint.
-        joint: String,
-        /// The range.
-        range: [f64; 2],
-    },
-    /// The greatest swing is not between 0 and π.
-    #[error("joint {joint:?}: {swing} rad is not the angle of a cone")]
-    Swing {
-        /// The joint.
-        joint: String,
-        /// The angle.
-        swing: f64,
     },
 }
 
@@ -136,11 +100,12 @@ impl JointLimits {
     ///
     /// # Errors
     ///
-    /// Any [`LimitError`].
-    pub fn new(skeleton: &Skeleton, limits: Vec<Limit>) -> Result<Self, LimitError> {
+    /// [`SkeletonError::LimitCount`], [`SkeletonError::LimitAxis`], [`SkeletonError::LimitRange`]
+    /// and [`SkeletonError::LimitSwing`].
+    pub fn new(skeleton: &Skeleton, limits: Vec<Limit>) -> Result<Self, SkeletonError> {
         let (expected, found) = (skeleton.len(), limits.len());
         if expected != found {
-            return Err(LimitError::Count { expected, found });
+            return Err(SkeletonError::LimitCount { expected, found });
         }
         let joints = skeleton.joints().iter().zip(limits);
         let limits = joints.map(|(joint, limit)| prepared(&joint.name, limit));
@@ -209,10 +174,10 @@ fn angle(rotor: Rotor<f64>) -> f64 {
     2.0 * sine.atan2(rotor.scalar().abs())
 }
 
-fn prepared(name: &str, limit: Limit) -> Result<Prepared, LimitError> {
+fn prepared(name: &str, limit: Limit) -> Result<Prepared, SkeletonError> {
     let unit = |axis: [f64; 3]| {
         let joint = || name.to_owned();
-        let none = || LimitError::Axis {
+        let none = || SkeletonError::LimitAxis {
             joint: joint(),
             axis,
         };
@@ -224,7 +189,7 @@ fn prepared(name: &str, limit: Limit) -> Result<Prepared, LimitError> {
             return Ok(range);
         }
         let joint = name.to_owned();
-        Err(LimitError::Range { joint, range })
+        Err(SkeletonError::LimitRange { joint, range })
     };
     Ok(match limit {
         Limit::Free => Prepared::Free,
@@ -236,7 +201,7 @@ fn prepared(name: &str, limit: Limit) -> Result<Prepared, LimitError> {
         Limit::SwingTwist { axis, swing, twist } => {
             if !(0.0..=PI).contains(&swing) {
                 let joint = name.to_owned();
-                return Err(LimitError::Swing { joint, swing });
+                return Err(SkeletonError::LimitSwing { joint, swing });
             }
             Prepared::SwingTwist {
                 axis: unit(axis)?,

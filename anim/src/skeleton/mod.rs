@@ -1,12 +1,14 @@
 //! Skeletons: joints in a tree at rest, each with the bone that it rotates, and the limits of their
 //! rotations.
 
+mod error;
 mod limits;
 mod order;
 
 use std::collections::HashMap;
 
-pub use limits::{JointLimits, Limit, LimitError};
+pub use error::SkeletonError;
+pub use limits::{JointLimits, Limit};
 
 /// A joint and its bone, at rest, in the coordinates of the mesh.
 ///
@@ -56,59 +58,13 @@ pub struct Skeleton {
     by_name: HashMap<String, usize>,
 }
 
-/// Joints that do not form a skeleton.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SkeletonError {
-    /// There is no joint.
-    #[error("the skeleton has no joints")]
-    Empty,
-    /// A joint's parent is not among the joints before it, so it is missing, or the joints are out
-    /// of order or in a cycle.
-    #[error("joint {name:?} has joint {parent} as its parent, which does not come before it")]
-    ParentNotBefore {
-        /// The joint.
-        name: String,
-        /// The index that it has as its parent.
-        parent: usize,
-    },
-    /// A joint's parent does not exist.
-    #[error("joint {name:?} has joint {parent} as its parent, which does not exist")]
-    ParentMissing {
-        /// The joint.
-        name: String,
-        /// The index that it has as its parent.
-        parent: usize,
-    },
-    /// A joint is its own ancestor.
-    #[error("joint {name:?} is its own ancestor")]
-    Cycle {
-        /// The joint.
-        name: String,
-    },
-    /// Two joints have the same name.
-    #[error("two joints are called {name:?}")]
-    DuplicateName {
-        /// The name.
-        name: String,
-    },
-    /// A coordinate of a joint is infinite or not a number.
-    #[error("joint {name:?} has a coordinate that is not finite: head {head:?}, tail {tail:?}")]
-    NotFinite {
-        /// The joint.
-        name: String,
-        /// Its head.
-        head: [f64; 3],
-        /// Its tail.
-        tail: [f64; 3],
-    },
-}
-
 impl Skeleton {
     /// A skeleton of these joints, parents first.
     ///
     /// # Errors
     ///
-    /// Any [`SkeletonError`].
+    /// [`SkeletonError::Empty`], [`SkeletonError::ParentNotBefore`],
+    /// [`SkeletonError::DuplicateName`] and [`SkeletonError::NotFinite`].
     pub fn new(joints: Vec<Joint>) -> Result<Self, SkeletonError> {
         if joints.is_empty() {
             return Err(SkeletonError::Empty);

@@ -1,6 +1,7 @@
 //! Joints in any order.
 
-use super::{Joint, Skeleton, SkeletonError};
+use super::{Joint, Skeleton};
+use crate::skeleton::SkeletonError;
 
 impl Skeleton {
     /// A skeleton of joints in any order, in which `parent` counts in the order given, and where
@@ -9,7 +10,8 @@ impl Skeleton {
     ///
     /// # Errors
     ///
-    /// Any [`SkeletonError`] except [`SkeletonError::ParentNotBefore`]: of joints that are their
+    /// [`SkeletonError::Empty`], [`SkeletonError::ParentMissing`], [`SkeletonError::Cycle`],
+    /// [`SkeletonError::DuplicateName`] and [`SkeletonError::NotFinite`]: of joints that are their
     /// own ancestors, the first is named.
     ///
     /// ```

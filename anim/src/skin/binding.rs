@@ -6,8 +6,9 @@ use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
 use super::palette::Kind;
-use super::{Method, Palette, SkinError};
+use super::{Method, Palette};
 use crate::weights::SkinWeights;
+use crate::weights::error::SkinError;
 
 /// Meshes with at least this many vertices are moved on all threads; for fewer, starting the
 /// threads costs more than they save.

@@ -26,7 +26,6 @@
 
 mod binding;
 mod bounds;
-mod error;
 mod palette;
 mod report;
 mod stretch;
@@ -35,9 +34,9 @@ use ga_runtime::cga3::{Motor, Point};
 
 use crate::weights::SkinWeights;
 
+pub use crate::weights::error::SkinError;
 pub use binding::Binding;
 pub use bounds::bounds;
-pub use error::SkinError;
 pub use ga_runtime::batch::skin::{Mix, Posed, SkinScalar};
 pub use palette::{Method, Palette};
 pub use report::BodyReport;

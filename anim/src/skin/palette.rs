@@ -4,8 +4,8 @@ use ga_runtime::batch::skin::{AffinePalette, MotorPalette, Skin, SkinScalar};
 use ga_runtime::cga3::Motor;
 use ga_runtime::geometry::Affine;
 
-use super::SkinError;
 use super::stretch::Stretched;
+use crate::weights::error::SkinError;
 
 /// How the motions of several joints are combined into that of a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,10 +2,11 @@ use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
-use super::{Method, SkinError, skin};
+use super::{Method, skin};
 use crate::pose::Pose;
 use crate::skeleton::Skeleton;
 use crate::weights::SkinWeights;
+use crate::weights::error::SkinError;
 
 /// Measurements of a person in a pose, in the unit of the mesh with y up: they show whether the
 /// bones keep their lengths, the feet are on the ground and the head is above.

@@ -14,46 +14,11 @@
 
 use ga_runtime::vga3::Vector;
 
-use super::{SkinWeights, WeightsError};
+use super::SkinWeights;
+use crate::weights::error::SkinError;
 
 /// The head and the tail of a bone.
 pub type Bone = [[f64; 3]; 2];
-
-/// Numbers from which weights cannot be computed. Bones and points are counted from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum DistanceWeightsError {
-    /// There is no bone.
-    #[error("there are no bones to follow")]
-    NoBones,
-    /// No bone may move a point.
-    #[error("a point must follow at least 1 bone")]
-    NoInfluences,
-    /// The exponent is 0, negative, infinite or not a number.
-    #[error("{exponent} is not an exponent for a weight that decreases with distance")]
-    BadExponent {
-        /// The exponent.
-        exponent: f64,
-    },
-    /// An end of a bone has a coordinate that is infinite or not a number.
-    #[error("bone {bone} has an end that is not finite: {ends:?}")]
-    BadBone {
-        /// The bone.
-        bone: usize,
-        /// Its head and its tail.
-        ends: [[f64; 3]; 2],
-    },
-    /// A point has a coordinate that is infinite or not a number, or lies too far away to measure.
-    #[error("point {point} has no finite distance to the bones: {coordinates:?}")]
-    BadPoint {
-        /// The point.
-        point: usize,
-        /// Its coordinates.
-        coordinates: [f64; 3],
-    },
-    /// The weights do not fit into a table.
-    #[error(transparent)]
-    Weights(#[from] WeightsError),
-}
 
 /// The weights of points with respect to bones, given by head and tail in the order of their
 /// joints.
@@ -65,7 +30,8 @@ pub enum DistanceWeightsError {
 ///
 /// # Errors
 ///
-/// Any [`DistanceWeightsError`].
+/// [`SkinError::NoBones`], [`SkinError::NoInfluences`], [`SkinError::BadExponent`],
+/// [`SkinError::BadBone`] and [`SkinError::BadPoint`], and those of [`SkinWeights::new`].
 ///
 /// # Examples
 ///
@@ -78,24 +44,24 @@ pub enum DistanceWeightsError {
 /// let weights = distance_weights([[0.1, 0.5 + 0.03f64.sqrt(), 0.0]], &[thigh, shank], 2, 2.0)?;
 /// let [first, second] = weights.influences(0) else { panic!("two bones") };
 /// assert!((first.weight - 0.8).abs() < 1e-15 && (second.weight - 0.2).abs() < 1e-15);
-/// # Ok::<(), ga_anim::distance_weights::DistanceWeightsError>(())
+/// # Ok::<(), ga_anim::skin::SkinError>(())
 /// ```
 pub fn distance_weights(
     points: impl IntoIterator<Item = [f64; 3]>,
     bones: &[[[f64; 3]; 2]],
     influences: usize,
     exponent: f64,
-) -> Result<SkinWeights, DistanceWeightsError> {
+) -> Result<SkinWeights, SkinError> {
     check(bones, influences, exponent)?;
     let mut rows = Vec::new();
     for (point, coordinates) in points.into_iter().enumerate() {
         let nearest = nearest(coordinates, bones, influences);
         if !nearest.iter().all(|(_, distance)| distance.is_finite()) {
-            return Err(DistanceWeightsError::BadPoint { point, coordinates });
+            return Err(SkinError::BadPoint { point, coordinates });
         }
         rows.push(shares(&nearest, exponent));
     }
-    Ok(SkinWeights::new(bones.len(), rows)?)
+    SkinWeights::new(bones.len(), rows)
 }
 
 /// The distance from a point to a bone, the segment from head to tail. A bone without length is a
@@ -120,23 +86,19 @@ pub(super) fn nearest_on_bone(point: Vector<f64>, ends: Bone) -> Vector<f64> {
 }
 
 /// Checks bones, number of influences and exponent.
-pub(super) fn check(
-    bones: &[Bone],
-    influences: usize,
-    exponent: f64,
-) -> Result<(), DistanceWeightsError> {
+pub(super) fn check(bones: &[Bone], influences: usize, exponent: f64) -> Result<(), SkinError> {
     if bones.is_empty() {
-        return Err(DistanceWeightsError::NoBones);
+        return Err(SkinError::NoBones);
     }
     if influences == 0 {
-        return Err(DistanceWeightsError::NoInfluences);
+        return Err(SkinError::NoInfluences);
     }
     if !exponent.is_finite() || exponent <= 0.0 {
-        return Err(DistanceWeightsError::BadExponent { exponent });
+        return Err(SkinError::BadExponent { exponent });
     }
     for (bone, &ends) in bones.iter().enumerate() {
         if !ends.iter().flatten().all(|x| x.is_finite()) {
-            return Err(DistanceWeightsError::BadBone { bone, ends });
+            return Err(SkinError::BadBone { bone, ends });
         }
     }
     Ok(())

@@ -5,10 +5,11 @@
 //! greatest.
 
 pub mod distance;
+pub(crate) mod error;
 pub mod geodesic;
 mod smooth;
 
-pub use smooth::SmoothError;
+use error::SkinError;
 
 /// One joint's share in the motion of one vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +33,7 @@ pub struct Influence {
 /// let weights = SkinWeights::new(2, [vec![(0, 3.0), (1, 1.0)], vec![(1, 0.5)]])?;
 /// assert_eq!(weights.influences(0)[0], Influence { joint: 0, weight: 0.75 });
 /// assert_eq!(weights.strongest(1).influences(0), [Influence { joint: 0, weight: 1.0 }]);
-/// # Ok::<(), ga_anim::weights::WeightsError>(())
+/// # Ok::<(), ga_anim::skin::SkinError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SkinWeights {
@@ -42,59 +43,18 @@ pub struct SkinWeights {
     influences: Vec<Influence>,
 }
 
-/// Numbers that are not weights. Vertices and joints are counted from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum WeightsError {
-    /// A vertex has no joint with a weight above 0.
-    #[error("vertex {vertex} is moved by no joint")]
-    Unweighted {
-        /// The vertex.
-        vertex: usize,
-    },
-    /// A weight is negative, infinite or not a number, or the weights of a vertex overflow.
-    #[error("vertex {vertex}: {weight} is not a weight for joint {joint}")]
-    BadWeight {
-        /// The vertex.
-        vertex: usize,
-        /// The joint.
-        joint: u32,
-        /// The weight.
-        weight: f64,
-    },
-    /// A weight is for a joint that does not exist.
-    #[error("vertex {vertex} is moved by joint {joint}, but there are {joints} joints")]
-    JointOutOfRange {
-        /// The vertex.
-        vertex: usize,
-        /// The joint.
-        joint: u32,
-        /// How many joints there are.
-        joints: usize,
-    },
-    /// A vertex has two weights for one joint.
-    #[error("vertex {vertex} has two weights for joint {joint}")]
-    DuplicateJoint {
-        /// The vertex.
-        vertex: usize,
-        /// The joint.
-        joint: u32,
-    },
-    /// More influences than 32-bit indices can tell apart.
-    #[error("more than 2^32 - 1 influences")]
-    TooLarge,
-}
-
 impl SkinWeights {
     /// Weights for the vertices in their order, each a list of (joint, weight), divided by their
     /// sum. A weight of 0 is left out.
     ///
     /// # Errors
     ///
-    /// Any [`WeightsError`].
+    /// [`SkinError::Unweighted`], [`SkinError::BadWeight`], [`SkinError::JointOutOfRange`],
+    /// [`SkinError::DuplicateJoint`] and [`SkinError::TooManyInfluences`].
     pub fn new<V: AsRef<[(u32, f64)]>>(
         joint_count: usize,
         vertices: impl IntoIterator<Item = V>,
-    ) -> Result<Self, WeightsError> {
+    ) -> Result<Self, SkinError> {
         let mut result = Self {
             joint_count,
             offsets: vec![0],
@@ -184,33 +144,33 @@ impl SkinWeights {
         Some(result)
     }
 
-    fn push_checked(&mut self, vertex: usize, list: &[(u32, f64)]) -> Result<(), WeightsError> {
+    fn push_checked(&mut self, vertex: usize, list: &[(u32, f64)]) -> Result<(), SkinError> {
         let joints = self.joint_count;
         let mut row: Vec<Influence> = Vec::with_capacity(list.len());
         for &(joint, weight) in list {
             if joint as usize >= joints {
-                return Err(WeightsError::JointOutOfRange {
+                return Err(SkinError::JointOutOfRange {
                     vertex,
                     joint,
                     joints,
                 });
             }
             if !weight.is_finite() || weight < 0.0 {
-                return Err(WeightsError::BadWeight {
+                return Err(SkinError::BadWeight {
                     vertex,
                     joint,
                     weight,
                 });
             }
             if row.iter().any(|influence| influence.joint == joint) {
-                return Err(WeightsError::DuplicateJoint { vertex, joint });
+                return Err(SkinError::DuplicateJoint { vertex, joint });
             }
             if weight > 0.0 {
                 row.push(Influence { joint, weight });
             }
         }
         if row.is_empty() {
-            return Err(WeightsError::Unweighted { vertex });
+            return Err(SkinError::Unweighted { vertex });
         }
         // Dividing by the greatest first keeps the sum finite and above 0.
         let greatest = row
@@ -222,7 +182,7 @@ impl SkinWeights {
         }
         row.retain(|influence| influence.weight > 0.0);
         if u32::try_from(self.influences.len() + row.len()).is_err() {
-            return Err(WeightsError::TooLarge);
+            return Err(SkinError::TooManyInfluences);
         }
         self.push_normalised(&row);
         Ok(())

@@ -4,27 +4,10 @@
 //! strongly all of the bend then falls on that edge, as a ring about an elbow or a crease across a
 //! chest, whichever way motions are blended. Averaging over neighbours distributes it.
 
-use ga_mesh::MeshError;
 use ga_mesh::topology::{Edges, Neighbours};
 
-use super::{SkinWeights, WeightsError};
-
-/// Why weights cannot be smoothed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SmoothError {
-    /// The triangles are not those of a mesh with as many vertices as there are weights for.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// The share is not between 0 and 1.
-    #[error("the share of the neighbours is {share}; it must be from 0 to 1")]
-    BadShare {
-        /// The share.
-        share: f64,
-    },
-    /// The smoothed weights do not fit into a table.
-    #[error(transparent)]
-    Weights(#[from] WeightsError),
-}
+use super::SkinWeights;
+use crate::weights::error::SkinError;
 
 impl SkinWeights {
     /// The weights after some passes, in each of which the weights of a vertex move towards the
@@ -36,7 +19,7 @@ impl SkinWeights {
     ///
     /// # Errors
     ///
-    /// Any [`SmoothError`].
+    /// [`SkinError::Mesh`] and [`SkinError::BadShare`], and those of [`SkinWeights::new`].
     ///
     /// ```
     /// use ga_anim::weights::SkinWeights;
@@ -52,9 +35,9 @@ impl SkinWeights {
         triangles: &[[u32; 3]],
         passes: usize,
         share: f64,
-    ) -> Result<Self, SmoothError> {
+    ) -> Result<Self, SkinError> {
         if !(0.0..=1.0).contains(&share) {
-            return Err(SmoothError::BadShare { share });
+            return Err(SkinError::BadShare { share });
         }
         let edges = Edges::of_triangles(triangles, self.vertex_count())?;
         let neighbours = Neighbours::new(&edges);

@@ -1,6 +1,7 @@
 //! Weights from distance: known answers, and what must hold for any bones.
 
-use ga_anim::distance_weights::{DistanceWeightsError, distance_to_bone, distance_weights};
+use ga_anim::distance_weights::{distance_to_bone, distance_weights};
+use ga_anim::skin::SkinError;
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -89,19 +90,19 @@ fn bad_input_is_named() {
     let point = [[0.0; 3]];
     assert_eq!(
         distance_weights(point, &[], 1, 1.0),
-        Err(DistanceWeightsError::NoBones)
+        Err(SkinError::NoBones)
     );
     assert_eq!(
         distance_weights(point, &[UPRIGHT], 0, 1.0),
-        Err(DistanceWeightsError::NoInfluences)
+        Err(SkinError::NoInfluences)
     );
     for exponent in [0.0, -1.0, f64::INFINITY] {
         let error = distance_weights(point, &[UPRIGHT], 1, exponent).unwrap_err();
-        assert_eq!(error, DistanceWeightsError::BadExponent { exponent });
+        assert_eq!(error, SkinError::BadExponent { exponent });
     }
     assert!(matches!(
         distance_weights(point, &[UPRIGHT], 1, f64::NAN),
-        Err(DistanceWeightsError::BadExponent { .. })
+        Err(SkinError::BadExponent { .. })
     ));
     let error = distance_weights(point, &[UPRIGHT, [[f64::INFINITY; 3]; 2]], 1, 1.0).unwrap_err();
     assert!(error.to_string().starts_with("bone 1 "), "{error}");

@@ -6,9 +6,8 @@ use std::ops::Range;
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::gltf::character;
 use ga_anim::pose::Pose;
-use ga_anim::retarget::{
-    Alignment, FootLocking, JointMap, LockedFeet, Retarget, RetargetError, Soles,
-};
+use ga_anim::recording::RecordingError;
+use ga_anim::retarget::{Alignment, FootLocking, JointMap, LockedFeet, Retarget, Soles};
 use ga_anim::rig;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::vga3::Vector;
@@ -344,7 +343,7 @@ fn settings_that_are_no_numbers_are_errors() {
             .with_foot_locking(&FootLocking::new(unit))
             .unwrap_err();
         assert!(
-            matches!(error, RetargetError::FootLocking { .. }),
+            matches!(error, RecordingError::FootLocking { .. }),
             "{error}"
         );
     }
@@ -352,11 +351,11 @@ fn settings_that_are_no_numbers_are_errors() {
     let frames = walk.source.frame_count();
     assert!(matches!(
         locked.pose(frames),
-        Err(RetargetError::FrameRange { .. })
+        Err(RecordingError::FrameRange { .. })
     ));
     assert!(matches!(
         locked.clip(0..=frames),
-        Err(RetargetError::FrameRange { .. })
+        Err(RecordingError::FrameRange { .. })
     ));
     assert_eq!(locked.clip(2..=9).unwrap().frames().len(), 8);
 }

@@ -2,10 +2,10 @@
 
 use ga_anim::pose::Pose;
 use ga_anim::rig;
-use ga_anim::skin::{Method, skin};
-use ga_anim::weights::distance::{DistanceWeightsError, distance_weights};
-use ga_anim::weights::geodesic::{GeodesicWeightsError, Options, geodesic_weights};
-use ga_anim::weights::{Influence, SkinWeights, SmoothError};
+use ga_anim::skin::{Method, SkinError, skin};
+use ga_anim::weights::distance::distance_weights;
+use ga_anim::weights::geodesic::{Options, geodesic_weights};
+use ga_anim::weights::{Influence, SkinWeights};
 use ga_mesh::obj;
 use ga_runtime::cga3::{Motor, Rotor};
 use nullcone_shared_data::shared;
@@ -125,7 +125,7 @@ fn what_is_wrong_is_named() {
     let usual = Options::default();
     assert_eq!(
         weights(&positions, &[], &usual),
-        Err(GeodesicWeightsError::NoTriangles)
+        Err(SkinError::NoTriangles)
     );
     let options = Options {
         resolution: 0,
@@ -133,7 +133,7 @@ fn what_is_wrong_is_named() {
     };
     assert_eq!(
         weights(&positions, &triangles, &options),
-        Err(GeodesicWeightsError::BadResolution { resolution: 0 })
+        Err(SkinError::BadResolution { resolution: 0 })
     );
     let options = Options {
         influences: 0,
@@ -141,11 +141,11 @@ fn what_is_wrong_is_named() {
     };
     assert_eq!(
         weights(&positions, &triangles, &options),
-        Err(DistanceWeightsError::NoInfluences.into())
+        Err(SkinError::NoInfluences)
     );
     assert!(matches!(
         weights(&positions, &[[0, 1, 9]], &usual),
-        Err(GeodesicWeightsError::Mesh(_))
+        Err(SkinError::Mesh(_))
     ));
     positions[2][1] = f64::NAN;
     let error = weights(&positions, &triangles, &usual).unwrap_err();
@@ -231,10 +231,10 @@ fn smoothing_is_the_mean_of_neighbours() {
     assert_eq!(weights.smoothed(&fan, 3, 0.0), Ok(weights.clone()));
     assert!(matches!(
         weights.smoothed(&fan, 1, 1.5),
-        Err(SmoothError::BadShare { .. })
+        Err(SkinError::BadShare { .. })
     ));
     assert!(matches!(
         weights.smoothed(&[[0, 1, 9]], 1, 0.5),
-        Err(SmoothError::Mesh(_))
+        Err(SkinError::Mesh(_))
     ));
 }

@@ -1,7 +1,7 @@
 //! Forward kinematics and layers of poses, one by one and in lanes.
 
 use ga_anim::bvh;
-use ga_anim::kinematics::{Hierarchy, HierarchyError, LayerError, LengthError, blend_layers};
+use ga_anim::kinematics::{Hierarchy, KinematicsError, blend_layers};
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -188,7 +188,7 @@ fn a_recording_moves_as_its_own_frames_say() {
 fn what_does_not_fit_is_refused_and_nothing_is_written() {
     assert_eq!(
         Hierarchy::new(&[None, Some(1)]),
-        Err(HierarchyError::ParentNotBefore {
+        Err(KinematicsError::ParentNotBefore {
             joint: 1,
             parent: 1
         })
@@ -200,14 +200,14 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let root = Motor::default();
     assert_eq!(
         hierarchy.forward(root, &own[..3], &mut total[..3]),
-        Err(LengthError::Poses {
+        Err(KinematicsError::PoseMotors {
             joints: 2,
             found: 3
         })
     );
     assert_eq!(
         hierarchy.forward(root, &own, &mut total[..2]),
-        Err(LengthError::Result {
+        Err(KinematicsError::ResultLength {
             expected: 4,
             found: 2
         })
@@ -215,15 +215,15 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     for weight in [-0.1, 1.1, f64::NAN] {
         assert_eq!(
             blend_layers(&own, &own, &[0.5, weight], &mut total),
-            Err(LayerError::Weight { joint: 1 })
+            Err(KinematicsError::LayerWeight { joint: 1 })
         );
     }
     assert_eq!(
         blend_layers(&own, &own[..2], &[0.5, 0.5], &mut total),
-        Err(LayerError::Length(LengthError::Result {
+        Err(KinematicsError::ResultLength {
             expected: 4,
             found: 2
-        }))
+        })
     );
     assert_eq!(total, [Motor::default(); 4]);
     let none = Hierarchy::new(&[]).unwrap();

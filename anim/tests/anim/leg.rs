@@ -1,6 +1,7 @@
 //! The paper's leg against independent matrices, and there and back.
 
-use ga_anim::leg::{Leg, LegAngles, LegError};
+use ga_anim::kinematics::KinematicsError;
+use ga_anim::leg::{Leg, LegAngles};
 use ga_anim::skin::Method;
 use ga_anim::weights::SkinWeights;
 use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -225,7 +226,7 @@ proptest! {
         prop_assert!(again.ankle.distance(pose.ankle) < 1e-14 && found.knee.abs() < 1e-6);
         // A pole in line with the leg shows no side.
         let along = pose.motions[0].transform(Point::new(0.0, -2.0, 0.0));
-        prop_assert!(matches!(leg().reach(pose.hip, pose.ankle, along), Err(LegError::Pole)));
+        prop_assert!(matches!(leg().reach(pose.hip, pose.ankle, along), Err(KinematicsError::LegPole)));
     }
 
     #[test]
@@ -253,7 +254,7 @@ proptest! {
                 let sizes = pose.knee.distance(foot) * pole.distance(base);
                 prop_assert!((together - sizes).abs() <= 1e-12);
             }
-            Err(LegError::Unreachable { distance: stated, least, most }) => {
+            Err(KinematicsError::LegUnreachable { distance: stated, least, most }) => {
                 prop_assert_eq!(stated, distance);
                 prop_assert!(distance < least || distance > most);
             }
@@ -295,14 +296,14 @@ fn skin_follows_its_segments() {
 fn bad_input_is_named() {
     assert!(matches!(
         Leg::new(0.4, 0.0, 0.2),
-        Err(LegError::Length {
+        Err(KinematicsError::LegLength {
             segment: "calf",
             ..
         })
     ));
     assert!(matches!(
         Leg::new(f64::NAN, 0.4, 0.2),
-        Err(LegError::Length {
+        Err(KinematicsError::LegLength {
             segment: "thigh",
             ..
         })
@@ -314,7 +315,7 @@ fn bad_input_is_named() {
     };
     assert!(matches!(
         leg().forward(origin, &wrong),
-        Err(LegError::Angle {
+        Err(KinematicsError::LegAngle {
             angle: "ankle_z",
             ..
         })
@@ -322,16 +323,16 @@ fn bad_input_is_named() {
     let nowhere = Point::new(f64::NAN, 0.0, 0.0);
     assert!(matches!(
         leg().forward(nowhere, &LegAngles::default()),
-        Err(LegError::Place { place: "hip", .. })
+        Err(KinematicsError::LegPlace { place: "hip", .. })
     ));
     let below = Point::new(0.0, -0.5, 0.0);
     assert!(matches!(
         leg().reach(origin, below, Point::new(0.0, 3.0, 0.0)),
-        Err(LegError::Pole)
+        Err(KinematicsError::LegPole)
     ));
     assert!(matches!(
         leg().reach(origin, origin, below),
-        Err(LegError::Unreachable { .. })
+        Err(KinematicsError::LegUnreachable { .. })
     ));
     let rest = leg().rest();
     let seen = |ankle, foot| leg().inverse_of_points([rest[0], rest[1], ankle], foot, 1e-9);
@@ -339,26 +340,26 @@ fn bad_input_is_named() {
     assert!(seen(rest[2], level).is_ok());
     assert!(matches!(
         seen(Point::new(0.0, -0.9, 0.0), level),
-        Err(LegError::Bone {
+        Err(KinematicsError::LegBone {
             segment: "calf",
             ..
         })
     ));
     assert!(matches!(
         seen(nowhere, level),
-        Err(LegError::Place { place: "ankle", .. })
+        Err(KinematicsError::LegPlace { place: "ankle", .. })
     ));
     // Thigh and calf show a hinge along z, and the foot is not across that.
     let tilted = Rotor::from_axis_angle([0.0, 1.0, 0.0], 1.0).unwrap();
     assert!(matches!(
         seen(Point::new(0.41, -0.45, 0.0), tilted),
-        Err(LegError::NotHinged { joint: "ankle", .. })
+        Err(KinematicsError::LegNotHinged { joint: "ankle", .. })
     ));
     // The calf is bent to the side a little, and the hinge is that of the foot.
     let (sine, cosine) = 0.01_f64.sin_cos();
     let aside = Point::new(0.41 * sine, -0.45 - 0.41 * cosine, 0.0);
     assert!(
-        matches!(seen(aside, level), Err(LegError::NotHinged { joint: "knee", angle }) if (angle.abs() - 0.01).abs() < 1e-12)
+        matches!(seen(aside, level), Err(KinematicsError::LegNotHinged { joint: "knee", angle }) if (angle.abs() - 0.01).abs() < 1e-12)
     );
     let mut motions = [Motor::default(); 3];
     motions[1] = Motor::about(
@@ -368,14 +369,14 @@ fn bad_input_is_named() {
     motions[2] = motions[1];
     assert!(matches!(
         leg().inverse(&motions, 1e-9),
-        Err(LegError::NotHinged { joint: "knee", .. })
+        Err(KinematicsError::LegNotHinged { joint: "knee", .. })
     ));
     motions[1] = Motor::from(ga_runtime::cga3::Translator::from_displacement([
         0.1, 0.0, 0.0,
     ]));
     assert!(matches!(
         leg().inverse(&motions, 1e-9),
-        Err(LegError::Apart { joint: "knee", .. })
+        Err(KinematicsError::LegApart { joint: "knee", .. })
     ));
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use ga_anim::skeleton::{Joint, JointLimits, Limit, LimitError, Skeleton, SkeletonError};
+use ga_anim::skeleton::{Joint, JointLimits, Limit, Skeleton, SkeletonError};
 use ga_runtime::cga3::Rotor;
 use proptest::prelude::*;
 
@@ -204,7 +204,7 @@ fn faults_name_the_joint() {
     }
     assert_eq!(
         JointLimits::new(&skeleton, vec![]),
-        Err(LimitError::Count {
+        Err(SkeletonError::LimitCount {
             expected: 1,
             found: 0
         })

@@ -1,7 +1,7 @@
 //! Poses and clips: bones stay whole, in-betweens are the ones known in closed form.
 
 use ga_anim::clip::{Clip, ClipError};
-use ga_anim::pose::{Pose, PoseError};
+use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use proptest::array::uniform3;
@@ -273,7 +273,7 @@ fn what_is_no_clip_pose_or_skeleton_is_an_error() {
     let one = Skeleton::new(vec![joint("a", None)]).unwrap();
     assert_eq!(
         Pose::rest(2).motions(&one),
-        Err(PoseError {
+        Err(SkeletonError::PoseLength {
             expected: 1,
             found: 2
         })

@@ -1,9 +1,9 @@
 //! Recordings: what files say, in model space, and as clips and back.
 
 use ga_anim::bvh;
+use ga_anim::kinematics::KinematicsError;
 use ga_anim::recording::{
-    ModelSpaceError, RecordedJoint, Recording, RecordingError, ScalarTrack, model_maps,
-    model_motors,
+    RecordedJoint, Recording, RecordingError, ScalarTrack, model_maps, model_motors,
 };
 use ga_anim::transform::Transform;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -236,7 +236,7 @@ fn sampling_between_frames_and_beyond_the_ends() {
     let error = recording.sample(0.0, &mut []).unwrap_err();
     assert_eq!(
         error,
-        ModelSpaceError::Length {
+        KinematicsError::SliceLength {
             expected: 1,
             found: 0
         }
@@ -247,13 +247,13 @@ fn sampling_between_frames_and_beyond_the_ends() {
 fn model_space_refuses_what_does_not_fit() {
     let one = [Transform::<f64>::default()];
     let mut map = [Affine::from_translation([0.0; 3])];
-    let length = ModelSpaceError::Length {
+    let length = KinematicsError::SliceLength {
         expected: 1,
         found: 0,
     };
-    assert_eq!(model_maps(&[None], &[], &mut map), Err(length));
+    assert_eq!(model_maps(&[None], &[], &mut map), Err(length.clone()));
     assert_eq!(model_maps(&[None], &one, &mut []), Err(length));
-    let order = ModelSpaceError::ParentNotBefore {
+    let order = KinematicsError::ParentNotBefore {
         joint: 0,
         parent: 0,
     };
@@ -261,5 +261,5 @@ fn model_space_refuses_what_does_not_fit() {
     let mut scaled = one;
     scaled[0].scale = Vector::new(1.0, 2.0, 1.0);
     let error = model_motors(&[None], &scaled, &mut [Motor::default()]);
-    assert_eq!(error, Err(ModelSpaceError::Scaled { joint: 0 }));
+    assert_eq!(error, Err(KinematicsError::Scaled { joint: 0 }));
 }

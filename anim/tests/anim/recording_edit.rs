@@ -1,11 +1,10 @@
 //! Recordings resampled, mirrored and blended, and read back from compressed clips.
 
 use ga_anim::bvh;
+use ga_anim::clip::Mirror;
 use ga_anim::clip::compressed::{Settings, compress};
-use ga_anim::clip::{Mirror, MirrorError};
 use ga_anim::recording::{
-    BlendError, RecordedJoint, Recording, RecordingError, ScalarTrack, blend, model_maps,
-    model_motors,
+    RecordedJoint, Recording, RecordingError, ScalarTrack, blend, model_maps, model_motors,
 };
 use ga_anim::transform::Transform;
 use ga_runtime::cga3::{DualPlane, Motor, Point, Rotor};
@@ -333,7 +332,7 @@ fn what_cannot_be_mirrored_is_an_error_that_names_the_joint() {
     let error = |joints: &[(&str, Option<usize>)]| still(joints, 1).mirrored(x).unwrap_err();
     assert_eq!(
         still(&[("a", None)], 1).mirrored(Vector::default()),
-        Err(MirrorError::Plane)
+        Err(RecordingError::MirrorPlane)
     );
     assert_eq!(
         error(&[("Hips", None), ("LeftLeg", Some(0))]).to_string(),
@@ -345,9 +344,12 @@ fn what_cannot_be_mirrored_is_an_error_that_names_the_joint() {
         ("LeftLeg", Some(0)),
         ("RightLeg", Some(1)),
     ];
-    assert!(matches!(error(&parents), MirrorError::Parents { .. }));
+    assert!(matches!(
+        error(&parents),
+        RecordingError::PairParents { .. }
+    ));
     let twice = [("LeftLeg", None), ("LeftLeg", None), ("RightLeg", None)];
-    assert!(matches!(error(&twice), MirrorError::Twice { .. }));
+    assert!(matches!(error(&twice), RecordingError::PairedTwice { .. }));
 
     let recording = still(&[("hip", None)], 2);
     let mut locals = recording.locals().to_vec();
@@ -363,10 +365,13 @@ fn what_cannot_be_blended_is_an_error_that_names_the_element() {
     let (a, b) = (still(&body, 2), still(&body, 3));
     for weight in [-1.0, f64::NAN, f64::INFINITY] {
         let error = blend(&[(&a, 1.0), (&b, weight)]).unwrap_err();
-        assert!(matches!(error, BlendError::Weight { recording: 1, .. }));
+        assert!(matches!(error, RecordingError::Weight { recording: 1, .. }));
     }
-    assert_eq!(blend(&[(&a, 0.0), (&b, 0.0)]), Err(BlendError::Sum(0.0)));
-    assert_eq!(blend(&[]), Err(BlendError::Sum(0.0)));
+    assert_eq!(
+        blend(&[(&a, 0.0), (&b, 0.0)]),
+        Err(RecordingError::Sum(0.0))
+    );
+    assert_eq!(blend(&[]), Err(RecordingError::Sum(0.0)));
     assert!(blend(&[(&a, f64::MAX), (&b, f64::MAX)]).is_err());
     let error = |other: &[(&str, Option<usize>)]| {
         let other = still(other, 1);
@@ -397,8 +402,5 @@ fn what_cannot_be_blended_is_an_error_that_names_the_element() {
         .unwrap()
     };
     let error = blend(&[(&times(&a, 1e6), 1.0), (&times(&b, 1e-6), 1.0)]).unwrap_err();
-    assert!(matches!(
-        error,
-        BlendError::Recording(RecordingError::TooLarge { .. })
-    ));
+    assert!(matches!(error, RecordingError::TooLarge { .. }));
 }

@@ -1,7 +1,8 @@
 //! Recordings of glTF animations, against the oracle and in closed form.
 
-use ga_anim::gltf::{PlayError, Player};
-use ga_anim::recording::{GltfMotion, GltfMotionError, Recording, RecordingError, model_maps};
+use ga_anim::MotionFileError;
+use ga_anim::gltf::Player;
+use ga_anim::recording::{GltfMotion, Recording, RecordingError, model_maps};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, MorphTarget, Node, Primitive,
     Transform, read,
@@ -223,7 +224,7 @@ fn matrices_are_split_unless_they_shear() {
     singular[5] = 0.0;
     for matrix in [shears, singular] {
         let found = Recording::from_gltf(&with(matrix), 0, 1.0, None);
-        assert_eq!(found, Err(GltfMotionError::Shears { node: 1 }));
+        assert_eq!(found, Err(MotionFileError::Shears { node: 1 }));
     }
 }
 
@@ -264,7 +265,7 @@ fn what_little_shear_moves_is_the_deviation() {
     let added = with_shell - places_alone;
     assert!((8e-6..2e-5).contains(&added), "{added}");
     let error = motion.deviation(&recording, Some(-1.0), 0.0).unwrap_err();
-    assert_eq!(error, GltfMotionError::Rate(-1.0));
+    assert_eq!(error, MotionFileError::Rate(-1.0));
 }
 
 /// Keys on a grid are kept, wherever they begin; others are resampled at the finest interval.
@@ -351,16 +352,16 @@ fn what_is_no_recording() {
         Recording::from_gltf(document, animation, unit, rate).unwrap_err()
     };
     let (animation, count) = (1, 1);
-    let none = PlayError::NoAnimation { animation, count };
-    assert_eq!(error(&good, 1, 1.0, None), GltfMotionError::Play(none));
+    let none = MotionFileError::NoAnimation { animation, count };
+    assert_eq!(error(&good, 1, 1.0, None), none);
     assert_eq!(error(&good, 0, 0.0, None), RecordingError::Unit(0.0).into());
     assert_eq!(
         error(&good, 0, 1.0, Some(-1.0)),
-        GltfMotionError::Rate(-1.0)
+        MotionFileError::Rate(-1.0)
     );
     assert!(matches!(
         error(&good, 0, 1.0, Some(1e9)),
-        GltfMotionError::TooLarge { .. }
+        MotionFileError::RecordingTooLarge { .. }
     ));
     let still = document(arm(), Vec::new());
     assert_eq!(error(&still, 0, 1.0, None), RecordingError::NoJoints.into());

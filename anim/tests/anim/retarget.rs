@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 use ga_anim::bvh::{self, Bvh};
-use ga_anim::pose::PoseError;
-use ga_anim::retarget::{Alignment, JointMap, Retarget, RetargetError, Soles};
-use ga_anim::skeleton::{Joint, Skeleton};
+use ga_anim::recording::RecordingError;
+use ga_anim::retarget::{Alignment, JointMap, Retarget, Soles};
+use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_anim::skin::SkinError;
 use ga_anim::weights::SkinWeights;
 use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -355,7 +355,7 @@ fn what_cannot_be_carried_over_is_an_error() {
     let retarget = Retarget::new(&source, &target, &Soles::of_skeleton(&target)).unwrap();
     assert_eq!(
         retarget.clip(0..=1),
-        Err(RetargetError::FrameRange {
+        Err(RecordingError::FrameRange {
             from: 0,
             to: 1,
             frames: 1
@@ -364,7 +364,7 @@ fn what_cannot_be_carried_over_is_an_error() {
     let backwards = std::ops::RangeInclusive::new(1, 0);
     assert_eq!(
         retarget.clip(backwards),
-        Err(RetargetError::FrameRange {
+        Err(RecordingError::FrameRange {
             from: 1,
             to: 0,
             frames: 1
@@ -372,12 +372,12 @@ fn what_cannot_be_carried_over_is_an_error() {
     );
     assert!(matches!(
         retarget.pose(1),
-        Err(RetargetError::FrameRange { .. })
+        Err(RecordingError::FrameRange { .. })
     ));
 
     assert_eq!(
         Retarget::new(&recording(&[]), &target, &Soles::of_skeleton(&target)).unwrap_err(),
-        RetargetError::NoFrames
+        RecordingError::NoMotion
     );
     let stranger = Joint {
         name: "tentacle".into(),
@@ -388,10 +388,10 @@ fn what_cannot_be_carried_over_is_an_error() {
     let stranger = Skeleton::new(vec![stranger]).unwrap();
     assert_eq!(
         Retarget::new(&source, &stranger, &Soles::of_skeleton(&stranger)).unwrap_err(),
-        RetargetError::NoMatch
+        RecordingError::NoMatch
     );
     let soles = Soles::of_skeleton(&stranger);
-    let error = RetargetError::Pose(PoseError {
+    let error = RecordingError::Skeleton(SkeletonError::PoseLength {
         expected: BODY.len(),
         found: 1,
     });
@@ -399,7 +399,7 @@ fn what_cannot_be_carried_over_is_an_error() {
     let trunk = Skeleton::new(target.joints()[..3].to_vec()).unwrap();
     assert_eq!(
         Retarget::new(&source, &trunk, &Soles::of_skeleton(&trunk)).unwrap_err(),
-        RetargetError::NoLegs
+        RecordingError::NoLegs
     );
     let far = [vec![1e308; 3], still[3..].to_vec()].concat();
     let giant = skeleton(100.0, |_, place| place);
@@ -410,6 +410,6 @@ fn what_cannot_be_carried_over_is_an_error() {
             &Soles::of_skeleton(&giant)
         )
         .unwrap_err(),
-        RetargetError::Overflow { frame: 1 }
+        RecordingError::Overflow { frame: 1 }
     );
 }

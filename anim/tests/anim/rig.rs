@@ -1,9 +1,11 @@
 //! Bones and weights from JSON: the real rig against known positions, made ones with known faults.
 
 use crate::assert_relative;
-use ga_anim::rig::{self, RigError};
+use ga_anim::MotionFileError;
+use ga_anim::rig::{self};
 use ga_anim::skeleton::{Skeleton, SkeletonError};
-use ga_anim::weights::{Influence, WeightsError};
+use ga_anim::skin::SkinError;
+use ga_anim::weights::Influence;
 use nullcone_shared_data::shared;
 use serde_json::{Value, json};
 
@@ -135,7 +137,7 @@ fn bone(parent: &str) -> Value {
     json!({"head": {"default_position": [0, 0, 0]}, "tail": {"default_position": [0, 0, 1]}, "parent": parent})
 }
 
-fn error_of(bones: &Value) -> RigError {
+fn error_of(bones: &Value) -> MotionFileError {
     rig::parse(bones.to_string().as_bytes()).unwrap_err()
 }
 
@@ -143,7 +145,7 @@ fn error_of(bones: &Value) -> RigError {
 fn what_is_no_rig_is_named() {
     assert!(matches!(
         error_of(&json!({})),
-        RigError::Skeleton(SkeletonError::Empty)
+        MotionFileError::Skeleton(SkeletonError::Empty)
     ));
     let lost = error_of(&json!({"a": bone(""), "b": bone("c")}));
     assert_eq!(
@@ -153,7 +155,7 @@ fn what_is_no_rig_is_named() {
     let ring =
         json!({"a": bone(""), "b": bone("d"), "c": bone("d"), "d": bone("e"), "e": bone("d")});
     assert!(
-        matches!(error_of(&ring), RigError::Cycle { bone } if bone == "d" || bone == "e"),
+        matches!(error_of(&ring), MotionFileError::Cycle { bone } if bone == "d" || bone == "e"),
         "b and c hang below the cycle but are not in it"
     );
     assert_eq!(
@@ -231,24 +233,24 @@ fn what_are_no_weights_is_named() {
 
     assert!(matches!(
         parse(json!({"c": [[0, 1.0]]})).unwrap_err(),
-        RigError::UnknownBone { bone } if bone == "c"
+        MotionFileError::UnknownBone { bone } if bone == "c"
     ));
     assert!(matches!(
         parse(json!({"a": [[0, 1.0], [2, 1.0]]})).unwrap_err(),
-        RigError::VertexOutOfRange { bone, vertex: 2, vertices: 2 } if bone == "a"
+        MotionFileError::VertexOutOfRange { bone, vertex: 2, vertices: 2 } if bone == "a"
     ));
     for (weights, expected) in [
         (
             json!({"a": [[0, 1.0]]}),
-            WeightsError::Unweighted { vertex: 1 },
+            SkinError::Unweighted { vertex: 1 },
         ),
         (
             json!({"a": [[0, 1.0], [1, 0.0]]}),
-            WeightsError::Unweighted { vertex: 1 },
+            SkinError::Unweighted { vertex: 1 },
         ),
         (
             json!({"a": [[0, 1.0], [1, -0.5]]}),
-            WeightsError::BadWeight {
+            SkinError::BadWeight {
                 vertex: 1,
                 joint: 0,
                 weight: -0.5,
@@ -256,14 +258,14 @@ fn what_are_no_weights_is_named() {
         ),
         (
             json!({"a": [[0, 1.0], [1, 1.0], [1, 1.0]]}),
-            WeightsError::DuplicateJoint {
+            SkinError::DuplicateJoint {
                 vertex: 1,
                 joint: 0,
             },
         ),
     ] {
         assert!(
-            matches!(parse(weights).unwrap_err(), RigError::Weights(found) if found == expected)
+            matches!(parse(weights).unwrap_err(), MotionFileError::Skin(found) if found == expected)
         );
     }
     for text in [
@@ -274,7 +276,7 @@ fn what_are_no_weights_is_named() {
     ] {
         assert!(matches!(
             rig::parse_weights(text.as_bytes(), &skeleton, 2).unwrap_err(),
-            RigError::Json(_)
+            MotionFileError::Json(_)
         ));
     }
 }

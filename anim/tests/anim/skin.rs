@@ -5,7 +5,7 @@ use ga_anim::pose::Pose;
 use ga_anim::rig;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::skin::{self, Method, SkinError};
-use ga_anim::weights::{Influence, SkinWeights, WeightsError};
+use ga_anim::weights::{Influence, SkinWeights};
 use ga_mesh::obj;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use nullcone_shared_data::shared;
@@ -298,7 +298,7 @@ fn tiny_and_huge_weights_are_weights() {
     for (row, error) in [
         (
             [(0, f64::NAN)],
-            WeightsError::BadWeight {
+            SkinError::BadWeight {
                 vertex: 0,
                 joint: 0,
                 weight: f64::NAN,
@@ -307,7 +307,7 @@ fn tiny_and_huge_weights_are_weights() {
         ),
         (
             [(0, f64::INFINITY)],
-            WeightsError::BadWeight {
+            SkinError::BadWeight {
                 vertex: 0,
                 joint: 0,
                 weight: f64::INFINITY,
@@ -316,17 +316,14 @@ fn tiny_and_huge_weights_are_weights() {
         ),
         (
             [(2, 1.0)],
-            WeightsError::JointOutOfRange {
+            SkinError::JointOutOfRange {
                 vertex: 0,
                 joint: 2,
                 joints: 2,
             }
             .to_string(),
         ),
-        (
-            [(0, 0.0)],
-            WeightsError::Unweighted { vertex: 0 }.to_string(),
-        ),
+        ([(0, 0.0)], SkinError::Unweighted { vertex: 0 }.to_string()),
     ] {
         assert_eq!(SkinWeights::new(2, [row]).unwrap_err().to_string(), error);
     }

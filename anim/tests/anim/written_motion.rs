@@ -1,8 +1,9 @@
 //! Clips as BVH files and as animations of glTF documents, read again.
 
-use ga_anim::bvh::{self, Bvh, BvhConversionError};
+use ga_anim::MotionFileError;
+use ga_anim::bvh::{self, Bvh};
 use ga_anim::clip::Clip;
-use ga_anim::gltf::{Player, Rigged, RiggedError, character};
+use ga_anim::gltf::{Player, Rigged, character};
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_mesh::gltf::{Document, Keys, Node, Transform};
@@ -80,7 +81,7 @@ fn what_bvh_cannot_hold_is_an_error() {
     moved.joints[3] = Motor::from(Translator::from_displacement([0.0, 0.25, 0.0]));
     let clip = Clip::new(0.1, vec![Pose::rest(7), moved]).unwrap();
     match Bvh::from_clip(&skeleton, &clip).unwrap_err() {
-        BvhConversionError::Moves {
+        MotionFileError::Moves {
             name,
             frame,
             distance,
@@ -93,7 +94,7 @@ fn what_bvh_cannot_hold_is_an_error() {
     let short = Clip::new(0.1, vec![Pose::rest(6)]).unwrap();
     assert!(matches!(
         Bvh::from_clip(&skeleton, &short),
-        Err(BvhConversionError::Pose(_))
+        Err(MotionFileError::Skeleton(_))
     ));
     let named = |a: &str, b: &str| {
         let joint = |name: &str| Joint {
@@ -107,7 +108,7 @@ fn what_bvh_cannot_hold_is_an_error() {
     };
     assert!(matches!(
         named("a{", "a}"),
-        Err(BvhConversionError::DuplicateName { .. })
+        Err(MotionFileError::DuplicateName { .. })
     ));
     assert_eq!(named("a\nb", "").unwrap().joints()[0].name, "a b");
 }
@@ -184,7 +185,7 @@ fn a_skeleton_alone_plays_a_clip() {
     let short = Clip::new(0.1, vec![Pose::rest(6)]).unwrap();
     assert!(matches!(
         rigged.with_clip("short", &short),
-        Err(RiggedError::Pose(_))
+        Err(MotionFileError::Skeleton(_))
     ));
     // A frame that is scaled unevenly has no rotation below it.
     let node = |children: Vec<usize>, scale| Node {
@@ -204,7 +205,7 @@ fn a_skeleton_alone_plays_a_clip() {
     let still = Clip::new(0.1, vec![Pose::rest(2)]).unwrap();
     assert_eq!(
         rigged.with_clip("still", &still).unwrap_err(),
-        RiggedError::Uneven { node: 0 }
+        MotionFileError::Uneven { node: 0 }
     );
 }
 
@@ -253,7 +254,7 @@ fn a_figure_grows_with_its_skin() {
         assert!(wanted.distance(new.into()) < 1e-5, "{old:?} {new:?}");
     }
     let refused = |factors: &[f64]| rigged.with_lengths(factors).unwrap_err();
-    assert!(matches!(refused(&[1.0]), RiggedError::Pose(_)));
+    assert!(matches!(refused(&[1.0]), MotionFileError::Skeleton(_)));
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let mut factors = vec![1.0; count];
         factors[2] = wrong;

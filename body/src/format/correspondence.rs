@@ -18,32 +18,10 @@
 //! A skeleton whose names do not mean anything is understood by its structure: two chains to the
 //! ground are legs, and so on.
 
+use crate::BodyError;
 use ga_anim::retarget::{JointMap, Source};
 use ga_anim::skeleton::Skeleton;
 use ga_runtime::cga3::Motor;
-
-/// Names that do not match a skeleton.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum CorrespondenceError {
-    /// A name is neither that of a joint nor known.
-    #[error("joint {name:?} ({index}) is not a joint of the skeleton, which has {}", .joints.join(", "))]
-    Unknown {
-        /// The name.
-        name: String,
-        /// Its number, from 0.
-        index: usize,
-        /// The names of the skeleton's joints.
-        joints: Vec<String>,
-    },
-    /// Too few names are those of joints.
-    #[error("{found} of the joints are the skeleton's, and a pose needs {needed}")]
-    TooFew {
-        /// How many names match.
-        found: usize,
-        /// How many are needed.
-        needed: usize,
-    },
-}
 
 /// A pose has a place and an orientation.
 const NEEDED: usize = 3;
@@ -55,7 +33,7 @@ const OF_THE_SKIN: [&str; 6] = ["nose", "eye", "ear", "bigtoe", "smalltoe", "hee
 /// skin and joints that this skeleton does not have.
 ///
 /// # Errors
-/// [`CorrespondenceError`] for a name that is neither that of a joint nor known, and where fewer
+/// [`BodyError`] for a name that is neither that of a joint nor known, and where fewer
 /// than three match.
 ///
 /// ```
@@ -82,7 +60,7 @@ const OF_THE_SKIN: [&str; 6] = ["nose", "eye", "ear", "bigtoe", "smalltoe", "hee
 pub fn correspondence(
     names: &[String],
     skeleton: &Skeleton,
-) -> Result<Vec<Option<usize>>, CorrespondenceError> {
+) -> Result<Vec<Option<usize>>, BodyError> {
     let understood = Names(names.iter().map(|name| alias(name, skeleton)).collect());
     let map = JointMap::by_names_or_structure(&understood, skeleton);
     let mut joints = vec![None; names.len()];
@@ -94,7 +72,7 @@ pub fn correspondence(
     }
     for (index, name) in names.iter().enumerate() {
         if joints[index].is_none() && !is_known(name) {
-            return Err(CorrespondenceError::Unknown {
+            return Err(BodyError::UnknownJoint {
                 name: name.clone(),
                 index,
                 joints: skeleton.joints().iter().map(|j| j.name.clone()).collect(),
@@ -104,7 +82,7 @@ pub fn correspondence(
     let found = joints.iter().flatten().count();
     if found < NEEDED {
         let needed = NEEDED;
-        return Err(CorrespondenceError::TooFew { found, needed });
+        return Err(BodyError::TooFewJoints { found, needed });
     }
     Ok(joints)
 }

@@ -1,6 +1,5 @@
 //! Which dot in a picture is which point of a body in a pose.
 
-use ga_anim::pose::PoseError;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
@@ -8,6 +7,7 @@ use super::MarkedBody;
 use crate::chain::rotated;
 use crate::marker::Dot;
 use crate::{FittedPose, JointPixel, Observation};
+use ga_anim::skeleton::SkeletonError;
 use ga_camera::Camera;
 
 /// The standard deviation of the centre of a dot that faces the camera, in pixels: most of it is
@@ -33,7 +33,7 @@ impl MarkedBody {
         dots: &[Vec<Dot>],
         fitted: &FittedPose,
         gate: f64,
-    ) -> Result<Assignment, PoseError> {
+    ) -> Result<Assignment, SkeletonError> {
         let normals = self.normals(fitted)?;
         let mut assignment: Assignment = vec![vec![None; self.marks.len()]; cameras.len()];
         let mut found = vec![0.0; self.model.skeleton().len()];
@@ -87,7 +87,7 @@ impl MarkedBody {
         dots: &[Vec<Dot>],
         assignment: &Assignment,
         fitted: Option<&FittedPose>,
-    ) -> Result<Observation, PoseError> {
+    ) -> Result<Observation, SkeletonError> {
         let normals = fitted.map(|fitted| self.normals(fitted)).transpose()?;
         let mut seen = Observation::unseen(cameras.len(), self.marks.len());
         for (index, view) in assignment.iter().enumerate() {
@@ -109,7 +109,7 @@ impl MarkedBody {
     }
 
     /// The normals of the points in a pose.
-    fn normals(&self, fitted: &FittedPose) -> Result<Vec<Vector<f64>>, PoseError> {
+    fn normals(&self, fitted: &FittedPose) -> Result<Vec<Vector<f64>>, SkeletonError> {
         let motions = fitted.pose.motions(self.model.skeleton())?;
         let points = self.model.points().iter().zip(&self.marks);
         let normals = points.map(|(point, mark)| {

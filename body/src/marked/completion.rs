@@ -1,6 +1,5 @@
 //! Limbs that were not recognised by themselves, searched about the joint by which they hang.
 
-use ga_anim::pose::PoseError;
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
@@ -9,6 +8,7 @@ use super::assignment::Assignment;
 use crate::FittedPose;
 use crate::chain::rotated;
 use crate::marker::Dot;
+use ga_anim::skeleton::SkeletonError;
 use ga_camera::Camera;
 
 /// Steps of the rotation about the way from the joint to a dot.
@@ -50,7 +50,7 @@ impl MarkedBody {
         dots: &[Vec<Dot>],
         fitted: &FittedPose,
         assignment: &mut Assignment,
-    ) -> Result<bool, PoseError> {
+    ) -> Result<bool, SkeletonError> {
         let skeleton = self.model.skeleton();
         let mut motions = fitted.pose.motions(skeleton)?;
         let mut is_known = vec![false; skeleton.len()];

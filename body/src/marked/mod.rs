@@ -22,21 +22,20 @@ mod assembly;
 mod assignment;
 mod body;
 mod completion;
-mod error;
 mod parts;
 mod space;
 
-use ga_anim::inverse_kinematics::KinematicsError;
 use ga_runtime::vga3::Vector;
 
 pub use body::MarkedBody;
-pub use error::MarkedError;
 pub use parts::Mark;
 
 use super::{BodyFit, BodyModel, FittedPose, Observation};
+use crate::BodyError;
 use crate::marker::Dot;
 use assembly::{FIRST, assembled};
 use assignment::Assignment;
+use ga_anim::kinematics::KinematicsError;
 use ga_camera::Camera;
 use parts::{Part, Space};
 use space::space_dots;
@@ -70,18 +69,18 @@ impl MarkedBody {
     /// A body with a mark at each of its points, in their order.
     ///
     /// # Errors
-    /// [`MarkedError::Marks`], [`MarkedError::Normal`].
-    pub fn new(model: BodyModel, marks: Vec<Mark>) -> Result<Self, MarkedError> {
+    /// [`BodyError::Marks`], [`BodyError::Normal`].
+    pub fn new(model: BodyModel, marks: Vec<Mark>) -> Result<Self, BodyError> {
         let (expected, found) = (model.points().len(), marks.len());
         if expected != found {
-            return Err(MarkedError::Marks { expected, found });
+            return Err(BodyError::Marks { expected, found });
         }
         let mut unit = Vec::with_capacity(marks.len());
         for (mark, point) in marks.into_iter().zip(model.points()) {
             let normal = Vector::from(mark.normal)
                 .normalized()
                 .filter(|n| n.is_finite());
-            let normal = normal.ok_or_else(|| MarkedError::Normal {
+            let normal = normal.ok_or_else(|| BodyError::Normal {
                 point: point.name.clone(),
                 normal: mark.normal,
             })?;
@@ -117,8 +116,9 @@ impl MarkedBody {
     /// The most likely pose for the dots that the pictures of two cameras or more show.
     ///
     /// # Errors
-    /// [`MarkedError`].
-    pub fn fit(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<MarkedFit, MarkedError> {
+    /// [`BodyError::DotViews`], [`BodyError::NoDots`], [`BodyError::DotNotFinite`] and
+    /// [`BodyError::TooFewMarkers`], and those of [`BodyFit::frame`](crate::BodyFit::frame).
+    pub fn fit(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<MarkedFit, BodyError> {
         check(cameras, dots)?;
         let fit = BodyFit::new(&self.model, cameras)?;
         let first = self.recognised(cameras, dots)?;
@@ -179,7 +179,7 @@ impl MarkedBody {
         dots: &[Vec<Dot>],
         found: &mut Labelled,
         gates: &[f64],
-    ) -> Result<(), MarkedError> {
+    ) -> Result<(), BodyError> {
         let mut last = f64::INFINITY;
         for &gate in gates {
             let next = self
@@ -200,7 +200,7 @@ impl MarkedBody {
     }
 
     /// The dots of the parts that are recognised in space.
-    fn recognised(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<Assignment, MarkedError> {
+    fn recognised(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<Assignment, BodyError> {
         let in_space = space_dots(cameras, dots);
         let eyes = cameras.iter().map(|camera| Vector::from(camera.centre()));
         let space = Space::new(&in_space, eyes.collect());
@@ -221,7 +221,7 @@ impl MarkedBody {
                     (part.joint, counts.max().unwrap_or(0))
                 });
             let (joint, found) = best.max_by_key(|(_, count)| *count).unwrap_or((0, 0));
-            return Err(MarkedError::TooFewMarkers {
+            return Err(BodyError::TooFewMarkers {
                 joint: skeleton.joints()[joint].name.clone(),
                 found,
                 needed: FIRST,
@@ -241,25 +241,25 @@ impl MarkedBody {
     }
 }
 
-fn pose(error: ga_anim::pose::PoseError) -> MarkedError {
-    MarkedError::Body(KinematicsError::from(error).into())
+fn pose(error: ga_anim::skeleton::SkeletonError) -> BodyError {
+    KinematicsError::from(error).into()
 }
 
-fn check(cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<(), MarkedError> {
+fn check(cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<(), BodyError> {
     let (expected, found) = (cameras.len(), dots.len());
     if expected != found {
-        return Err(MarkedError::Views { expected, found });
+        return Err(BodyError::DotViews { expected, found });
     }
     for (view, dots) in dots.iter().enumerate() {
         if dots.is_empty() {
-            return Err(MarkedError::NoDots { view });
+            return Err(BodyError::NoDots { view });
         }
         let wrong = dots
             .iter()
             .find(|dot| !dot.centre.iter().all(|c| c.is_finite()));
         if let Some(dot) = wrong {
             let centre = dot.centre;
-            return Err(MarkedError::NotFinite { view, centre });
+            return Err(BodyError::DotNotFinite { view, centre });
         }
     }
     Ok(())

@@ -14,8 +14,9 @@ mod links;
 use depths::{Depths, Places};
 pub(super) use links::{Link, Links};
 
+use super::Observation;
 use super::chain::{Chain, State, rotated};
-use super::{BodyError, Observation};
+use crate::BodyError;
 use ga_camera::Camera;
 use ga_camera::triangulation::{TriangulationError, triangulate_views};
 

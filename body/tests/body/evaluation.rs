@@ -1,7 +1,7 @@
 //! Simulated observations of bodies, and the errors of what is found from them.
 
-use ga_body::evaluation::{Disturbance, SimulationError, score, simulate, triangulated_points};
-use ga_body::pose_error::ComparisonError;
+use ga_body::BodyError;
+use ga_body::evaluation::{Disturbance, score, simulate, triangulated_points};
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
@@ -206,16 +206,16 @@ fn frames_without_their_root_or_with_few_joints_have_fewer_scores() {
     assert_eq!(scores.aligned_error, alone.aligned_error);
     assert!(matches!(
         score(&[], &truth[..1], &found[2..]),
-        Err(ComparisonError::Empty)
+        Err(BodyError::NoJoints)
     ));
     let nan = vec![Some(Point::new(f64::NAN, 0.0, 0.0)), None, None];
     assert!(matches!(
         score(&[], &truth[..1], &[nan]),
-        Err(ComparisonError::NotFinite { joint: 0 })
+        Err(BodyError::JointNotFinite { joint: 0 })
     ));
     assert!(matches!(
         score(&[], &truth[..1], &[vec![None; 2]]),
-        Err(ComparisonError::Counts {
+        Err(BodyError::JointCounts {
             expected: 3,
             found: 2
         })
@@ -283,7 +283,7 @@ fn what_cannot_be_simulated_is_named() {
         let bad = Disturbance { missing, ..good };
         assert!(matches!(
             simulate(&cameras, &motion, &bad),
-            Err(SimulationError::Missing(_))
+            Err(BodyError::Missing(_))
         ));
     }
     motion[3][7] = Point::new(0.0, 0.0, 9.0);

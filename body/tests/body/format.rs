@@ -1,12 +1,12 @@
 //! Files of joints in pictures.
 
 use ga_anim::skeleton::{Joint, Skeleton};
-use ga_body::JointPixel;
-use ga_body::format::correspondence::{CorrespondenceError, correspondence};
+use ga_body::format::correspondence::correspondence;
 use ga_body::format::{
     Detections, DetectorOptions, FrameKey, JointProblem, JointView, JointViews, JointsError, coco,
     openpose,
 };
+use ga_body::{BodyError, JointPixel};
 use proptest::prelude::*;
 
 /// Three numbers for each of `count` joints: (10 k, 20 k, c).
@@ -438,7 +438,7 @@ fn joints_of_detectors_are_joints_of_skeletons() {
     let wrong = names(&["a", "d", "g", "tail"]);
     assert!(matches!(
         correspondence(&wrong, &plain),
-        Err(CorrespondenceError::Unknown { index: 3, .. })
+        Err(BodyError::UnknownJoint { index: 3, .. })
     ));
     let few = names(&["a", "d", "nose"]);
     let text = correspondence(&few, &plain).unwrap_err().to_string();

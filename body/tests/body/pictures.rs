@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 
 use ga_anim::pose::Pose;
 use ga_anim::retarget::{Retarget, Soles};
-use ga_body::marked::{MarkedBody, MarkedError};
+use ga_body::BodyError;
+use ga_body::marked::MarkedBody;
 use ga_body::marker::{Dot, Hue};
 use ga_body::pose_error::mean_per_joint_position_error;
 use ga_mannequin::walk;
@@ -75,21 +76,21 @@ fn what_is_missing_is_named() {
     let fit = |dots: &[Vec<Dot>]| STUDIO.body.fit(&cameras, dots).unwrap_err();
     assert_eq!(
         fit(std::slice::from_ref(&one)),
-        MarkedError::Views {
+        BodyError::DotViews {
             expected: 2,
             found: 1
         }
     );
-    assert_eq!(fit(&[one.clone(), vec![]]), MarkedError::NoDots { view: 1 });
+    assert_eq!(fit(&[one.clone(), vec![]]), BodyError::NoDots { view: 1 });
     let error = fit(&[one.clone(), one.clone()]);
     assert!(
-        matches!(error, MarkedError::TooFewMarkers { found: 0, .. }),
+        matches!(error, BodyError::TooFewMarkers { found: 0, .. }),
         "{error}"
     );
     let infinite = vec![dot(Hue::Red, f64::NAN, 3.0)];
     assert!(matches!(
         fit(&[infinite, one]),
-        MarkedError::NotFinite { view: 0, .. }
+        BodyError::DotNotFinite { view: 0, .. }
     ));
 
     let body = &STUDIO.body;
@@ -98,7 +99,7 @@ fn what_is_missing_is_named() {
     let count = marks.len() + 1;
     assert_eq!(
         MarkedBody::new(body.model().clone(), marks.clone()),
-        Err(MarkedError::Marks {
+        Err(BodyError::Marks {
             expected: count,
             found: count - 1
         })

@@ -1,8 +1,8 @@
 //! Errors of poses against numpy's singular value decomposition, and laws.
 
+use ga_body::BodyError;
 use ga_body::pose_error::{
-    ComparisonError, mean_per_joint_position_error, procrustes_aligned, rigidly_aligned,
-    root_aligned_error,
+    mean_per_joint_position_error, procrustes_aligned, rigidly_aligned, root_aligned_error,
 };
 use ga_runtime::cga3::{Motor, Point, Rotor, Similarity, Translator};
 use proptest::prelude::*;
@@ -124,9 +124,9 @@ fn poses_that_cannot_be_compared() {
     let line: Vec<_> = (0..4).map(|x| Point::new(f64::from(x), 0.0, 0.0)).collect();
     assert_eq!(
         root_aligned_error(&line, &line, 4),
-        Err(ComparisonError::Root { root: 4, joints: 4 })
+        Err(BodyError::Root { root: 4, joints: 4 })
     );
-    let counts = Err(ComparisonError::Counts {
+    let counts = Err(BodyError::JointCounts {
         expected: 4,
         found: 3,
     });
@@ -134,13 +134,13 @@ fn poses_that_cannot_be_compared() {
     assert_eq!(root_aligned_error(&line, &line[..3], 0), counts);
     assert_eq!(
         mean_per_joint_position_error(&[], &[]),
-        Err(ComparisonError::Empty)
+        Err(BodyError::NoJoints)
     );
     for error in [
         procrustes_aligned(&line, &line).unwrap_err(),
         rigidly_aligned(&line, &line).unwrap_err(),
     ] {
-        assert!(matches!(error, ComparisonError::Alignment(_)), "{error}");
+        assert!(matches!(error, BodyError::Alignment(_)), "{error}");
     }
 }
 

@@ -1,8 +1,9 @@
 //! Weighted means of motors. The motors are read from arbitrary indices of the palette, so vector
 //! instructions would not make this faster.
 
+use super::Batch;
 use super::error::same_length;
-use super::{Batch, BlendError};
+use crate::batch::BatchError;
 use crate::cga3::Motor;
 use crate::scalar::Real;
 
@@ -17,12 +18,12 @@ impl Batch {
         palette: &[Motor<S>],
         influences: &[[(usize, S); K]],
         means: &mut [Motor<S>],
-    ) -> Result<(), BlendError> {
+    ) -> Result<(), BatchError> {
         same_length(influences.len(), means.len())?;
         for (element, list) in influences.iter().enumerate() {
             let outside = list.iter().find(|(place, _)| *place >= palette.len());
             if let Some(&(place, _)) = outside.filter(|(_, weight)| *weight != S::zero()) {
-                return Err(BlendError::NotInPalette {
+                return Err(BatchError::NotInPalette {
                     element,
                     place,
                     palette: palette.len(),
@@ -33,7 +34,7 @@ impl Batch {
             let counting = list.iter().filter(|(_, weight)| *weight != S::zero());
             let weighted =
                 counting.filter_map(|&(place, weight)| Some((weight, *palette.get(place)?)));
-            *mean = Motor::blend_influences(weighted).ok_or(BlendError::NoDirection { element })?;
+            *mean = Motor::blend_influences(weighted).ok_or(BatchError::NoDirection { element })?;
         }
         Ok(())
     }

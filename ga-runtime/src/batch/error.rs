@@ -31,12 +31,13 @@ pub(super) fn same_length(expected: usize, found: usize) -> Result<(), LengthMis
     }
 }
 
-/// Why motors cannot be blended.
+/// Why motors cannot be blended, or points cannot follow motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BlendError {
-    /// The numbers of results and of lists of influences differ.
+#[non_exhaustive]
+pub enum BatchError {
+    /// Two lists that must have the same length have different lengths.
     Length(LengthMismatch),
-    /// The index in an influence is outside of the palette.
+    /// The index in an influence of a blend is outside of the palette.
     NotInPalette {
         /// The index of the result.
         element: usize,
@@ -51,9 +52,37 @@ pub enum BlendError {
         /// The index of the result.
         element: usize,
     },
+    /// The joint in an influence of a skin is outside of the palette.
+    JointNotInPalette {
+        /// The index of the point.
+        element: usize,
+        /// The index of the joint.
+        place: usize,
+        /// The number of joints.
+        palette: usize,
+    },
+    /// A weight of a skin is negative or not finite.
+    NotAWeight {
+        /// The index of the point.
+        element: usize,
+    },
+    /// A point of a skin has no influence with a weight above zero.
+    NoInfluence {
+        /// The index of the point.
+        element: usize,
+    },
+    /// There are more joints or pairs of joints than the indices of a skin can count.
+    TooLarge,
+    /// The motion of a joint is not finite, or not a unit motor.
+    BadMotion {
+        /// The joint.
+        joint: usize,
+    },
+    /// Normals or tangents are asked for, but the skin has none.
+    NoDirections,
 }
 
-impl fmt::Display for BlendError {
+impl fmt::Display for BatchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length(mismatch) => mismatch.fmt(f),
@@ -68,13 +97,36 @@ impl fmt::Display for BlendError {
             Self::NoDirection { element } => {
                 write!(f, "the motors of element {element} have no mean")
             }
+            Self::JointNotInPalette {
+                element,
+                place,
+                palette,
+            } => write!(
+                f,
+                "point {element} is influenced by joint {place} of a palette of {palette}"
+            ),
+            Self::NotAWeight { element } => {
+                write!(f, "a weight of point {element} is negative or not finite")
+            }
+            Self::NoInfluence { element } => write!(
+                f,
+                "point {element} has no influence with a weight above zero"
+            ),
+            Self::TooLarge => f.write_str("there are too many joints or pairs of joints"),
+            Self::BadMotion { joint } => write!(
+                f,
+                "the motion of joint {joint} is not finite or not a unit motor"
+            ),
+            Self::NoDirections => {
+                f.write_str("normals or tangents are asked for, but the skin has none")
+            }
         }
     }
 }
 
-impl core::error::Error for BlendError {}
+impl core::error::Error for BatchError {}
 
-impl From<LengthMismatch> for BlendError {
+impl From<LengthMismatch> for BatchError {
     fn from(mismatch: LengthMismatch) -> Self {
         Self::Length(mismatch)
     }

@@ -49,7 +49,7 @@ pub use crate::instruction_set::InstructionSet;
 #[doc(no_inline)]
 pub use crate::instruction_set::InstructionSet as Path;
 pub use crate::unsafe_code::Work;
-pub use error::{BlendError, LengthMismatch};
+pub use error::{BatchError, LengthMismatch};
 pub use moved::Moved;
 
 use crate::cga3::{Motor, MotorGenerator};
@@ -200,7 +200,7 @@ pub fn compose<S: Real>(
 /// let mut means = [Motor::default(); 2];
 /// batch::blend(&palette, &[[(0, 0.5), (1, 0.5)], [(1, 1.0), (0, 0.0)]], &mut means)?;
 /// assert_eq!(means.map(|m| m.translator().displacement()[0]), [1.0, 2.0]);
-/// # Ok::<(), batch::BlendError>(())
+/// # Ok::<(), batch::BatchError>(())
 /// ```
 ///
 /// # Errors
@@ -211,7 +211,7 @@ pub fn blend<S: Real<Mask = bool>, const K: usize>(
     palette: &[Motor<S>],
     influences: &[[(usize, S); K]],
     means: &mut [Motor<S>],
-) -> Result<(), BlendError> {
+) -> Result<(), BatchError> {
     Batch::new().blend(palette, influences, means)
 }
 

@@ -104,7 +104,7 @@ mod vga3;
 pub(crate) use cga3::affine;
 pub(crate) use cga3::composition;
 pub use cga3::{
-    Affine, DualQuaternionParts, EulerOrder, Kind, LookAtError, Nearest, NearestVersor,
+    Affine, DualQuaternionParts, EulerOrder, FitError, Kind, LookAtError, Nearest, NearestVersor,
     NotConformal, NotUnit, RotationPath, Screw, fit, homogeneous, kinematics, motion, ray,
     relation,
 };

@@ -2,12 +2,12 @@
 
 use ga_runtime::cga2;
 use ga_runtime::cga3::{Circle, Line, Plane, Point, Sphere};
-use ga_runtime::geometry::fit::{Cylinder, Loss, PrimitiveFitError, RobustSettings};
-use ga_runtime::geometry::motion::WeightError;
+use ga_runtime::geometry::FitError;
+use ga_runtime::geometry::fit::{Cylinder, Loss, RobustSettings};
 use nullcone_tests::plain::{Vector, plus, rotated};
 use nullcone_tests::random::SplitMix64;
 
-type Error = PrimitiveFitError<f64>;
+type Error = FitError<f64>;
 
 fn points(coordinates: &[Vector]) -> Vec<Point<f64>> {
     coordinates.iter().map(|&p| Point::from(p)).collect()
@@ -205,7 +205,7 @@ fn wrong_numbers_are_named_by_their_index() {
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut set = points(&plane);
         set[3] = Point::new(0.0, wrong, 1.0);
-        let expected = Error::NotFinite { index: 3 };
+        let expected = Error::PointNotFinite { index: 3 };
         assert_eq!(Sphere::fit(&set).unwrap_err(), expected);
         assert_eq!(Cylinder::fit(&set).unwrap_err(), expected);
         assert_eq!(Circle::fit(&set).unwrap_err(), expected);
@@ -217,25 +217,19 @@ fn wrong_numbers_are_named_by_their_index() {
     for wrong in [-1.0, f64::INFINITY] {
         let mut weighted: Vec<_> = points(&plane).into_iter().map(|p| (1.0, p)).collect();
         weighted[5].0 = wrong;
-        let invalid = WeightError::Invalid {
+        let invalid = FitError::InvalidWeight {
             index: 5,
             weight: wrong,
         };
-        assert_eq!(
-            Plane::fit_weighted(&weighted).unwrap_err(),
-            Error::Weight(invalid)
-        );
+        assert_eq!(Plane::fit_weighted(&weighted).unwrap_err(), invalid);
         weighted[5].0 = f64::NAN;
         let error = Plane::fit_weighted(&weighted).unwrap_err();
-        assert!(matches!(
-            error,
-            Error::Weight(WeightError::Invalid { index: 5, .. })
-        ));
+        assert!(matches!(error, FitError::InvalidWeight { index: 5, .. }));
     }
     let nothing: Vec<_> = points(&plane).into_iter().map(|p| (0.0, p)).collect();
     assert_eq!(
         Line::fit_weighted(&nothing).unwrap_err(),
-        Error::Weight(WeightError::AllZero)
+        FitError::ZeroWeights
     );
 }
 

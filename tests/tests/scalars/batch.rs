@@ -1,7 +1,7 @@
 //! Batches are bit-identical to the same operations on single elements, for every length and every
 //! instruction set.
 
-use ga_runtime::batch::{self, Batch, BlendError, InstructionSet, LengthMismatch, Moved};
+use ga_runtime::batch::{self, Batch, BatchError, InstructionSet, LengthMismatch, Moved};
 use ga_runtime::cga3::{
     Circle, Direction, DualPlane, FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor,
     RoundVector, Sphere, Translator,
@@ -228,7 +228,7 @@ fn errors_say_what_is_wrong() {
     let mut means = [Motor::default(); 1];
     assert_eq!(
         batch::blend(&motors, &[[(3, 1.0)]], &mut means),
-        Err(BlendError::NotInPalette {
+        Err(BatchError::NotInPalette {
             element: 0,
             place: 3,
             palette: 3
@@ -241,7 +241,7 @@ fn errors_say_what_is_wrong() {
     );
     for weight in [0.0, f64::NAN, f64::INFINITY] {
         let error = batch::blend(&motors, &[[(0, weight)]], &mut means).expect_err("no mean");
-        assert_eq!(error, BlendError::NoDirection { element: 0 }, "{weight}");
+        assert_eq!(error, BatchError::NoDirection { element: 0 }, "{weight}");
     }
     assert_eq!(
         batch::log(&motors, &mut []).expect_err("no room"),

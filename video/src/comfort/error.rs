@@ -3,10 +3,10 @@
 use ga_image::plane::SizeError;
 
 use crate::VideoError;
-use ga_vision::matcher::MatchError;
+use ga_vision::disparity::StereoError;
 
-/// Why a stereoscopic video cannot be analysed, or not further. Frames are counted from 0; what was
-/// given before an error remains valid.
+/// Why a stereoscopic video cannot be analysed, or not further, or not be viewed so. Frames are
+/// counted from 0; what was given before an error remains valid.
 #[derive(Debug, thiserror::Error)]
 pub enum ComfortError {
     /// The video cannot be read.
@@ -35,7 +35,7 @@ pub enum ComfortError {
         /// The frame.
         frame: usize,
         /// Why.
-        source: MatchError,
+        source: StereoError,
     },
     /// The video has fewer frames than one eye is late.
     #[error("the video has {frames} frames, and one eye is {delay} frames late")]
@@ -48,6 +48,14 @@ pub enum ComfortError {
     /// The threads could not be started.
     #[error("the threads of the analysis cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A length of the viewing conditions is not positive and finite.
+    #[error("the {quantity} of {metres} m is not positive and finite")]
+    Viewing {
+        /// Which length it is.
+        quantity: &'static str,
+        /// The length in metres.
+        metres: f64,
+    },
 }
 
 impl ComfortError {
@@ -59,7 +67,7 @@ impl ComfortError {
             Self::Mono { frame } | Self::Size { frame, .. } | Self::Match { frame, .. } => {
                 Some(*frame)
             }
-            Self::TooShort { .. } | Self::Threads(_) => None,
+            Self::TooShort { .. } | Self::Threads(_) | Self::Viewing { .. } => None,
         }
     }
 }

@@ -46,4 +46,4 @@ pub use scale::{Level, SIZE, Scale, Score};
 pub use summary::{RowSummary, Summary, meaning};
 pub use timeline::{DepthSummary, Interval, Timeline};
 pub use tone::Tone;
-pub use viewing::{Viewing, ViewingError};
+pub use viewing::Viewing;

@@ -13,7 +13,8 @@ use super::observer::{Each, Observer};
 use super::order::{Order, Place};
 use super::record::Known;
 use super::stereoscopy::{Alignment, Stereoscopy, StereoscopyMeter};
-use super::{ComfortError, FrameMeasures, FrameMeter, Record, Viewing};
+use super::{FrameMeasures, FrameMeter, Record, Viewing};
+use crate::comfort::ComfortError;
 use crate::stereo::{Layout, StereoSource};
 use crate::{Frame, Properties, Samples};
 

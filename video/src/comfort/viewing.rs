@@ -1,5 +1,7 @@
 //! How a stereoscopic picture is seen: the screen, the distance and the eyes.
 
+use crate::comfort::ComfortError;
+
 /// The metres of an inch.
 const INCH: f64 = 0.0254;
 
@@ -27,16 +29,6 @@ pub struct Viewing {
     width: f64,
     distance: f64,
     interocular: f64,
-}
-
-/// A length that is not positive and finite.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the {quantity} of {metres} m is not positive and finite")]
-pub struct ViewingError {
-    /// Which length it is.
-    pub quantity: &'static str,
-    /// The length in metres.
-    pub metres: f64,
 }
 
 impl Default for Viewing {
@@ -68,8 +60,8 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError`] for a length that is not positive and finite.
-    pub fn new(width: f64, distance: f64, interocular: f64) -> Result<Self, ViewingError> {
+    /// [`ComfortError`] for a length that is not positive and finite.
+    pub fn new(width: f64, distance: f64, interocular: f64) -> Result<Self, ComfortError> {
         let lengths = [
             ("width of the screen", width),
             ("distance of the screen", distance),
@@ -77,7 +69,7 @@ impl Viewing {
         ];
         for (quantity, metres) in lengths {
             if !(metres > 0.0 && metres.is_finite()) {
-                return Err(ViewingError { quantity, metres });
+                return Err(ComfortError::Viewing { quantity, metres });
             }
         }
         Ok(Self {
@@ -99,11 +91,11 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError`] for a length that is not positive and finite.
+    /// [`ComfortError`] for a length that is not positive and finite.
     pub fn of_screen(
         diagonal_inches: f64,
         distance_metres: Option<f64>,
-    ) -> Result<Self, ViewingError> {
+    ) -> Result<Self, ComfortError> {
         let [width, height] = sixteen_to_nine(diagonal_inches);
         let distance = distance_metres.unwrap_or(PICTURE_HEIGHTS * height);
         Self::new(width, distance, INTEROCULAR)

@@ -13,7 +13,7 @@ use super::select::{KeyFrame, Seen, Selector};
 use super::shot::{Shot, Transitions};
 use super::signature;
 use super::window::Window;
-use crate::Frame;
+use crate::{Frame, VideoError};
 
 /// The time over which the motion of the background is measured, in seconds.
 const MOTION_SECONDS: f64 = 0.5;
@@ -61,21 +61,6 @@ pub struct FrameMeasures {
     pub mutual_information_bits: Option<f64>,
 }
 
-/// Why a frame cannot be analysed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum KeyFrameError {
-    /// A frame differs in size from the first, or has no pixels.
-    #[error("frame {frame} has {} × {} pixels, the first has {} × {}", size[0], size[1], first[0], first[1])]
-    Size {
-        /// The frame.
-        frame: usize,
-        /// Its columns and rows.
-        size: [usize; 2],
-        /// Columns and rows of the first frame.
-        first: [usize; 2],
-    },
-}
-
 /// What was found in a video.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Analysis {
@@ -117,7 +102,7 @@ pub struct Analysis {
 /// assert_eq!(found.transitions.cuts, [20]);
 /// assert_eq!(found.shots.len(), 2);
 /// assert_eq!(found.key_frames.iter().map(|key| key.index).collect::<Vec<_>>(), [0, 20]);
-/// # Ok::<(), ga_video::keyframe::KeyFrameError>(())
+/// # Ok::<(), ga_video::VideoError>(())
 /// ```
 #[derive(Debug)]
 pub struct Analyser {
@@ -162,21 +147,21 @@ impl Analyser {
     ///
     /// # Errors
     ///
-    /// [`KeyFrameError::Size`] when it differs in size from the first.
-    pub fn push(&mut self, frame: &Frame) -> Result<bool, KeyFrameError> {
+    /// [`VideoError::KeyFrameSize`] when it differs in size from the first.
+    pub fn push(&mut self, frame: &Frame) -> Result<bool, VideoError> {
         let index = self.frames.len();
         let size = frame.samples.size();
         let first = match index {
             0 => size,
             _ => [self.previous.width(), self.previous.height()],
         };
-        let error = KeyFrameError::Size {
+        let error = || VideoError::KeyFrameSize {
             frame: index,
             size,
             first,
         };
         if size != first || size[0] * size[1] == 0 {
-            return Err(error);
+            return Err(error());
         }
         let layout = self.options.layout;
         let eight = frame.samples.eight_bits();
@@ -198,7 +183,8 @@ impl Analyser {
             measures.background = rest.background(layout);
             at_rest_change = rest.typical();
             let information = self.information.compare(&self.previous, &eight.luma);
-            measures.mutual_information_bits = Some(information.map_err(|_| error)?.mutual_bits());
+            measures.mutual_information_bits =
+                Some(information.map_err(|_| error())?.mutual_bits());
         }
         self.frames.push(measures);
         self.changes.push(measures.change);
@@ -206,7 +192,7 @@ impl Analyser {
         self.measure_motion(index);
         let forced = self.detect(index);
         let Some(signature) = self.window.get(index) else {
-            return Err(error);
+            return Err(error());
         };
         let seen = Seen {
             index,
@@ -220,7 +206,7 @@ impl Analyser {
             forced,
         };
         let candidate = self.selector.examine(&seen, layout, &mut self.information);
-        let candidate = candidate.map_err(|_| error)?;
+        let candidate = candidate.map_err(|_| error())?;
         match self.previous.is_empty() {
             true => self.previous = eight.luma.clone(),
             false => self

@@ -28,6 +28,6 @@ pub mod signature;
 pub mod statistics;
 pub mod window;
 
-pub use analysis::{Analyser, Analysis, FrameMeasures, KeyFrameError, Options};
+pub use analysis::{Analyser, Analysis, FrameMeasures, Options};
 pub use select::{KeyFrame, Reason};
 pub use shot::{Background, Shot, Transitions};

@@ -19,7 +19,8 @@ use openh264::formats::YUVSource;
 use self::boxes::{Index, Node};
 use self::sequence::{Configuration, Sequence};
 use self::table::{Sample, Table};
-use super::{Frame, Planes, Properties, Samples, Source, VideoError};
+use super::{Frame, Planes, Properties, Samples, Source};
+use crate::VideoError;
 
 /// A video in MP4, encoded with H.264: 8 bits, 4:2:0, not interlaced.
 ///

@@ -16,4 +16,4 @@ mod video;
 pub use measure::{MEASURES, Measure, Scale};
 pub use measures::{Measures, Meter};
 pub use pooling::{PERCENTILES, Pooled};
-pub use video::{ComparisonError, FrameQuality, VideoComparison};
+pub use video::{FrameQuality, VideoComparison};

@@ -31,52 +31,6 @@ impl FrameQuality {
     }
 }
 
-/// Videos that cannot be compared, or not further.
-#[derive(Debug, thiserror::Error)]
-pub enum ComparisonError {
-    /// A video cannot be read.
-    #[error(transparent)]
-    Video(#[from] VideoError),
-    /// The videos differ in a property.
-    #[error("the videos differ in {what}: {reference} and {distorted}")]
-    Properties {
-        /// The property.
-        what: &'static str,
-        /// That of the reference.
-        reference: String,
-        /// That of the other video.
-        distorted: String,
-    },
-    /// One video ends before the other.
-    #[error("the {ended} video has no frame {frame}, the other has")]
-    Length {
-        /// The first frame that only one video has.
-        frame: usize,
-        /// Which video ended: "reference" or "distorted".
-        ended: &'static str,
-    },
-    /// A frame cannot be measured.
-    #[error("frame {frame}: {problem}")]
-    Frame {
-        /// The number of the frame, from 0.
-        frame: usize,
-        /// Why.
-        problem: WeightError,
-    },
-}
-
-impl ComparisonError {
-    /// The frame at which the comparison ended, where it is known.
-    #[must_use]
-    pub fn frame(&self) -> Option<usize> {
-        match self {
-            Self::Video(error) => error.frame(),
-            Self::Properties { .. } => None,
-            Self::Length { frame, .. } | Self::Frame { frame, .. } => Some(*frame),
-        }
-    }
-}
-
 /// The measures of the frames of two videos, one after another: an iterator that reads them as it
 /// goes, and needs memory for two frames. After an error it ends; what it gave before is valid.
 #[derive(Debug)]
@@ -95,11 +49,11 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
     ///
     /// # Errors
     ///
-    /// [`ComparisonError::Properties`] when the videos differ in size, sampling or bit depth.
-    pub fn new(reference: R, distorted: D, map: Option<Weights>) -> Result<Self, ComparisonError> {
+    /// [`VideoError::Properties`] when the videos differ in size, sampling or bit depth.
+    pub fn new(reference: R, distorted: D, map: Option<Weights>) -> Result<Self, VideoError> {
         let (first, second) = (reference.properties(), distorted.properties());
         let size = |[width, height]: [usize; 2]| format!("{width} × {height} pixels");
-        let differ = |what, reference, distorted| ComparisonError::Properties {
+        let differ = |what, reference, distorted| VideoError::Properties {
             what,
             reference,
             distorted,
@@ -119,7 +73,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             return Err(differ("sampling", reference, distorted));
         }
         let range = f64::from((1u32 << first.bit_depth) - 1);
-        let problem = |problem: WeightError| ComparisonError::Frame { frame: 0, problem };
+        let problem = |problem: WeightError| VideoError::Unmeasured { frame: 0, problem };
         let meter = match map {
             Some(map) => Meter::with_map(map, range),
             None => Meter::new(first.size, range).map_err(|error| problem(error.into()))?,
@@ -142,7 +96,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
         Some(reference?.min(distorted?))
     }
 
-    fn measure(&mut self) -> Result<Option<FrameQuality>, ComparisonError> {
+    fn measure(&mut self) -> Result<Option<FrameQuality>, VideoError> {
         let [reference, distorted] = &mut self.frames;
         let found = [
             self.reference.read(reference)?,
@@ -156,7 +110,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             [true, false] => Some("distorted"),
         };
         if let Some(ended) = ended {
-            return Err(ComparisonError::Length { frame, ended });
+            return Err(VideoError::ReferenceLength { frame, ended });
         }
         self.next += 1;
         let eight = reference.samples.eight_bits();
@@ -166,7 +120,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             (Samples::Ten(a), Samples::Ten(b)) => planes(meter, a, b, &eight.luma),
             (a, b) => {
                 let [reference, distorted] = [a, b].map(|s| format!("{} bits", s.bit_depth()));
-                return Err(ComparisonError::Properties {
+                return Err(VideoError::Properties {
                     what: "depth",
                     reference,
                     distorted,
@@ -174,7 +128,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             }
         };
         let (luma, psnr_differences) =
-            measured.map_err(|problem| ComparisonError::Frame { frame, problem })?;
+            measured.map_err(|problem| VideoError::Unmeasured { frame, problem })?;
         Ok(Some(FrameQuality {
             index: frame,
             time_seconds: reference.time_seconds,
@@ -185,7 +139,7 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
 }
 
 impl<R: Source, D: Source> Iterator for VideoComparison<R, D> {
-    type Item = Result<FrameQuality, ComparisonError>;
+    type Item = Result<FrameQuality, VideoError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.ended {

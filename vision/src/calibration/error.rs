@@ -2,12 +2,10 @@
 
 use super::outlier::Outlier;
 use ga_camera::CameraError;
+use ga_image::filter::SigmaError;
 use ga_numerics::least_squares::LeastSquaresError;
 
-/// The least number of boards from which a camera is calibrated.
-pub const LEAST_VIEWS: usize = 3;
-
-/// Why a calibration failed.
+/// Why a calibration failed, or no chessboard was found for one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
     /// Too few boards were found.
@@ -96,7 +94,44 @@ pub enum CalibrationError {
         /// The name of the parameter.
         parameter: &'static str,
     },
+    /// A text does not name coefficients of a lens.
+    #[error(
+        "{0:?} does not name the terms of a lens: give none, fisheye, or different names of \
+         k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, separated by commas"
+    )]
+    LensTerms(String),
+    /// The board is too small to be told from other textures, or larger than any.
+    #[error("a board of {columns} × {rows} inner corners: each count must be from 3 to 100")]
+    BoardSize {
+        /// Corners in a row.
+        columns: usize,
+        /// Rows.
+        rows: usize,
+    },
+    /// A text is not a size such as `9x6`.
+    #[error("{0:?} is not a number of inner corners such as 9x6")]
+    BoardText(String),
+    /// The picture shows no complete board of the size.
+    #[error(
+        "board not found: no complete grid of {} × {} inner corners; \
+         the largest grid has {corners} corners within {} columns and {} rows",
+        size[0], size[1], extent[0], extent[1]
+    )]
+    NotFound {
+        /// Columns and rows of inner corners that were wanted.
+        size: [usize; 2],
+        /// How many corners the largest grid has, 0 where there is none.
+        corners: usize,
+        /// Columns and rows of the smallest rectangle that contains this grid.
+        extent: [usize; 2],
+    },
+    /// The blur of a picture failed.
+    #[error(transparent)]
+    Blur(#[from] SigmaError),
 }
+
+/// The least number of boards from which a camera is calibrated.
+pub const LEAST_VIEWS: usize = 3;
 
 impl CalibrationError {
     /// The view, or the pair, that is to blame, from 0.

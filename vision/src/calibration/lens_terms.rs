@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::calibration::CalibrationError;
 use ga_camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 
 /// The kind of a lens, and the coefficients of its distortion that a calibration determines. The
@@ -17,7 +18,7 @@ use ga_camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 /// let terms: LensTerms = "k1,k2,p1,p2".parse()?;
 /// assert_eq!(terms.to_string(), "k1,k2,p1,p2");
 /// assert!("k1,k1".parse::<LensTerms>().is_err() && "k9".parse::<LensTerms>().is_err());
-/// # Ok::<(), ga_vision::calibration::LensTermsError>(())
+/// # Ok::<(), ga_vision::calibration::CalibrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LensTerms {
@@ -37,14 +38,6 @@ enum Kind {
 const TERMS: [&str; 12] = [
     "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
 ];
-
-/// A text does not name coefficients of a lens.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "{0:?} does not name the terms of a lens: give none, fisheye, or different names of \
-     k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, separated by commas"
-)]
-pub struct LensTermsError(pub String);
 
 impl LensTerms {
     /// A pinhole.
@@ -110,15 +103,15 @@ impl fmt::Display for LensTerms {
 }
 
 impl FromStr for LensTerms {
-    type Err = LensTermsError;
+    type Err = CalibrationError;
 
-    fn from_str(text: &str) -> Result<Self, LensTermsError> {
+    fn from_str(text: &str) -> Result<Self, CalibrationError> {
         match text {
             "none" => return Ok(Self::none()),
             "fisheye" => return Ok(Self::fisheye()),
             _ => {}
         }
-        let wrong = || LensTermsError(text.to_owned());
+        let wrong = || CalibrationError::LensTerms(text.to_owned());
         let mut terms = Self::of(Kind::RadialTangential, 0);
         for name in text.split(',') {
             let place = TERMS.iter().position(|known| *known == name.trim());

@@ -37,7 +37,7 @@ mod square_edges;
 mod stereo;
 
 pub use error::{CalibrationError, LEAST_VIEWS};
-pub use lens_terms::{LensTerms, LensTermsError};
+pub use lens_terms::LensTerms;
 pub use one_camera::{CameraCalibration, CameraSettings, Start, calibrate_camera};
 pub use outlier::Outlier;
 pub use square_edges::{SquareEdges, square_edges};

@@ -4,9 +4,9 @@ use super::error::LEAST_VIEWS;
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
-use super::CalibrationError;
 use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
+use crate::calibration::CalibrationError;
 use crate::homography::{Homography, in_plane};
 use ga_camera::frame::{Board, CameraFrame, Pose};
 use ga_camera::{CameraError, Intrinsics};

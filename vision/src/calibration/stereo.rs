@@ -5,11 +5,12 @@ use super::outlier::Outlier;
 use ga_numerics::order_statistics::median;
 use ga_runtime::cga3::{Motor, Point};
 
+use super::LEAST_VIEWS;
 use super::bundle::{Bundle, BundleState, TWIST};
 use super::one_camera::{
     CameraCalibration, CameraSettings, calibrate_camera, covariance, deviations,
 };
-use super::{CalibrationError, LEAST_VIEWS};
+use crate::calibration::CalibrationError;
 use ga_camera::frame::{Board, Frame, LeftCamera, Pose};
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics};

@@ -5,7 +5,8 @@ use ga_mesh::query::Bvh;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-use super::surface_mesh::{SurfaceError, SurfaceMesh, centre_of_gravity};
+use super::surface_mesh::{SurfaceMesh, centre_of_gravity};
+use crate::capture::CaptureError;
 
 /// A part of a surface that moves, while the rest stays.
 ///
@@ -37,8 +38,8 @@ impl LocalArea {
     /// The whole surface, everywhere with falloff 1.
     ///
     /// # Errors
-    /// None for a valid surface; [`SurfaceError::EmptyArea`] stands for a surface without area.
-    pub fn whole(surface: &SurfaceMesh<'_>) -> Result<Self, SurfaceError> {
+    /// None for a valid surface; [`CaptureError::EmptyArea`] stands for a surface without area.
+    pub fn whole(surface: &SurfaceMesh<'_>) -> Result<Self, CaptureError> {
         Self::new(surface, vec![1.0; surface.positions().len()], f64::INFINITY)
     }
 
@@ -46,8 +47,8 @@ impl LocalArea {
     /// is nearest to the place. There the falloff is 1.
     ///
     /// # Errors
-    /// [`SurfaceError::Radius`] unless the radius is positive and finite;
-    /// [`SurfaceError::EmptyArea`] where no vertex is so near.
+    /// [`CaptureError::Radius`] unless the radius is positive and finite;
+    /// [`CaptureError::EmptyArea`] where no vertex is so near.
     ///
     /// ```
     /// use ga_runtime::{cga3::Point, vga3::Vector};
@@ -68,20 +69,20 @@ impl LocalArea {
     /// let mut moved = vec![Vector::new(0.0, 0.0, 0.01); 22];
     /// area.apply(&mut moved, false);
     /// assert!((moved[4].z() - 0.005).abs() < 1e-12 && moved[10] == Vector::ZERO);
-    /// # Ok::<(), ga_vision::capture::SurfaceError>(())
+    /// # Ok::<(), ga_vision::capture::CaptureError>(())
     /// ```
     pub fn around(
         surface: &SurfaceMesh<'_>,
         place: Point<f64>,
         radius: f64,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, CaptureError> {
         if !(radius.is_finite() && radius > 0.0) {
-            return Err(SurfaceError::Radius(radius));
+            return Err(CaptureError::Radius(radius));
         }
         let (positions, triangles) = (surface.positions(), surface.triangles());
         let nearest = Bvh::new(positions, triangles)?
             .nearest(place)
-            .map_err(|_| SurfaceError::EmptyArea { radius })?;
+            .map_err(|_| CaptureError::EmptyArea { radius })?;
         let sources = triangles[nearest.triangle as usize].map(|vertex| Source {
             vertex,
             distance: positions[vertex as usize].distance(nearest.point),
@@ -95,15 +96,15 @@ impl LocalArea {
     /// A set of vertices, with falloff 1 from a border of this breadth inwards, along the surface.
     ///
     /// # Errors
-    /// [`SurfaceError::Radius`] unless the border is positive and finite;
-    /// [`SurfaceError::NoVertex`]; [`SurfaceError::EmptyArea`] without vertices.
+    /// [`CaptureError::Radius`] unless the border is positive and finite;
+    /// [`CaptureError::NoVertex`]; [`CaptureError::EmptyArea`] without vertices.
     pub fn of_vertices(
         surface: &SurfaceMesh<'_>,
         vertices: &[u32],
         border: f64,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, CaptureError> {
         if !(border.is_finite() && border > 0.0) {
-            return Err(SurfaceError::Radius(border));
+            return Err(CaptureError::Radius(border));
         }
         let (positions, triangles) = (surface.positions(), surface.triangles());
         let mut is_inside = vec![false; positions.len()];
@@ -112,7 +113,7 @@ impl LocalArea {
                 Some(is_inside) => *is_inside = true,
                 None => {
                     let vertices = positions.len();
-                    return Err(SurfaceError::NoVertex { vertex, vertices });
+                    return Err(CaptureError::NoVertex { vertex, vertices });
                 }
             }
         }
@@ -130,14 +131,14 @@ impl LocalArea {
         surface: &SurfaceMesh<'_>,
         falloff: Vec<f64>,
         radius: f64,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, CaptureError> {
         let pairs = surface.areas().iter().zip(&falloff);
         let masses: Vec<_> = pairs
             .map(|(&area, &falloff)| if falloff > 0.0 { area } else { 0.0 })
             .collect();
         let centre = centre_of_gravity(surface.positions(), &masses);
         Ok(Self {
-            centre: centre.ok_or(SurfaceError::EmptyArea { radius })?,
+            centre: centre.ok_or(CaptureError::EmptyArea { radius })?,
             falloff,
             masses,
         })

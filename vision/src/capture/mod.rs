@@ -35,12 +35,12 @@ mod surface_mesh;
 mod surface_motion;
 
 pub use area::LocalArea;
-pub use description::{DescriptionError, description_constant};
-pub use error::{CaptureError, FrameError, PointSet, PoseError};
+pub use description::description_constant;
+pub use error::{CaptureError, PointSet};
 pub use pose::{PoseOptions, RigidPose, rigid_pose};
 pub use principal::PrincipalShapes;
 pub use sequence::{Capture, CaptureMatrix, CapturedFrame};
 pub use sphere::SphericalParameterisation;
 pub use spline::SphericalSpline;
-pub use surface_mesh::{SurfaceError, SurfaceMesh};
+pub use surface_mesh::SurfaceMesh;
 pub use surface_motion::SurfaceMotion;

@@ -1,10 +1,11 @@
 //! The rigid motion that takes points at rest to where they are seen.
 
 use ga_runtime::cga3::{Motor, Point};
-use ga_runtime::geometry::motion::FitError;
+use ga_runtime::geometry::FitError;
 use ga_runtime::vga3::Vector;
 
-use super::error::{NEEDED, PointSet, PoseError};
+use super::error::{NEEDED, PointSet};
+use crate::capture::CaptureError;
 pub use ga_numerics::ransac::PoseOptions;
 use ga_numerics::ransac::{Consensus, Search};
 
@@ -37,9 +38,9 @@ pub struct RigidPose {
 /// plane are enough, points on one line are not: a rotation about the line moves none of them.
 ///
 /// # Errors
-/// [`PoseError`]: fewer than four points, unequal numbers of them, numbers that are not finite, all
-/// points in one place or on one line, points that several rotations fit equally well, a threshold
-/// that is not positive, and fewer than four points that agree with any one pose.
+/// [`CaptureError`]: fewer than four points, unequal numbers of them, numbers that are not finite,
+/// all points in one place or on one line, points that several rotations fit equally well, a
+/// threshold that is not positive, and fewer than four points that agree with any one pose.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -64,9 +65,9 @@ pub fn rigid_pose(
     rest: &[Point<f64>],
     seen: &[Point<f64>],
     options: &PoseOptions,
-) -> Result<RigidPose, PoseError> {
+) -> Result<RigidPose, CaptureError> {
     if rest.len() != seen.len() {
-        return Err(PoseError::Counts {
+        return Err(CaptureError::Counts {
             rest: rest.len(),
             seen: seen.len(),
         });
@@ -77,7 +78,7 @@ pub fn rigid_pose(
         .iter()
         .position(|&(x, y)| !is_finite(x) || !is_finite(y));
     if let Some(point) = wrong {
-        return Err(PoseError::NotFinite { point });
+        return Err(CaptureError::NotFinite { point });
     }
     check(rest)?;
     let problem = Pairs(&pairs);
@@ -86,19 +87,19 @@ pub fn rigid_pose(
             let all = (0..pairs.len()).collect();
             problem
                 .fitted(all)
-                .map_err(|error| PoseError::from_fit(error, PointSet::Seen))
+                .map_err(|error| CaptureError::from_fit(error, PointSet::Seen))
         }
         Some(threshold) if threshold.is_finite() && threshold > 0.0 => {
             problem.agreed(threshold, options)
         }
-        Some(threshold) => Err(PoseError::Threshold(threshold)),
+        Some(threshold) => Err(CaptureError::Threshold(threshold)),
     }
 }
 
 /// Refuses points at rest that determine no motion.
-pub(super) fn check(rest: &[Point<f64>]) -> Result<(), PoseError> {
+pub(super) fn check(rest: &[Point<f64>]) -> Result<(), CaptureError> {
     if rest.len() < NEEDED {
-        return Err(PoseError::TooFew {
+        return Err(CaptureError::TooFew {
             found: rest.len(),
             needed: NEEDED,
         });
@@ -107,7 +108,7 @@ pub(super) fn check(rest: &[Point<f64>]) -> Result<(), PoseError> {
     let pairs: Vec<_> = rest.iter().map(|&point| (point, point)).collect();
     match Motor::from_point_pairs(&pairs) {
         Ok(_) => Ok(()),
-        Err(error) => Err(PoseError::from_fit(error, PointSet::Rest)),
+        Err(error) => Err(CaptureError::from_fit(error, PointSet::Rest)),
     }
 }
 
@@ -127,7 +128,7 @@ impl Pairs<'_> {
     }
 
     /// The best motor for the points that agree with it.
-    fn agreed(&self, threshold: f64, options: &PoseOptions) -> Result<RigidPose, PoseError> {
+    fn agreed(&self, threshold: f64, options: &PoseOptions) -> Result<RigidPose, CaptureError> {
         /// Motors that are refined.
         const STARTS: usize = 8;
         /// How often the points that agree are collected anew.
@@ -164,7 +165,7 @@ impl Pairs<'_> {
             }
         }
         let pose = best.map(|(_, pose)| pose);
-        pose.ok_or(PoseError::NoConsensus {
+        pose.ok_or(CaptureError::NoConsensus {
             agreeing,
             points: self.0.len(),
             needed: NEEDED,

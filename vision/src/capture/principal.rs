@@ -1,9 +1,8 @@
 //! A sequence of expressions as a few shapes.
 
+use crate::capture::CaptureError;
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{DMatrix, SVD};
-
-use super::surface_mesh::SurfaceError;
 
 /// The principal shapes of a sequence of expressions: displacements of all key points, and how much
 /// of each there is in every frame,
@@ -33,8 +32,8 @@ impl PrincipalShapes {
     /// As few shapes as represent every key in every frame within a tolerance.
     ///
     /// # Errors
-    /// [`SurfaceError::Counts`] where a frame has another number of keys than the first;
-    /// [`SurfaceError::KeyNotFinite`]; [`SurfaceError::Tolerance`] where it is negative or not
+    /// [`CaptureError::ListCounts`] where a frame has another number of keys than the first;
+    /// [`CaptureError::KeyNotFinite`]; [`CaptureError::Tolerance`] where it is negative or not
     /// finite.
     ///
     /// ```
@@ -48,9 +47,9 @@ impl PrincipalShapes {
     /// assert_eq!(found.shapes.len(), 1);
     /// assert!(found.shapes[0][1].distance(smile[1]) < 1e-15);
     /// assert!((found.weights[3][0] - 0.5).abs() < 1e-15 && found.error < 1e-15);
-    /// # Ok::<(), ga_vision::capture::SurfaceError>(())
+    /// # Ok::<(), ga_vision::capture::CaptureError>(())
     /// ```
-    pub fn new(frames: &[Vec<Vector<f64>>], tolerance: f64) -> Result<Self, SurfaceError> {
+    pub fn new(frames: &[Vec<Vector<f64>>], tolerance: f64) -> Result<Self, CaptureError> {
         check(frames, tolerance)?;
         let keys = frames.first().map_or(0, Vec::len);
         let mut left = DMatrix::from_fn(frames.len(), 3 * keys, |frame, column| {
@@ -97,21 +96,21 @@ impl PrincipalShapes {
     }
 }
 
-fn check(frames: &[Vec<Vector<f64>>], tolerance: f64) -> Result<(), SurfaceError> {
+fn check(frames: &[Vec<Vector<f64>>], tolerance: f64) -> Result<(), CaptureError> {
     if !(tolerance.is_finite() && tolerance >= 0.0) {
-        return Err(SurfaceError::Tolerance(tolerance));
+        return Err(CaptureError::Tolerance(tolerance));
     }
     let expected = frames.first().map_or(0, Vec::len);
     for keys in frames {
         if keys.len() != expected {
-            return Err(SurfaceError::Counts {
+            return Err(CaptureError::ListCounts {
                 what: "displacements",
                 expected,
                 found: keys.len(),
             });
         }
         if let Some(key) = keys.iter().position(|key| !key.is_finite()) {
-            return Err(SurfaceError::KeyNotFinite { key });
+            return Err(CaptureError::KeyNotFinite { key });
         }
     }
     Ok(())

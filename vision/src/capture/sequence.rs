@@ -4,8 +4,9 @@ use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
-use super::error::{CaptureError, FrameError, NEEDED};
+use super::error::NEEDED;
 use super::pose::{PoseOptions, RigidPose, check, rigid_pose};
+use crate::capture::CaptureError;
 
 /// A head at rest, ready to be found in frames.
 ///
@@ -99,7 +100,7 @@ impl Capture {
             }
         }
         let chosen: Vec<_> = calibrated.iter().map(|&point| rest[point]).collect();
-        check(&chosen).map_err(CaptureError::Rest)?;
+        check(&chosen).map_err(|error| CaptureError::Rest(Box::new(error)))?;
         Ok(Self {
             rest,
             calibrated,
@@ -122,18 +123,18 @@ impl Capture {
     /// Separates a frame into pose and expression. Points that were not seen are `None`.
     ///
     /// # Errors
-    /// [`FrameError`]: another number of points than at rest, points that are not finite, fewer
+    /// [`CaptureError`]: another number of points than at rest, points that are not finite, fewer
     /// than four calibrated points seen, calibrated points that determine no pose.
-    pub fn frame(&self, seen: &[Option<Point<f64>>]) -> Result<CapturedFrame, FrameError> {
+    pub fn frame(&self, seen: &[Option<Point<f64>>]) -> Result<CapturedFrame, CaptureError> {
         let (expected, found) = (self.rest.len(), seen.len());
         if expected != found {
-            return Err(FrameError::Counts { expected, found });
+            return Err(CaptureError::FrameCounts { expected, found });
         }
         let is_wrong = |point: &Option<Point<f64>>| {
             point.is_some_and(|point| !Vector::from(point).is_finite())
         };
         if let Some(point) = seen.iter().position(is_wrong) {
-            return Err(FrameError::NotFinite { point });
+            return Err(CaptureError::PointNotFinite { point });
         }
         let pose = self.pose(seen)?;
         let back = pose.motor.reverse();
@@ -163,14 +164,16 @@ impl Capture {
             .par_iter()
             .map(|frame| self.frame(frame.as_ref()))
             .collect();
-        let named = found
-            .into_iter()
-            .enumerate()
-            .map(|(frame, found)| found.map_err(|problem| CaptureError::Frame { frame, problem }));
+        let named = found.into_iter().enumerate().map(|(frame, found)| {
+            found.map_err(|problem| CaptureError::Frame {
+                frame,
+                problem: Box::new(problem),
+            })
+        });
         named.collect()
     }
 
-    fn pose(&self, seen: &[Option<Point<f64>>]) -> Result<RigidPose, FrameError> {
+    fn pose(&self, seen: &[Option<Point<f64>>]) -> Result<RigidPose, CaptureError> {
         let visible = |point: &usize| seen[*point].map(|place| (*point, place));
         let places: Vec<_> = self.calibrated.iter().filter_map(visible).collect();
         let missing = || -> Vec<usize> {
@@ -178,7 +181,7 @@ impl Capture {
             all.filter(|&point| seen[point].is_none()).collect()
         };
         if places.len() < NEEDED {
-            return Err(FrameError::Missing {
+            return Err(CaptureError::Missing {
                 seen: places.len(),
                 needed: NEEDED,
                 missing: missing(),
@@ -190,8 +193,11 @@ impl Capture {
         ];
         let pose = rigid_pose(&rest, &there, &self.options);
         let mut pose = pose.map_err(|error| match missing() {
-            missing if missing.is_empty() => FrameError::Pose(error),
-            missing => FrameError::PoseOfSeen { missing, error },
+            missing if missing.is_empty() => error,
+            missing => CaptureError::PoseOfSeen {
+                missing,
+                error: Box::new(error),
+            },
         })?;
         for inlier in &mut pose.inliers {
             *inlier = places[*inlier].0;

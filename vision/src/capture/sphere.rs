@@ -3,7 +3,8 @@
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-use super::surface_mesh::{SurfaceError, SurfaceMesh};
+use super::surface_mesh::SurfaceMesh;
+use crate::capture::CaptureError;
 
 /// The spherical parameterisation of a surface: each vertex p becomes the direction in which it is
 /// seen from a centre c,
@@ -27,7 +28,7 @@ impl SphericalParameterisation {
     /// The parameterisation about the centre of gravity of the surface.
     ///
     /// # Errors
-    /// [`SurfaceError::VertexAtCentre`].
+    /// [`CaptureError::VertexAtCentre`].
     ///
     /// ```
     /// use ga_runtime::{cga3::Point, vga3::Vector};
@@ -47,9 +48,9 @@ impl SphericalParameterisation {
     /// assert!(sphere.centre().distance(Point::ORIGIN) < 1e-15);
     /// assert!(sphere.directions()[4].distance(Vector::new(0.0, 0.0, 1.0)) < 1e-15);
     /// assert_eq!(sphere.folded_triangles(), 0);
-    /// # Ok::<(), ga_vision::capture::SurfaceError>(())
+    /// # Ok::<(), ga_vision::capture::CaptureError>(())
     /// ```
-    pub fn new(surface: &SurfaceMesh<'_>) -> Result<Self, SurfaceError> {
+    pub fn new(surface: &SurfaceMesh<'_>) -> Result<Self, CaptureError> {
         Self::about(surface.centre_of_gravity(), surface)
     }
 
@@ -57,12 +58,12 @@ impl SphericalParameterisation {
     /// a face only.
     ///
     /// # Errors
-    /// [`SurfaceError::VertexAtCentre`].
-    pub fn about(centre: Point<f64>, surface: &SurfaceMesh<'_>) -> Result<Self, SurfaceError> {
+    /// [`CaptureError::VertexAtCentre`].
+    pub fn about(centre: Point<f64>, surface: &SurfaceMesh<'_>) -> Result<Self, CaptureError> {
         let positions = surface.positions().iter().enumerate();
         let directions: Result<Vec<_>, _> = positions
             .map(|(vertex, &position)| {
-                direction(centre, position).ok_or(SurfaceError::VertexAtCentre { vertex })
+                direction(centre, position).ok_or(CaptureError::VertexAtCentre { vertex })
             })
             .collect();
         let directions = directions?;

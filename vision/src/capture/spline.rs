@@ -1,9 +1,8 @@
 //! Thin-plate splines on the sphere.
 
+use crate::capture::CaptureError;
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{DMatrix, Dyn, LU};
-
-use super::surface_mesh::SurfaceError;
 
 /// Keys that are nearer to each other, in radians, have the same direction: their values would have
 /// to be divided by the square of this angle.
@@ -35,8 +34,8 @@ impl SphericalSpline {
     /// The spline with these unit vectors as keys.
     ///
     /// # Errors
-    /// [`SurfaceError::NoKeys`]; [`SurfaceError::TooManyKeys`] above 8192;
-    /// [`SurfaceError::SameDirection`] for two keys that are not 10⁻⁴ radians apart.
+    /// [`CaptureError::NoKeys`]; [`CaptureError::TooManyKeys`] above 8192;
+    /// [`CaptureError::SameDirection`] for two keys that are not 10⁻⁴ radians apart.
     ///
     /// ```
     /// use ga_runtime::vga3::Vector;
@@ -48,14 +47,14 @@ impl SphericalSpline {
     /// // The middle is as near to each key.
     /// let middle = spline.weights(Vector::new(1.0, 1.0, 1.0) / 3.0_f64.sqrt());
     /// assert!(middle.iter().all(|weight| (weight - 1.0 / 3.0).abs() < 1e-14));
-    /// # Ok::<(), ga_vision::capture::SurfaceError>(())
+    /// # Ok::<(), ga_vision::capture::CaptureError>(())
     /// ```
-    pub fn new(keys: &[Vector<f64>]) -> Result<Self, SurfaceError> {
+    pub fn new(keys: &[Vector<f64>]) -> Result<Self, CaptureError> {
         if keys.is_empty() {
-            return Err(SurfaceError::NoKeys);
+            return Err(CaptureError::NoKeys);
         }
         if keys.len() > MOST_KEYS {
-            return Err(SurfaceError::TooManyKeys {
+            return Err(CaptureError::TooManyKeys {
                 keys: keys.len(),
                 most: MOST_KEYS,
             });
@@ -63,7 +62,7 @@ impl SphericalSpline {
         for (second, key) in keys.iter().enumerate() {
             let same = keys[..second].iter().position(|k| k.distance(*key) < SAME);
             if let Some(first) = same {
-                return Err(SurfaceError::SameDirection {
+                return Err(CaptureError::SameDirection {
                     first,
                     second,
                     angle: keys[first].distance(*key),

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::sphere::SphericalParameterisation;
 use super::spline::SphericalSpline;
-use super::surface_mesh::SurfaceError;
+use crate::capture::CaptureError;
 
 /// The most weights, which take 8 bytes each.
 const MOST_WEIGHTS: usize = 1 << 28;
@@ -43,7 +43,7 @@ const CHUNK: usize = 64;
 /// motion.displacements(&[Vector::new(0.0, 0.0, 0.1), Vector::ZERO], &mut moved)?;
 /// assert!((moved[4].z() - 0.1).abs() < 1e-15 && moved[5].length() < 1e-15);
 /// assert!((moved[0].z() - 0.05).abs() < 1e-15);
-/// # Ok::<(), ga_vision::capture::SurfaceError>(())
+/// # Ok::<(), ga_vision::capture::CaptureError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SurfaceMotion {
@@ -56,23 +56,23 @@ impl SurfaceMotion {
     /// The motion of a surface by key points, which need not be vertices.
     ///
     /// # Errors
-    /// [`SurfaceError`]: no keys or more than 8192, a key that is not finite or at the centre, two
+    /// [`CaptureError`]: no keys or more than 8192, a key that is not finite or at the centre, two
     /// keys in the same direction, more than 2²⁸ weights.
     pub fn new(
         sphere: &SphericalParameterisation,
         keys: &[Point<f64>],
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, CaptureError> {
         let directions = keys.iter().enumerate().map(|(key, &place)| {
             if !Vector::from(place).is_finite() {
-                return Err(SurfaceError::KeyNotFinite { key });
+                return Err(CaptureError::KeyNotFinite { key });
             }
             let direction = sphere.direction(place);
-            direction.ok_or(SurfaceError::KeyAtCentre { key })
+            direction.ok_or(CaptureError::KeyAtCentre { key })
         });
         let directions: Vec<_> = directions.collect::<Result<_, _>>()?;
         let (vertices, keys) = (sphere.directions().len(), keys.len());
         if vertices.saturating_mul(keys) > MOST_WEIGHTS {
-            return Err(SurfaceError::TooLarge { vertices, keys });
+            return Err(CaptureError::TooLarge { vertices, keys });
         }
         let spline = SphericalSpline::new(&directions)?;
         let mut weights = vec![0.0; vertices * keys];
@@ -107,13 +107,14 @@ impl SurfaceMotion {
     /// Computes the displacements of all vertices from those of the keys.
     ///
     /// # Errors
-    /// [`SurfaceError::Counts`] where a list has another length; [`SurfaceError::KeyNotFinite`].
+    /// [`CaptureError::ListCounts`] where a list has another length;
+    /// [`CaptureError::KeyNotFinite`].
     pub fn displacements(
         &self,
         keys: &[Vector<f64>],
         vertices: &mut [Vector<f64>],
-    ) -> Result<(), SurfaceError> {
-        let counts = |what, expected, found| SurfaceError::Counts {
+    ) -> Result<(), CaptureError> {
+        let counts = |what, expected, found| CaptureError::ListCounts {
             what,
             expected,
             found,
@@ -125,7 +126,7 @@ impl SurfaceMotion {
             return Err(counts("vertices", self.vertex_count(), vertices.len()));
         }
         if let Some(key) = keys.iter().position(|key| !key.is_finite()) {
-            return Err(SurfaceError::KeyNotFinite { key });
+            return Err(CaptureError::KeyNotFinite { key });
         }
         let weights = self.weights.par_chunks_exact(keys.len());
         let moved = vertices.par_iter_mut().zip(weights).with_min_len(CHUNK);
@@ -140,13 +141,13 @@ impl SurfaceMotion {
     /// that follows the known ones alone.
     ///
     /// # Errors
-    /// [`SurfaceError::Counts`] for another number of keys; [`SurfaceError::KeyNotFinite`];
-    /// [`SurfaceError::NoKeys`] where none is known.
-    pub fn filled(&self, keys: &[Option<Vector<f64>>]) -> Result<Vec<Vector<f64>>, SurfaceError> {
+    /// [`CaptureError::ListCounts`] for another number of keys; [`CaptureError::KeyNotFinite`];
+    /// [`CaptureError::NoKeys`] where none is known.
+    pub fn filled(&self, keys: &[Option<Vector<f64>>]) -> Result<Vec<Vector<f64>>, CaptureError> {
         let (expected, found) = (self.key_count(), keys.len());
         if expected != found {
             let what = "displacements";
-            return Err(SurfaceError::Counts {
+            return Err(CaptureError::ListCounts {
                 what,
                 expected,
                 found,
@@ -154,7 +155,7 @@ impl SurfaceMotion {
         }
         let is_wrong = |key: &Option<Vector<f64>>| key.is_some_and(|key| !key.is_finite());
         if let Some(key) = keys.iter().position(is_wrong) {
-            return Err(SurfaceError::KeyNotFinite { key });
+            return Err(CaptureError::KeyNotFinite { key });
         }
         let known: Vec<_> = keys.iter().copied().flatten().collect();
         if known.len() == keys.len() {

@@ -1,6 +1,6 @@
 //! Sizes of chessboards, and why none was found.
 
-use ga_image::filter::SigmaError;
+use crate::calibration::CalibrationError;
 use ga_runtime::cga3::Point;
 use std::fmt;
 use std::str::FromStr;
@@ -12,39 +12,6 @@ pub struct BoardSize {
     pub(super) rows: usize,
 }
 
-/// Why no chessboard was found.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ChessboardError {
-    /// The board is too small to be told from other textures, or larger than any.
-    #[error("a board of {columns} × {rows} inner corners: each count must be from 3 to 100")]
-    Size {
-        /// Corners in a row.
-        columns: usize,
-        /// Rows.
-        rows: usize,
-    },
-    /// A text is not a size such as `9x6`.
-    #[error("{0:?} is not a number of inner corners such as 9x6")]
-    Text(String),
-    /// The picture shows no complete board of the size.
-    #[error(
-        "board not found: no complete grid of {size} inner corners; \
-         the largest grid has {corners} corners within {} columns and {} rows",
-        extent[0], extent[1]
-    )]
-    NotFound {
-        /// The wanted size.
-        size: BoardSize,
-        /// How many corners the largest grid has, 0 where there is none.
-        corners: usize,
-        /// Columns and rows of the smallest rectangle that contains this grid.
-        extent: [usize; 2],
-    },
-    /// The blur of a picture failed.
-    #[error(transparent)]
-    Blur(#[from] SigmaError),
-}
-
 impl BoardSize {
     const LEAST: usize = 3;
     const GREATEST: usize = 100;
@@ -52,12 +19,12 @@ impl BoardSize {
     /// A size from the number of inner corners in a row and of rows.
     ///
     /// # Errors
-    /// [`ChessboardError::Size`] where one of them is below 3 or above 100.
-    pub fn new(columns: usize, rows: usize) -> Result<Self, ChessboardError> {
+    /// [`CalibrationError::BoardSize`] where one of them is below 3 or above 100.
+    pub fn new(columns: usize, rows: usize) -> Result<Self, CalibrationError> {
         let is_possible = |count: usize| (Self::LEAST..=Self::GREATEST).contains(&count);
         match is_possible(columns) && is_possible(rows) {
             true => Ok(Self { columns, rows }),
-            false => Err(ChessboardError::Size { columns, rows }),
+            false => Err(CalibrationError::BoardSize { columns, rows }),
         }
     }
 
@@ -89,7 +56,7 @@ impl BoardSize {
     /// let places = "9x6".parse::<BoardSize>()?.places(0.025);
     /// assert_eq!(places.len(), 54);
     /// assert_eq!(places[9 + 2], Point::new(0.05, 0.025, 0.0));
-    /// # Ok::<(), ga_vision::chessboard::ChessboardError>(())
+    /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
     /// ```
     #[must_use]
     pub fn places(self, square: f64) -> Vec<Point<f64>> {
@@ -108,10 +75,10 @@ impl fmt::Display for BoardSize {
 }
 
 impl FromStr for BoardSize {
-    type Err = ChessboardError;
+    type Err = CalibrationError;
 
-    fn from_str(text: &str) -> Result<Self, ChessboardError> {
-        let wrong = || ChessboardError::Text(text.to_owned());
+    fn from_str(text: &str) -> Result<Self, CalibrationError> {
+        let wrong = || CalibrationError::BoardText(text.to_owned());
         let (columns, rows) = text.split_once('x').ok_or_else(wrong)?;
         let number = |text: &str| text.trim().parse().map_err(|_| wrong());
         Self::new(number(columns)?, number(rows)?)

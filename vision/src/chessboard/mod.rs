@@ -25,7 +25,8 @@ use ga_image::pyramid::halved;
 use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
-pub use board_size::{BoardSize, ChessboardError};
+use crate::calibration::CalibrationError;
+pub use board_size::BoardSize;
 use refinement::Gradient;
 
 /// The inner corners of a chessboard in a picture.
@@ -109,17 +110,17 @@ impl Chessboard {
 /// let [u, v] = board.corners()[0];
 /// assert!((u - 59.5).abs() < 1e-3 && (v - 49.5).abs() < 1e-3);
 /// assert!(find(&picture, BoardSize::new(7, 4)?).is_err());
-/// # Ok::<(), ga_vision::chessboard::ChessboardError>(())
+/// # Ok::<(), ga_vision::calibration::CalibrationError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`ChessboardError::NotFound`] where no complete board of this size is seen, or a larger one in
+/// [`CalibrationError::NotFound`] where no complete board of this size is seen, or a larger one in
 /// which it could lie in several places.
 pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
-) -> Result<Chessboard, ChessboardError> {
+) -> Result<Chessboard, CalibrationError> {
     /// Where the longer side of a picture is within this, it is not made smaller at first.
     const FIRST_SIDE: usize = 1000;
     /// The least of the shorter side of a picture that is made smaller.
@@ -164,8 +165,8 @@ pub fn find<'a, T: Sample>(
         }
     }
     let (corners, extent) = largest;
-    Err(ChessboardError::NotFound {
-        size,
+    Err(CalibrationError::NotFound {
+        size: [size.columns(), size.rows()],
         corners,
         extent,
     })

@@ -1,32 +1,8 @@
 //! Ellipses through points of a plane, by least squares. Lines and circles, of the plane and in
 //! space, have their fits in [`ga_runtime::geometry::fit`].
 
+use crate::contour::ContourError;
 use nalgebra_035::{Matrix2, Matrix3, Vector2, Vector3};
-
-/// Points that do not determine an ellipse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum FitError {
-    /// There are too few points.
-    #[error("{count} points do not determine an ellipse; at least {least} are needed")]
-    TooFew {
-        /// The number of points.
-        count: usize,
-        /// The least number.
-        least: usize,
-    },
-    /// A coordinate is infinite or not a number.
-    #[error("point {index} is not finite")]
-    NotFinite {
-        /// The point, counted from 0.
-        index: usize,
-    },
-    /// The points lie so that several ellipses or none fit them best.
-    #[error("the points do not determine an ellipse: {arrangement}")]
-    Degenerate {
-        /// How the points lie.
-        arrangement: &'static str,
-    },
-}
 
 /// An ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,16 +28,16 @@ pub struct Ellipse {
 /// let fitted = ellipse(&points)?;
 /// assert!((fitted.semi_axes[0] - 3.0).abs() < 1e-9 && (fitted.semi_axes[1] - 2.0).abs() < 1e-9);
 /// assert!((fitted.centre[0] - 5.0).abs() < 1e-9 && fitted.angle.abs() < 1e-9);
-/// # Ok::<(), ga_vision::contour::fit::FitError>(())
+/// # Ok::<(), ga_vision::contour::ContourError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`FitError`] for fewer than five points, points on one line or on no ellipse, and numbers that
-/// are not finite.
-pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
+/// [`ContourError`] for fewer than five points, points on one line or on no ellipse, and numbers
+/// that are not finite.
+pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, ContourError> {
     let frame = Frame::new(points, 5)?;
-    let degenerate = FitError::Degenerate {
+    let degenerate = || ContourError::Degenerate {
         arrangement: "no ellipse fits them best",
     };
     // The fit does not depend on affine maps: the places are stretched to equal variance first, so
@@ -74,7 +50,7 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
     let axes = variance.symmetric_eigen();
     let [least, greatest] = [axes.eigenvalues.min(), axes.eigenvalues.max()];
     if least.is_nan() || least <= 1e-12 * greatest {
-        return Err(degenerate);
+        return Err(degenerate());
     }
     let scales = Matrix2::from_diagonal(&axes.eigenvalues.map(|value| 1.0 / value.sqrt()));
     let stretch = scales * axes.eigenvectors.transpose();
@@ -87,7 +63,7 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
         s2 += square * linear.transpose();
         s3 += linear * linear.transpose();
     }
-    let eliminated = -s3.try_inverse().ok_or(degenerate)? * s2.transpose();
+    let eliminated = -s3.try_inverse().ok_or_else(degenerate)? * s2.transpose();
     let reduced = s1 + s2 * eliminated;
     let constraint = Matrix3::new(0.0, 0.0, 0.5, 0.0, -1.0, 0.0, 0.5, 0.0, 0.0);
     let matrix = constraint * reduced;
@@ -97,14 +73,14 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
         .map(|value| null_vector(matrix - Matrix3::identity() * value.re))
         .max_by(|a, b| discriminant(*a).total_cmp(&discriminant(*b)))
         .filter(|found| discriminant(*found) > 1e-9)
-        .ok_or(degenerate)?;
+        .ok_or_else(degenerate)?;
     let [a, b, c] = quadratic.into();
     let [d, e, f] = (eliminated * quadratic).into();
     let form = Matrix2::new(a, b / 2.0, b / 2.0, c);
-    let inverse = form.try_inverse().ok_or(degenerate)?;
+    let inverse = form.try_inverse().ok_or_else(degenerate)?;
     let centre = inverse * Vector2::new(d, e) * -0.5;
     let level = -(f + (d * centre.x + e * centre.y) / 2.0);
-    let centre = stretch.try_inverse().ok_or(degenerate)? * centre;
+    let centre = stretch.try_inverse().ok_or_else(degenerate)? * centre;
     let eigen = (stretch.transpose() * form * stretch).symmetric_eigen();
     let squares = eigen.eigenvalues.map(|value| level / value);
     let [long, short] = if squares[0] >= squares[1] {
@@ -113,7 +89,7 @@ pub fn ellipse(points: &[[f64; 2]]) -> Result<Ellipse, FitError> {
         [1, 0]
     };
     if squares[short].is_nan() || squares[short] <= 0.0 {
-        return Err(degenerate);
+        return Err(degenerate());
     }
     let axis = eigen.eigenvectors.column(long);
     Ok(Ellipse {
@@ -150,14 +126,14 @@ struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    fn new(points: &'a [[f64; 2]], least: usize) -> Result<Self, FitError> {
+    fn new(points: &'a [[f64; 2]], least: usize) -> Result<Self, ContourError> {
         let count = points.len();
         if count < least {
-            return Err(FitError::TooFew { count, least });
+            return Err(ContourError::EllipseTooFew { count, least });
         }
         let is_finite = |point: &[f64; 2]| point.iter().all(|x| x.is_finite());
         if let Some(index) = points.iter().position(|point| !is_finite(point)) {
-            return Err(FitError::NotFinite { index });
+            return Err(ContourError::EllipseNotFinite { index });
         }
         let mean =
             |value: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(value).sum::<f64>() / count as f64;
@@ -166,7 +142,7 @@ impl<'a> Frame<'a> {
         let scale = mean(&square).sqrt();
         let size = centre[0].abs().max(centre[1].abs());
         if !(scale > 1e-12 * size && scale.is_finite()) {
-            return Err(FitError::Degenerate {
+            return Err(ContourError::Degenerate {
                 arrangement: "they lie at one place",
             });
         }

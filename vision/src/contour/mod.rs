@@ -11,6 +11,7 @@
 //! pixel.
 
 mod border;
+mod error;
 pub mod fit;
 mod outline;
 mod polygon;
@@ -18,5 +19,6 @@ pub mod snake;
 pub mod space_curve;
 
 pub use border::{Contour, borders};
-pub use outline::{OutlineError, outline};
+pub use error::ContourError;
+pub use outline::outline;
 pub use polygon::{centroid, perimeter, resampled, signed_area};

@@ -4,31 +4,7 @@ use ga_image::plane::Plane;
 use ga_image::threshold::{above, otsu};
 
 use super::border::{Contour, borders};
-
-/// Why a picture has no outline.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum OutlineError {
-    /// All pixels have the same level.
-    #[error("no contour is found: all pixels have the same level")]
-    OneLevel,
-    /// No border encloses the least area.
-    #[error("no contour is found: no border encloses {least_area} or more pixels")]
-    NoBorder {
-        /// The least area, in pixels.
-        least_area: f64,
-    },
-    /// The largest border touches that of the picture.
-    #[error(
-        "the contour leaves the picture of {} × {} pixels at the pixel ({}, {})",
-        size[0], size[1], pixel[0], pixel[1]
-    )]
-    LeavesPicture {
-        /// Column and row of the first pixel at the border.
-        pixel: [u32; 2],
-        /// Columns and rows of the picture.
-        size: [usize; 2],
-    },
-}
+use crate::contour::ContourError;
 
 /// The border that encloses the largest area: the outer border of a bright region or of a hole in
 /// one, with the threshold of Otsu. A bright region that touches all four sides of the picture is a
@@ -45,15 +21,15 @@ pub enum OutlineError {
 /// let outline = outline(&picture, 4.0)?;
 /// assert!(outline.is_hole);
 /// assert_eq!(outline.bounding_box(), [4, 3, 8, 8]);
-/// # Ok::<(), ga_vision::contour::OutlineError>(())
+/// # Ok::<(), ga_vision::contour::ContourError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`OutlineError`] where all pixels have one level, where no border encloses `least_area`, and
+/// [`ContourError`] where all pixels have one level, where no border encloses `least_area`, and
 /// where the largest one touches the border of the picture.
-pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, OutlineError> {
-    let level = otsu(picture).ok_or(OutlineError::OneLevel)?;
+pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, ContourError> {
+    let level = otsu(picture).ok_or(ContourError::OneLevel)?;
     let size = [picture.width(), picture.height()];
     let is_background = |contour: &Contour| {
         let [_, _, width, height] = contour.bounding_box();
@@ -63,7 +39,7 @@ pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, OutlineE
         .into_iter()
         .filter(|contour| !is_background(contour) && contour.area() >= least_area)
         .max_by(|a, b| a.area().total_cmp(&b.area()))
-        .ok_or(OutlineError::NoBorder { least_area })?;
+        .ok_or(ContourError::NoBorder { least_area })?;
     let is_at_border = |pixel: &&[u32; 2]| {
         let mut axes = pixel.iter().zip(size);
         axes.any(|(place, length)| *place == 0 || *place as usize + 1 == length)
@@ -71,6 +47,6 @@ pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, OutlineE
     let touching = largest.pixels.iter().find(is_at_border).copied();
     match touching {
         None => Ok(largest),
-        Some(pixel) => Err(OutlineError::LeavesPicture { pixel, size }),
+        Some(pixel) => Err(ContourError::LeavesPicture { pixel, size }),
     }
 }

@@ -30,15 +30,13 @@
 //! assert!((found.vertical_offset - 3.0).abs() < 1e-9);
 //! assert!(found.rotation.abs() < 1e-12 && (found.zoom - 1.0).abs() < 1e-12);
 //! assert!(!found.is_rectified());
-//! # Ok::<(), ga_vision::diagnosis::DiagnosisError>(())
+//! # Ok::<(), ga_vision::ViewGeometryError>(())
 //! ```
 
-mod error;
 pub mod row_model;
 
-pub use error::DiagnosisError;
-
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 use ga_numerics::order_statistics::{Sorted, median};
 use ga_numerics::ransac::Search;
 use row_model::{RowModel, Rows};
@@ -105,16 +103,16 @@ impl Diagnosis {
     /// may be wrong.
     ///
     /// # Errors
-    /// [`DiagnosisError`] for fewer than three pairs, points on one line, numbers that are not
+    /// [`ViewGeometryError`] for fewer than three pairs, points on one line, numbers that are not
     /// finite, and pairs that do not agree.
     pub fn new(
         pairs: &[PixelPair],
         size: [usize; 2],
         options: DiagnosisOptions,
-    ) -> Result<Self, DiagnosisError> {
+    ) -> Result<Self, ViewGeometryError> {
         let threshold = options.threshold;
         if !(threshold > 0.0 && threshold.is_finite()) {
-            return Err(DiagnosisError::Threshold(threshold));
+            return Err(ViewGeometryError::MatchThreshold(threshold));
         }
         let rows = Rows::new(pairs, size)?;
         let search = Search {
@@ -125,7 +123,7 @@ impl Diagnosis {
             seed: options.seed,
         };
         let best = search.run(&rows, 1);
-        let mut model = best.first().ok_or(DiagnosisError::OnOneLine)?.model;
+        let mut model = best.first().ok_or(ViewGeometryError::OnOneLine)?.model;
         // Least squares over the agreeing pairs, which may change which ones agree.
         for _ in 0..5 {
             let agreeing = rows.agreeing(&model, threshold);
@@ -142,7 +140,7 @@ impl Diagnosis {
         let agreeing = rows.agreeing(&model, threshold);
         let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
         if (agreeing.len() as f64) < least {
-            return Err(DiagnosisError::NoConsensus {
+            return Err(ViewGeometryError::NoMatchConsensus {
                 agreeing: agreeing.len(),
                 pairs: pairs.len(),
             });

@@ -2,8 +2,8 @@
 
 use nalgebra_035::{Matrix3, Vector3};
 
-use super::DiagnosisError;
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 use ga_numerics::ransac::Consensus;
 
 /// Points count as lying on one line where the smallest eigenvalue of their moments is below this
@@ -62,11 +62,11 @@ impl Rows {
     /// The pairs of views of one size, `[width, height]`.
     ///
     /// # Errors
-    /// [`DiagnosisError`] where there are too few pairs, where one is not finite, and where all lie
-    /// on one line.
-    pub fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, DiagnosisError> {
+    /// [`ViewGeometryError`] where there are too few pairs, where one is not finite, and where all
+    /// lie on one line.
+    pub fn new(pairs: &[PixelPair], size: [usize; 2]) -> Result<Self, ViewGeometryError> {
         if pairs.len() < RowModel::NEEDED {
-            return Err(DiagnosisError::TooFew {
+            return Err(ViewGeometryError::TooFewMatches {
                 found: pairs.len(),
                 needed: RowModel::NEEDED,
             });
@@ -76,7 +76,7 @@ impl Rows {
         for (index, pair) in pairs.iter().enumerate() {
             let numbers = pair.left.iter().chain(&pair.right);
             if !numbers.copied().all(f64::is_finite) {
-                return Err(DiagnosisError::NotFinite(index));
+                return Err(ViewGeometryError::MatchNotFinite(index));
             }
             let [u, v] = pair.right;
             rows.push([u - middle_u, v - middle_v, pair.left[1] - middle_v]);
@@ -89,7 +89,7 @@ impl Rows {
         let all: Vec<usize> = (0..pairs.len()).collect();
         match rows.fitted(&all) {
             Some(_) => Ok(rows),
-            None => Err(DiagnosisError::OnOneLine),
+            None => Err(ViewGeometryError::OnOneLine),
         }
     }
 

@@ -2,20 +2,10 @@
 //! evaluation (D. Scharstein and R. Szeliski, "A taxonomy and evaluation of dense two-frame stereo
 //! correspondence algorithms", International Journal of Computer Vision 47, 2002).
 
-use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+use ga_image::plane::{Plane, PlaneView, same_size};
 
 use super::DisparityMap;
-
-/// Two maps that cannot be compared.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum EvaluationError {
-    /// The map and the truth have different sizes.
-    #[error("the map and the truth cannot be compared: {0}")]
-    Size(#[from] SizeError),
-    /// No pixel of the truth has a disparity that is finite and not 0.
-    #[error("the truth has no pixel whose disparity is finite and not 0")]
-    NoTruth,
-}
+use crate::disparity::DisparityMapError;
 
 /// The distance |*d* − *t*| of each disparity *d* from the true one *t*, in pixels.
 ///
@@ -51,10 +41,10 @@ impl ErrorMap {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::Size`] when their sizes differ, and [`EvaluationError::NoTruth`] when
-    /// every pixel would be left out.
-    pub fn new(found: &DisparityMap, truth: &DisparityMap) -> Result<Self, EvaluationError> {
-        same_size(found.view(), truth.view())?;
+    /// [`DisparityMapError::TruthSize`] when their sizes differ, and [`DisparityMapError::NoTruth`]
+    /// when every pixel would be left out.
+    pub fn new(found: &DisparityMap, truth: &DisparityMap) -> Result<Self, DisparityMapError> {
+        same_size(found.view(), truth.view()).map_err(DisparityMapError::TruthSize)?;
         let (mut pixels, mut known) = (0, 0);
         let errors = Plane::from_fn(truth.width(), truth.height(), |column, row| {
             let truth = truth.get(column, row).filter(|truth| *truth != 0.0);
@@ -69,7 +59,7 @@ impl ErrorMap {
             (f64::from(found) - f64::from(truth)).abs()
         });
         if pixels == 0 {
-            return Err(EvaluationError::NoTruth);
+            return Err(DisparityMapError::NoTruth);
         }
         Ok(Self {
             errors,

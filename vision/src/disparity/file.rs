@@ -8,55 +8,25 @@
 
 use std::path::Path;
 
-use ga_files::{ReadError, WriteError};
-use ga_image::file::{self, DecodeError, EncodeError};
+use ga_files::ReadError;
+use ga_image::file::{self, EncodeError};
 use ga_image::pfm::{self, ByteOrder};
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 
 use super::DisparityMap;
-
-/// A file whose contents are not a disparity map.
-#[derive(Debug, thiserror::Error)]
-pub enum DisparityFileError {
-    /// The bytes are not a picture.
-    #[error(transparent)]
-    Decode(#[from] DecodeError),
-    /// The picture has more than one number for each pixel.
-    #[error("a disparity map has one number for each pixel, and this picture is {kind}")]
-    Kind {
-        /// The kind of pixel.
-        kind: &'static str,
-    },
-    /// The scale by which the stored numbers are divided is 0, negative or not finite.
-    #[error("the scale {scale} of the disparities is not positive and finite")]
-    Scale {
-        /// The scale.
-        scale: f64,
-    },
-}
-
-/// A disparity map that could not be written to a file.
-#[derive(Debug, thiserror::Error)]
-pub enum DisparitySaveError {
-    /// The map has no pixels.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
-    /// The file could not be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
+use crate::disparity::StereoError;
 
 /// The disparity map in the bytes of a PFM file. Numbers that are not finite are unknown.
 ///
 /// # Errors
 ///
-/// [`DisparityFileError::Decode`] with what is wrong with the bytes, and
-/// [`DisparityFileError::Kind`] for a PFM file in colour.
-pub fn decode(bytes: &[u8]) -> Result<DisparityMap, DisparityFileError> {
+/// [`StereoError::Decode`] with what is wrong with the bytes, and
+/// [`StereoError::Kind`] for a PFM file in colour.
+pub fn decode(bytes: &[u8]) -> Result<DisparityMap, StereoError> {
     match pfm::decode(bytes)? {
         Picture::GreyF32(pixels) => Ok(DisparityMap::new(pixels)),
-        other => Err(DisparityFileError::Kind {
+        other => Err(StereoError::Kind {
             kind: other.view().kind(),
         }),
     }
@@ -93,8 +63,8 @@ pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, EncodeError> {
 /// # Errors
 ///
 /// [`ReadError`], which names the file and says why: it cannot be read, or a
-/// [`DisparityFileError`].
-pub fn read(path: impl AsRef<Path>) -> Result<DisparityMap, ReadError<DisparityFileError>> {
+/// [`StereoError`].
+pub fn read(path: impl AsRef<Path>) -> Result<DisparityMap, ReadError<StereoError>> {
     ga_files::read(path, decode)
 }
 
@@ -102,8 +72,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<DisparityMap, ReadError<DisparityF
 ///
 /// # Errors
 ///
-/// Any [`DisparitySaveError`].
-pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), DisparitySaveError> {
+/// [`StereoError::Encode`] and [`StereoError::Write`].
+pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), StereoError> {
     Ok(ga_files::write(path, &encode(map)?)?)
 }
 
@@ -122,17 +92,17 @@ pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), Disparity
 ///
 /// # Errors
 ///
-/// Any [`DisparityFileError`].
-pub fn decode_truth(bytes: &[u8], scale: f64) -> Result<DisparityMap, DisparityFileError> {
+/// [`StereoError::Decode`], [`StereoError::Kind`] and [`StereoError::Scale`].
+pub fn decode_truth(bytes: &[u8], scale: f64) -> Result<DisparityMap, StereoError> {
     if !(scale > 0.0 && scale.is_finite()) {
-        return Err(DisparityFileError::Scale { scale });
+        return Err(StereoError::Scale { scale });
     }
     let stored: Plane<f32> = match file::decode(bytes)? {
         Picture::GreyF32(pixels) => pixels,
         Picture::Grey8(pixels) => pixels.map(f32::from),
         Picture::Grey16(pixels) => pixels.map(f32::from),
         other => {
-            return Err(DisparityFileError::Kind {
+            return Err(StereoError::Kind {
                 kind: other.view().kind(),
             });
         }
@@ -147,10 +117,10 @@ pub fn decode_truth(bytes: &[u8], scale: f64) -> Result<DisparityMap, DisparityF
 /// # Errors
 ///
 /// [`ReadError`], which names the file and says why: it cannot be read, or a
-/// [`DisparityFileError`].
+/// [`StereoError`].
 pub fn read_truth(
     path: impl AsRef<Path>,
     scale: f64,
-) -> Result<DisparityMap, ReadError<DisparityFileError>> {
+) -> Result<DisparityMap, ReadError<StereoError>> {
     ga_files::read(path, |bytes| decode_truth(bytes, scale))
 }

@@ -10,9 +10,14 @@
 //! - [`evaluation`]: how far a map is from a known truth.
 //! - [`picture`]: maps and their errors in colours.
 
+mod error;
 pub mod evaluation;
 pub mod file;
+mod map_error;
 pub mod picture;
+
+pub use error::StereoError;
+pub use map_error::DisparityMapError;
 
 use ga_image::plane::{Plane, PlaneView};
 

@@ -39,7 +39,7 @@
 //! let found = matcher.run(&left, &right)?;
 //! let disparity = found.disparity.get(60, 30).unwrap();
 //! assert!((disparity - 5.0).abs() < 0.2);
-//! # Ok::<(), ga_vision::matcher::MatchError>(())
+//! # Ok::<(), ga_vision::disparity::StereoError>(())
 //! ```
 
 // Loops over lanes and pixels by number become vector instructions; chains of iterators over many
@@ -62,7 +62,7 @@ mod winner;
 use ga_image::plane::{Plane, PlaneView};
 use rayon::{ThreadPool, ThreadPoolBuilder, join};
 
-use crate::disparity::DisparityMap;
+use crate::disparity::{DisparityMap, StereoError};
 use path::Penalties;
 use refine::speckle::Islands;
 use refine::visibility::VisibilityFill;
@@ -109,71 +109,6 @@ pub struct Match {
     pub confidence: Plane<f32>,
 }
 
-/// Why views cannot be matched.
-#[derive(Debug, thiserror::Error)]
-pub enum MatchError {
-    /// The disparities to be looked for are none, too many, or more than the columns.
-    #[error(
-        "the disparity range of {range} px must be from 1 to {greatest} px for views {width} \
-         pixels wide"
-    )]
-    Range {
-        /// The number of disparities.
-        range: usize,
-        /// The greatest possible number.
-        greatest: usize,
-        /// Columns.
-        width: usize,
-    },
-    /// The views have too few pixels.
-    #[error(
-        "views of {width} × {height} pixels are too small; at least {least} × {least} are needed"
-    )]
-    TooSmall {
-        /// Columns.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// The least number of columns and rows.
-        least: usize,
-    },
-    /// The views have too many pixels.
-    #[error("views of {width} × {height} pixels are too large; at most {most} pixels are possible")]
-    TooLarge {
-        /// Columns.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// The greatest number of pixels.
-        most: usize,
-    },
-    /// The views have different sizes.
-    #[error(
-        "the left view has {} × {} pixels and the right view {} × {}",
-        left[0], left[1], right[0], right[1]
-    )]
-    Views {
-        /// Columns and rows of the left view.
-        left: [usize; 2],
-        /// Columns and rows of the right view.
-        right: [usize; 2],
-    },
-    /// The views do not have the size that the matcher was built for.
-    #[error(
-        "the views have {} × {} pixels, and the matcher is for {} × {}",
-        found[0], found[1], expected[0], expected[1]
-    )]
-    Size {
-        /// Columns and rows of the views.
-        found: [usize; 2],
-        /// Columns and rows that the matcher was built for.
-        expected: [usize; 2],
-    },
-    /// The threads could not be started.
-    #[error("the threads of the matcher cannot be started: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-}
-
 /// The least number of columns and rows of a view: the census reaches over 9 × 7 pixels.
 const LEAST_SIDE: usize = 9;
 /// The greatest number of pixels, for which places fit in 31 bits.
@@ -209,12 +144,12 @@ impl Matcher {
     ///
     /// # Errors
     ///
-    /// [`MatchError::Range`], [`MatchError::TooSmall`], [`MatchError::TooLarge`] or
-    /// [`MatchError::Threads`].
-    pub fn new(options: MatcherOptions, width: usize, height: usize) -> Result<Self, MatchError> {
+    /// [`StereoError::Range`], [`StereoError::TooSmall`], [`StereoError::TooLarge`] or
+    /// [`StereoError::Threads`].
+    pub fn new(options: MatcherOptions, width: usize, height: usize) -> Result<Self, StereoError> {
         if width.min(height) < LEAST_SIDE {
             let least = LEAST_SIDE;
-            return Err(MatchError::TooSmall {
+            return Err(StereoError::TooSmall {
                 width,
                 height,
                 least,
@@ -222,7 +157,7 @@ impl Matcher {
         }
         let most = MOST_PIXELS;
         let Some(pixels) = width.checked_mul(height).filter(|pixels| *pixels <= most) else {
-            return Err(MatchError::TooLarge {
+            return Err(StereoError::TooLarge {
                 width,
                 height,
                 most,
@@ -231,7 +166,7 @@ impl Matcher {
         let range = options.max_disparity;
         let greatest = width.min(GREATEST_RANGE);
         if !(1..=greatest).contains(&range) {
-            return Err(MatchError::Range {
+            return Err(StereoError::Range {
                 range,
                 greatest,
                 width,
@@ -267,23 +202,23 @@ impl Matcher {
     ///
     /// # Errors
     ///
-    /// [`MatchError::Views`] or [`MatchError::Size`].
+    /// [`StereoError::Views`] or [`StereoError::Size`].
     pub fn run<'a>(
         &mut self,
         left: impl Into<PlaneView<'a, u8>>,
         right: impl Into<PlaneView<'a, u8>>,
-    ) -> Result<Match, MatchError> {
+    ) -> Result<Match, StereoError> {
         let (left, right) = (left.into(), right.into());
         let size = |view: PlaneView<'_, u8>| [view.width(), view.height()];
         if size(left) != size(right) {
-            return Err(MatchError::Views {
+            return Err(StereoError::Views {
                 left: size(left),
                 right: size(right),
             });
         }
         let expected = [self.width, self.height];
         if size(left) != expected {
-            return Err(MatchError::Size {
+            return Err(StereoError::Size {
                 found: size(left),
                 expected,
             });

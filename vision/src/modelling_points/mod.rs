@@ -38,42 +38,16 @@
 mod fit;
 mod predicted_distance;
 
-use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+use ga_image::plane::{Plane, PlaneView, same_size};
 use ga_runtime::cga3::{self, Point};
 
-use crate::disparity::DisparityMap;
+use crate::disparity::{DisparityMap, DisparityMapError};
 use fit::Fit;
 use ga_camera::rig::RectifiedRig;
-pub use predicted_distance::{DistanceControls, DistanceError, predicted_distance};
+pub use predicted_distance::{DistanceControls, predicted_distance};
 
 /// The greatest slope of the disparity on a surface.
 const GRADIENT_LIMIT: f64 = 1.0;
-
-/// Why a map has no modelling points.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ModellingError {
-    /// The map and the weights have different sizes.
-    #[error("the disparities and their weights do not fit together: {0}")]
-    Size(#[from] SizeError),
-    /// A weight is negative or not finite.
-    #[error(
-        "the weight {weight} of the pixel in column {column} and row {row} is negative or not finite"
-    )]
-    Weight {
-        /// The weight.
-        weight: f32,
-        /// The column.
-        column: usize,
-        /// The row.
-        row: usize,
-    },
-    /// The number of levels is not from 1 to 32.
-    #[error("a pyramid has 1 to 32 levels, not {0}")]
-    Levels(usize),
-    /// The deviation of a pixel's disparity is negative or not finite.
-    #[error("{0} px is not a standard deviation")]
-    Deviation(f64),
-}
 
 /// What one cell of a level says about the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,20 +103,21 @@ impl ModellingPyramid {
     ///
     /// # Errors
     ///
-    /// Any [`ModellingError`].
+    /// [`DisparityMapError::WeightsSize`], [`DisparityMapError::Weight`],
+    /// [`DisparityMapError::Levels`] and [`DisparityMapError::Deviation`].
     pub fn new<'a>(
         map: &DisparityMap,
         weights: impl Into<PlaneView<'a, f32>>,
         levels: usize,
         pixel_deviation_px: f64,
-    ) -> Result<Self, ModellingError> {
+    ) -> Result<Self, DisparityMapError> {
         let weights = weights.into();
-        same_size(map.view(), weights)?;
+        same_size(map.view(), weights).map_err(DisparityMapError::WeightsSize)?;
         for (row, values) in weights.rows().enumerate() {
             let wrong = |weight: &f32| !(*weight >= 0.0 && weight.is_finite());
             if let Some(column) = values.iter().position(wrong) {
                 let weight = values[column];
-                return Err(ModellingError::Weight {
+                return Err(DisparityMapError::Weight {
                     weight,
                     column,
                     row,
@@ -150,10 +125,10 @@ impl ModellingPyramid {
             }
         }
         if !(1..=32).contains(&levels) {
-            return Err(ModellingError::Levels(levels));
+            return Err(DisparityMapError::Levels(levels));
         }
         if !(pixel_deviation_px >= 0.0 && pixel_deviation_px.is_finite()) {
-            return Err(ModellingError::Deviation(pixel_deviation_px));
+            return Err(DisparityMapError::Deviation(pixel_deviation_px));
         }
         let mut pyramid = Self {
             map: map.plane().clone(),
@@ -328,8 +303,8 @@ impl ModellingPoint {
     ///
     /// # Errors
     ///
-    /// Any [`DistanceError`].
-    pub fn predicted_distance(&self, controls: DistanceControls) -> Result<f64, DistanceError> {
+    /// [`DisparityMapError::Denominator`] and [`DisparityMapError::NotFinite`].
+    pub fn predicted_distance(&self, controls: DistanceControls) -> Result<f64, DisparityMapError> {
         predicted_distance(self.disparity_px, self.spacing_px(), controls)
     }
 }

@@ -1,5 +1,7 @@
 //! The paper's predicted distance of a modelling point.
 
+use crate::disparity::DisparityMapError;
+
 /// The quantities of eq. 2 that do not come from the views.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceControls {
@@ -9,24 +11,6 @@ pub struct DistanceControls {
     pub direction: f64,
     /// C, the simulated fixed value.
     pub constant: f64,
-}
-
-/// Why there is no predicted distance.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum DistanceError {
-    /// The denominator S Q + t is zero.
-    #[error("the denominator S Q + t vanishes for S = {deviation}, Q = {spacing}, t = {direction}")]
-    Denominator {
-        /// S, the visual deviation.
-        deviation: f64,
-        /// Q, the visual point spacing.
-        spacing: f64,
-        /// t, the correlation direction.
-        direction: f64,
-    },
-    /// A number is not finite, or the result would not be.
-    #[error("the predicted distance is not finite for {0:?} (S, Q, φ, t, C)")]
-    NotFinite([f64; 5]),
 }
 
 /// The predicted distance of a modelling point (Cui, eq. 2),
@@ -44,18 +28,18 @@ pub enum DistanceError {
 ///
 /// let controls = DistanceControls { position: 3.0, direction: 2.0, constant: 0.5 };
 /// assert_eq!(predicted_distance(4.0, 2.0, controls)?, 9.0 * 2.0 * 0.5 / 10.0 - 4.0);
-/// # Ok::<(), ga_vision::modelling_points::DistanceError>(())
+/// # Ok::<(), ga_vision::disparity::DisparityMapError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`DistanceError::Denominator`] where S Q + t is zero, and [`DistanceError::NotFinite`] where a
-/// number or the result is not finite.
+/// [`DisparityMapError::Denominator`] where S Q + t is zero, and [`DisparityMapError::NotFinite`]
+/// where a number or the result is not finite.
 pub fn predicted_distance(
     deviation: f64,
     spacing: f64,
     controls: DistanceControls,
-) -> Result<f64, DistanceError> {
+) -> Result<f64, DisparityMapError> {
     let DistanceControls {
         position,
         direction,
@@ -63,7 +47,7 @@ pub fn predicted_distance(
     } = controls;
     let denominator = deviation * spacing + direction;
     if denominator == 0.0 {
-        return Err(DistanceError::Denominator {
+        return Err(DisparityMapError::Denominator {
             deviation,
             spacing,
             direction,
@@ -74,7 +58,7 @@ pub fn predicted_distance(
     if result.is_finite() && denominator.is_finite() {
         Ok(result)
     } else {
-        Err(DistanceError::NotFinite([
+        Err(DisparityMapError::NotFinite([
             deviation, spacing, position, direction, constant,
         ]))
     }

@@ -4,16 +4,15 @@
 //! points and the pixels at which the camera would see them, [`three_points`] the poses of a
 //! minimal sample. The points may be in one plane, but not on one line.
 
-mod error;
 mod three_points;
 
 use ga_runtime::cga3::{DualQuaternion, Line, Motor, MotorGenerator, Plane, Point};
-use ga_runtime::geometry::fit::PrimitiveFitError;
+use ga_runtime::geometry::FitError;
 use ga_runtime::vga3::Vector;
 
-pub use error::PerspectiveError;
 pub use three_points::three_points;
 
+use crate::geometry_error::ViewGeometryError;
 use ga_camera::{Camera, Intrinsics};
 use ga_numerics::least_squares::{
     Columns, Covariance, Equations, Minimum, Problem, Settings, minimise,
@@ -47,7 +46,7 @@ pub struct PerspectivePose {
 /// several starts are refined, since points near a plane may have two local minima.
 ///
 /// # Errors
-/// [`PerspectiveError`]: fewer than four points, numbers that are not finite, points on a line, a
+/// [`ViewGeometryError`]: fewer than four points, numbers that are not finite, points on a line, a
 /// threshold that is not positive, pixels that no pose explains.
 ///
 /// ```
@@ -73,11 +72,11 @@ pub fn estimate(
     pixels: &[[f64; 2]],
     intrinsics: &Intrinsics,
     options: &Options,
-) -> Result<PerspectivePose, PerspectiveError> {
+) -> Result<PerspectivePose, ViewGeometryError> {
     if let Some(threshold) = options.threshold
         && !(threshold.is_finite() && threshold > 0.0)
     {
-        return Err(PerspectiveError::Threshold(threshold));
+        return Err(ViewGeometryError::PointThreshold(threshold));
     }
     let observations = observations(points, pixels, intrinsics)?;
     let problem = Observed {
@@ -92,14 +91,14 @@ pub fn estimate(
         samples: options.samples,
         seed: options.seed,
     };
-    let refined = refine_best(&problem, &search).ok_or(PerspectiveError::Undetermined)?;
+    let refined = refine_best(&problem, &search).ok_or(ViewGeometryError::PoseUndetermined)?;
     let Refined { minimum, inliers } = refined;
     let needed = match options.threshold {
         Some(_) => NEEDED + 1,
         None => points.len(),
     };
     if inliers.len() < needed.min(points.len()) {
-        return Err(PerspectiveError::NoConsensus {
+        return Err(ViewGeometryError::NoPointConsensus {
             agreeing: inliers.len(),
             points: points.len(),
         });
@@ -132,15 +131,15 @@ fn observations(
     points: &[Point<f64>],
     pixels: &[[f64; 2]],
     intrinsics: &Intrinsics,
-) -> Result<Vec<Observation>, PerspectiveError> {
+) -> Result<Vec<Observation>, ViewGeometryError> {
     if points.len() != pixels.len() {
-        return Err(PerspectiveError::Counts {
+        return Err(ViewGeometryError::PointCounts {
             points: points.len(),
             pixels: pixels.len(),
         });
     }
     if points.len() < NEEDED {
-        return Err(PerspectiveError::TooFew {
+        return Err(ViewGeometryError::TooFewPoints {
             found: points.len(),
             needed: NEEDED,
         });
@@ -149,13 +148,13 @@ fn observations(
         .iter()
         .position(|point| !Vector::from(*point).is_finite())
     {
-        return Err(PerspectiveError::NotFinite(index));
+        return Err(ViewGeometryError::PointNotFinite(index));
     }
     check_line(points)?;
     let pairs = points.iter().zip(pixels).enumerate();
     let observations = pairs.map(|(index, (&point, &pixel))| {
         let direction = intrinsics.direction(pixel);
-        let direction = direction.map_err(|error| PerspectiveError::Camera {
+        let direction = direction.map_err(|error| ViewGeometryError::PointCamera {
             point: index,
             error,
         })?;
@@ -169,10 +168,10 @@ fn observations(
 }
 
 /// Refuses points on one line.
-fn check_line(points: &[Point<f64>]) -> Result<(), PerspectiveError> {
+fn check_line(points: &[Point<f64>]) -> Result<(), ViewGeometryError> {
     match Plane::fit(points) {
-        Err(PrimitiveFitError::Collinear | PrimitiveFitError::Coincident) => {
-            Err(PerspectiveError::Collinear {
+        Err(FitError::Collinear | FitError::Coincident) => {
+            Err(ViewGeometryError::PointsCollinear {
                 distance: Line::fit(points).map_or(0.0, |fit| fit.rms()),
             })
         }

@@ -9,16 +9,15 @@
 //! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
 //! [`RectificationOptions`].
 
-mod error;
 mod undistortion;
 mod view;
 
-pub use error::RectificationError;
-pub use undistortion::{Undistortion, UndistortionError};
+pub use undistortion::Undistortion;
 
 use ga_image::warp::Warp;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 
+use crate::geometry_error::ViewGeometryError;
 use ga_camera::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera};
 use ga_camera::rig::RectifiedRig;
 use ga_camera::rig::StereoRig;
@@ -108,24 +107,24 @@ impl Rectification {
     /// Rectifies a rig whose pictures have a size in columns and rows.
     ///
     /// # Errors
-    /// [`RectificationError`] for cameras at one place, cameras that are not side by side, and
+    /// [`ViewGeometryError`] for cameras at one place, cameras that are not side by side, and
     /// views that do not overlap.
     pub fn new(
         rig: &StereoRig,
         source: [usize; 2],
         options: RectificationOptions,
-    ) -> Result<Self, RectificationError> {
+    ) -> Result<Self, ViewGeometryError> {
         let size = options.size.unwrap_or(source);
         for size in [source, size] {
             if size.iter().any(|count| *count < 2) {
-                return Err(RectificationError::Size(size));
+                return Err(ViewGeometryError::Size(size));
             }
         }
         if size[0].saturating_mul(size[1]) > MOST_PIXELS {
-            return Err(RectificationError::Size(size));
+            return Err(ViewGeometryError::Size(size));
         }
         if let Some(alpha) = options.alpha.filter(|alpha| !(0.0..=1.0).contains(alpha)) {
-            return Err(RectificationError::Alpha(alpha));
+            return Err(ViewGeometryError::Alpha(alpha));
         }
         let between = rig.left_to_right().motor;
         let rotations = rotations(between)?;
@@ -136,10 +135,12 @@ impl Rectification {
             rotation: rotations[k],
         });
         let frame = Frame::new(&views, source, size, options)?;
-        let pinhole = |k: usize| Intrinsics::new([frame.focal; 2], frame.centres[k]);
+        let pinhole = |k: usize| {
+            Intrinsics::new([frame.focal; 2], frame.centres[k]).map_err(ViewGeometryError::Unseen)
+        };
         let baseline = rig.baseline();
         let rectified = RectifiedRig::new(pinhole(0)?, pinhole(1)?, baseline)
-            .map_err(|_| RectificationError::Baseline(baseline))?;
+            .map_err(|_| ViewGeometryError::Baseline(baseline))?;
         Ok(Self {
             left: Pose::new(rotations[0].into()),
             right: Pose::new(rotations[1].into()),
@@ -224,12 +225,12 @@ fn map(
 
 /// The rotations of the two cameras: `W R^½` and `W R^−½`, where R is the rotation from left to
 /// right and W puts the baseline, seen from the half way, along x.
-fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], RectificationError> {
+fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], ViewGeometryError> {
     let displacement = between.translator().displacement();
     let [x, y, z] = displacement;
     let baseline = x.hypot(y).hypot(z);
     if !(baseline > 0.0 && baseline.is_finite()) {
-        return Err(RectificationError::Baseline(baseline));
+        return Err(ViewGeometryError::Baseline(baseline));
     }
     let rotor = between.rotor();
     // The root of the short way.
@@ -242,15 +243,15 @@ fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], RectificationError>
     let centre = [-x, -y, -z];
     if y.abs() >= x.abs() {
         if z.abs() > y.abs() {
-            return Err(RectificationError::Forward(centre));
+            return Err(ViewGeometryError::Forward(centre));
         }
-        return Err(RectificationError::Vertical(centre));
+        return Err(ViewGeometryError::Vertical(centre));
     }
     if x > 0.0 {
-        return Err(RectificationError::Exchanged(centre));
+        return Err(ViewGeometryError::Exchanged(centre));
     }
     let to_rows = Rotor::between([x, y, z], [-1.0, 0.0, 0.0]);
-    let to_rows = to_rows.ok_or(RectificationError::Baseline(baseline))?;
+    let to_rows = to_rows.ok_or(ViewGeometryError::Baseline(baseline))?;
     Ok([to_rows * half, to_rows * half.reverse()])
 }
 
@@ -267,7 +268,7 @@ impl Frame {
         source: [usize; 2],
         size: [usize; 2],
         options: RectificationOptions,
-    ) -> Result<Self, RectificationError> {
+    ) -> Result<Self, ViewGeometryError> {
         // The mean focal length, for pictures of the new height.
         let sum: f64 = views.iter().map(|view| view.intrinsics.focal()[1]).sum();
         let focal = 0.5 * sum * size[1] as f64 / source[1] as f64;
@@ -304,7 +305,7 @@ impl Frame {
             largest * (1.0 - alpha) + least * alpha
         });
         if !(scale > 0.0 && scale.is_finite()) {
-            return Err(RectificationError::Empty);
+            return Err(ViewGeometryError::Empty);
         }
         let valid = [0, 1].map(|k| rectangle(centres[k], bounds[k].inner.map(|x| x * scale), size));
         Ok(Self {

@@ -3,8 +3,9 @@
 use ga_image::warp::Warp;
 use ga_runtime::cga3::{Motor, Rotor};
 
+use super::map;
 use super::view::View;
-use super::{RectificationError, map};
+use crate::geometry_error::ViewGeometryError;
 use ga_camera::{Intrinsics, Lens};
 
 /// A camera and the pinhole at the same place whose pictures replace its own.
@@ -29,20 +30,6 @@ pub struct Undistortion {
     pub size: [usize; 2],
 }
 
-/// Why pictures cannot be undistorted.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum UndistortionError {
-    /// There is no picture.
-    #[error("pictures of {0:?} pixels cannot be undistorted")]
-    Size([usize; 2]),
-    /// `alpha` is not in [0, 1].
-    #[error("alpha is {0}, not from 0 to 1")]
-    Alpha(f64),
-    /// The camera sees no rectangle.
-    #[error("the camera sees no rectangle around its axis")]
-    Empty,
-}
-
 impl Undistortion {
     /// The undistortion of pictures of a size in columns and rows.
     ///
@@ -51,20 +38,20 @@ impl Undistortion {
     /// were seen, to 1, where it holds every pixel of the old one.
     ///
     /// # Errors
-    /// [`UndistortionError`] for pictures without pixels, `alpha` beyond [0, 1], and a camera that
+    /// [`ViewGeometryError`] for pictures without pixels, `alpha` beyond [0, 1], and a camera that
     /// sees no rectangle.
     pub fn new(
         source: Intrinsics,
         size: [usize; 2],
         alpha: Option<f64>,
-    ) -> Result<Self, UndistortionError> {
+    ) -> Result<Self, ViewGeometryError> {
         if size.iter().any(|count| *count < 2) {
-            return Err(UndistortionError::Size(size));
+            return Err(ViewGeometryError::UndistortionSize(size));
         }
         let target = match alpha {
             None => source.with_lens(Lens::Pinhole),
             Some(alpha) if (0.0..=1.0).contains(&alpha) => fitted(&source, size, alpha)?,
-            Some(alpha) => return Err(UndistortionError::Alpha(alpha)),
+            Some(alpha) => return Err(ViewGeometryError::Alpha(alpha)),
         };
         Ok(Self {
             source,
@@ -91,15 +78,15 @@ fn fitted(
     source: &Intrinsics,
     size: [usize; 2],
     alpha: f64,
-) -> Result<Intrinsics, UndistortionError> {
+) -> Result<Intrinsics, ViewGeometryError> {
     let view = View {
         intrinsics: source,
         size,
         rotation: Rotor::default(),
     };
     let bounds = view.bounds().map_err(|error| match error {
-        RectificationError::Size(size) => UndistortionError::Size(size),
-        _ => UndistortionError::Empty,
+        ViewGeometryError::Size(size) => ViewGeometryError::UndistortionSize(size),
+        _ => ViewGeometryError::NoRectangle,
     })?;
     let fit = |[left, right, top, bottom]: [f64; 4]| {
         let fx = (size[0] - 1) as f64 / (right - left);
@@ -108,5 +95,5 @@ fn fitted(
     };
     let (inner, outer) = (fit(bounds.inner), fit(bounds.outer));
     let [fx, fy, cx, cy] = std::array::from_fn(|k| inner[k] * (1.0 - alpha) + outer[k] * alpha);
-    Intrinsics::new([fx, fy], [cx, cy]).map_err(|_| UndistortionError::Empty)
+    Intrinsics::new([fx, fy], [cx, cy]).map_err(|_| ViewGeometryError::NoRectangle)
 }

@@ -2,7 +2,7 @@
 
 use ga_runtime::cga3::{Direction, Rotor};
 
-use super::RectificationError;
+use crate::geometry_error::ViewGeometryError;
 use ga_camera::Intrinsics;
 
 /// The border is sampled at this number of places along each side.
@@ -31,7 +31,7 @@ pub(super) struct Bounds {
 
 impl View<'_> {
     /// The mean, in the plane z = 1, of what is seen at the corners of the picture.
-    pub(super) fn mean_of_corners(&self) -> Result<[f64; 2], RectificationError> {
+    pub(super) fn mean_of_corners(&self) -> Result<[f64; 2], ViewGeometryError> {
         let [right, bottom] = self.last();
         let corners = [[0.0, 0.0], [right, 0.0], [0.0, bottom], [right, bottom]];
         let mut mean = [0.0; 2];
@@ -45,7 +45,7 @@ impl View<'_> {
     }
 
     /// The rectangles inside and around what is seen, from a grid of samples of the border.
-    pub(super) fn bounds(&self) -> Result<Bounds, RectificationError> {
+    pub(super) fn bounds(&self) -> Result<Bounds, ViewGeometryError> {
         let [right, bottom] = self.last();
         let mut inner = [
             f64::NEG_INFINITY,
@@ -94,12 +94,12 @@ impl View<'_> {
     /// What is seen at a pixel, in the plane z = 1 of the new frame. Where that is outside the
     /// field of the lens or too far from the new axis, the last place on the way there from the
     /// principal point that is not.
-    fn place(&self, pixel: [f64; 2]) -> Result<[f64; 2], RectificationError> {
+    fn place(&self, pixel: [f64; 2]) -> Result<[f64; 2], ViewGeometryError> {
         if let Some(place) = self.seen(pixel) {
             return Ok(place);
         }
         let centre = self.intrinsics.principal();
-        let mut last = self.seen(centre).ok_or(RectificationError::Axis)?;
+        let mut last = self.seen(centre).ok_or(ViewGeometryError::Axis)?;
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);

@@ -1,14 +1,15 @@
 //! Pairs of pixels from which no model can be found.
 
-use super::error::{RelativePoseError, View};
+use super::view::View;
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 
 /// Refuses pixels that are not finite.
-pub(super) fn check_finite(pairs: &[PixelPair]) -> Result<(), RelativePoseError> {
+pub(super) fn check_finite(pairs: &[PixelPair]) -> Result<(), ViewGeometryError> {
     for (index, pair) in pairs.iter().enumerate() {
         for (view, pixel) in [(View::Left, pair.left), (View::Right, pair.right)] {
             if !pixel.iter().all(|x| x.is_finite()) {
-                return Err(RelativePoseError::NotFinite { pair: index, view });
+                return Err(ViewGeometryError::NotFinite { pair: index, view });
             }
         }
     }
@@ -17,7 +18,7 @@ pub(super) fn check_finite(pairs: &[PixelPair]) -> Result<(), RelativePoseError>
 
 /// Refuses pixels whose root mean square distance from one line is not above a limit in pixels, or
 /// above rounding.
-pub(super) fn check_lines(pairs: &[PixelPair], limit: f64) -> Result<(), RelativePoseError> {
+pub(super) fn check_lines(pairs: &[PixelPair], limit: f64) -> Result<(), ViewGeometryError> {
     for view in [View::Left, View::Right] {
         let pixel = |pair: &PixelPair| match view {
             View::Left => pair.left,
@@ -25,7 +26,7 @@ pub(super) fn check_lines(pairs: &[PixelPair], limit: f64) -> Result<(), Relativ
         };
         let [along, across] = extents(pairs.iter().map(pixel));
         if across <= limit.max(1e-9 * along) {
-            return Err(RelativePoseError::Collinear {
+            return Err(ViewGeometryError::Collinear {
                 view,
                 distance: across,
             });

@@ -3,9 +3,9 @@
 use ga_runtime::vga3::Vector;
 
 use super::degenerate::{check_finite, check_lines};
-use super::error::RelativePoseError;
 use super::matrix::{FundamentalMatrix, null_space};
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 use crate::normalisation::Normalisation;
 use ga_numerics::polynomial::real_roots;
 use ga_numerics::ransac::{Consensus, Search};
@@ -74,12 +74,12 @@ pub fn seven_point(pairs: &[PixelPair; 7]) -> Vec<FundamentalMatrix> {
 /// algorithm", IEEE Transactions on Pattern Analysis and Machine Intelligence 19, 1997).
 ///
 /// # Errors
-/// [`RelativePoseError`] for fewer than eight pairs, numbers that are not finite, and pixels on a
+/// [`ViewGeometryError`] for fewer than eight pairs, numbers that are not finite, and pixels on a
 /// line.
-pub fn eight_point(pairs: &[PixelPair]) -> Result<FundamentalMatrix, RelativePoseError> {
+pub fn eight_point(pairs: &[PixelPair]) -> Result<FundamentalMatrix, ViewGeometryError> {
     const NEEDED: usize = 8;
     if pairs.len() < NEEDED {
-        return Err(RelativePoseError::TooFew {
+        return Err(ViewGeometryError::TooFew {
             found: pairs.len(),
             needed: NEEDED,
         });
@@ -93,22 +93,22 @@ pub fn eight_point(pairs: &[PixelPair]) -> Result<FundamentalMatrix, RelativePos
         let singular = FundamentalMatrix::normalised(rows)?.of_rank_two()?;
         frames.restored(singular.rows().map(Vector::from))
     });
-    found.ok_or(RelativePoseError::Undetermined)
+    found.ok_or(ViewGeometryError::Undetermined)
 }
 
 /// The fundamental matrix with which most pairs of pixels agree: random samples of seven, and then
 /// the eight-point algorithm on all pairs that agree, as long as more do.
 ///
 /// # Errors
-/// [`RelativePoseError`] for fewer than eight pairs, numbers that are not finite, pixels on a line,
+/// [`ViewGeometryError`] for fewer than eight pairs, numbers that are not finite, pixels on a line,
 /// and no matrix with which eight pairs agree.
 pub fn estimate_fundamental(
     pairs: &[PixelPair],
     options: &FundamentalOptions,
-) -> Result<Fundamental, RelativePoseError> {
+) -> Result<Fundamental, ViewGeometryError> {
     const NEEDED: usize = 8;
     if pairs.len() < NEEDED {
-        return Err(RelativePoseError::TooFew {
+        return Err(ViewGeometryError::TooFew {
             found: pairs.len(),
             needed: NEEDED,
         });
@@ -127,12 +127,12 @@ pub fn estimate_fundamental(
     let mut best = found
         .into_iter()
         .next()
-        .ok_or(RelativePoseError::Undetermined)?;
+        .ok_or(ViewGeometryError::Undetermined)?;
     loop {
         let agreeing = search.inliers(&problem, &best.model);
         let selected: Vec<PixelPair> = agreeing.iter().map(|&k| pairs[k]).collect();
         if selected.len() < NEEDED {
-            return Err(RelativePoseError::NoConsensus {
+            return Err(ViewGeometryError::NoConsensus {
                 agreeing: selected.len(),
                 pairs: pairs.len(),
             });

@@ -12,26 +12,27 @@
 mod bearing;
 mod cheirality;
 mod degenerate;
-mod error;
 mod five_point;
 mod fundamental;
 mod matrix;
 mod rotation;
 mod sampson;
+mod view;
 
 use ga_runtime::cga3::Motor;
 use ga_runtime::vga3::Vector;
 
 pub use bearing::Bearing;
-pub use error::{RelativePoseError, View};
 pub use five_point::five_point;
 pub use fundamental::{
     Fundamental, FundamentalOptions, eight_point, estimate_fundamental, seven_point,
 };
 pub use matrix::{EssentialMatrix, FundamentalMatrix};
 pub use sampson::BearingPair;
+pub use view::View;
 
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 use ga_camera::Intrinsics;
 use ga_camera::frame::{LeftCamera, Pose, RightCamera};
 use ga_numerics::least_squares::{Covariance, Minimum, Settings, minimise};
@@ -114,7 +115,7 @@ impl RelativePose {
 /// front of both cameras.
 ///
 /// # Errors
-/// [`RelativePoseError`]: fewer than six pairs, pixels that are not finite or on one line, a
+/// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite or on one line, a
 /// rotation alone explains the pairs, or too few of them agree.
 ///
 /// ```
@@ -145,13 +146,13 @@ pub fn estimate(
     left: &Intrinsics,
     right: &Intrinsics,
     options: &Options,
-) -> Result<RelativePose, RelativePoseError> {
+) -> Result<RelativePose, ViewGeometryError> {
     degenerate::check_finite(pairs)?;
-    let bearings: Result<Vec<_>, _> = pairs
+    let bearings: Result<Vec<_>, ViewGeometryError> = pairs
         .iter()
         .enumerate()
         .map(|(pair, pixels)| {
-            let error = |view| move |error| RelativePoseError::Camera { pair, view, error };
+            let error = |view| move |error| ViewGeometryError::Camera { pair, view, error };
             Ok(BearingPair {
                 left: Bearing::of_pixel(left, pixels.left).map_err(error(View::Left))?,
                 right: Bearing::of_pixel(right, pixels.right).map_err(error(View::Right))?,
@@ -169,17 +170,17 @@ pub fn estimate_from_bearings(
     pixels: &[PixelPair],
     pairs: &[BearingPair],
     options: &Options,
-) -> Result<RelativePose, RelativePoseError> {
+) -> Result<RelativePose, ViewGeometryError> {
     /// Five pairs have up to ten solutions; a sixth selects one of them.
     const NEEDED: usize = 6;
     if pixels.len() != pairs.len() {
-        return Err(RelativePoseError::Counts {
+        return Err(ViewGeometryError::Counts {
             pixels: pixels.len(),
             directions: pairs.len(),
         });
     }
     if pairs.len() < NEEDED {
-        return Err(RelativePoseError::TooFew {
+        return Err(ViewGeometryError::TooFew {
             found: pairs.len(),
             needed: NEEDED,
         });
@@ -195,7 +196,7 @@ pub fn estimate_from_bearings(
     };
     let Some(refined) = refine_best(pairs, &search) else {
         check_rotation(pairs, &search, NEEDED, f64::INFINITY)?;
-        return Err(RelativePoseError::Undetermined);
+        return Err(ViewGeometryError::Undetermined);
     };
     let Refined {
         minimum,
@@ -203,7 +204,7 @@ pub fn estimate_from_bearings(
         selected,
     } = refined;
     if !degenerate::is_consensus(pixels, inliers.len(), options.threshold) {
-        return Err(RelativePoseError::NoConsensus {
+        return Err(ViewGeometryError::NoConsensus {
             agreeing: inliers.len(),
             pairs: pairs.len(),
         });
@@ -220,10 +221,10 @@ pub fn estimate_from_bearings(
 
     let essential = EssentialMatrix::from_motor(minimum.state);
     let motors = essential.and_then(|essential| essential.motors());
-    let motors = motors.ok_or(RelativePoseError::Undetermined)?;
+    let motors = motors.ok_or(ViewGeometryError::Undetermined)?;
     let (nearest, in_front) = cheirality::most_in_front(motors, &selected);
     if 2 * in_front <= inliers.len() {
-        return Err(RelativePoseError::Behind {
+        return Err(ViewGeometryError::Behind {
             in_front,
             pairs: inliers.len(),
         });
@@ -231,7 +232,7 @@ pub fn estimate_from_bearings(
     // The same minimum, in the coordinates of the motion that was chosen.
     let problem = SampsonCost { pairs: &selected };
     let minimum = minimise(&problem, nearest, &Settings::default())
-        .map_err(|_| RelativePoseError::Undetermined)?;
+        .map_err(|_| ViewGeometryError::Undetermined)?;
     let covariance = variance.and_then(|variance| minimum.covariance(variance));
     Ok(RelativePose {
         left_to_right: Pose::new(minimum.state),
@@ -321,7 +322,7 @@ fn check_rotation(
     search: &Search,
     agreeing: usize,
     variance: f64,
-) -> Result<(), RelativePoseError> {
+) -> Result<(), ViewGeometryError> {
     /// The part of the pairs that must agree with the rotation.
     const PART: f64 = 0.9;
     /// Variances whose quotient is below this are about equal.
@@ -333,7 +334,7 @@ fn check_rotation(
     };
     let explains_most = fit.inliers as f64 >= PART * agreeing as f64;
     if explains_most && fit.variance < RATIO * variance.max(ROUNDING * ROUNDING) {
-        return Err(RelativePoseError::PureRotation {
+        return Err(ViewGeometryError::PureRotation {
             rotation_rms: fit.variance.sqrt(),
             motion_rms: variance.sqrt(),
         });

@@ -6,8 +6,7 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
-use super::SurfaceError;
-use crate::disparity::DisparityMap;
+use crate::disparity::{DisparityMap, DisparityMapError};
 use ga_camera::rig::RectifiedRig;
 
 /// Which pixels become points, and which points are joined.
@@ -51,30 +50,32 @@ impl Surface {
     /// the camera.
     ///
     /// # Errors
-    /// [`SurfaceError`] for faulty options, and where no pixel is a point.
+    /// [`DisparityMapError`] for faulty options, and where no pixel is a point.
     pub fn new(
         map: &DisparityMap,
         rig: &RectifiedRig,
         options: &SurfaceOptions,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, DisparityMapError> {
         let SurfaceOptions {
             cut_px,
             step,
             depths: [near, far],
         } = *options;
         if !(cut_px.is_finite() && cut_px > 0.0) {
-            return Err(SurfaceError::Cut(cut_px));
+            return Err(DisparityMapError::Cut(cut_px));
         }
         if step == 0 {
-            return Err(SurfaceError::Step);
+            return Err(DisparityMapError::Step);
         }
         if near.is_nan() || far.is_nan() || near > far {
-            return Err(SurfaceError::Depths(near, far));
+            return Err(DisparityMapError::Depths(near, far));
         }
         let size = [map.width(), map.height()];
         let count = size.map(|count| count.div_ceil(step));
         if count[0].saturating_mul(count[1]) >= NONE as usize {
-            return Err(SurfaceError::TooMany(count[0].saturating_mul(count[1])));
+            return Err(DisparityMapError::TooMany(
+                count[0].saturating_mul(count[1]),
+            ));
         }
         let (mut points, mut pixels) = (Vec::new(), Vec::new());
         let numbers = Plane::from_fn(count[0], count[1], |column, row| {
@@ -93,7 +94,7 @@ impl Surface {
         });
         if points.is_empty() {
             let pixels = size[0] * size[1];
-            return Err(SurfaceError::Empty { pixels });
+            return Err(DisparityMapError::Empty { pixels });
         }
         let limit = cut_px * step as f64;
         let triangles = triangles(

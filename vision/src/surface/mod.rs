@@ -43,28 +43,4 @@ mod model;
 mod pair;
 
 pub use grid::{Surface, SurfaceOptions};
-pub use model::ModelError;
 pub use pair::{disparity_range, seen_by_both};
-
-/// Why a disparity map is not a surface.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum SurfaceError {
-    /// The limit of the disparity between neighbours is not positive and finite.
-    #[error("{0} px is not a limit for the disparity between neighbouring pixels")]
-    Cut(f64),
-    /// The grid has no step.
-    #[error("every 0th pixel is none: the step must be at least 1")]
-    Step,
-    /// The range of depths is empty.
-    #[error("no depth is from {0} to {1} m")]
-    Depths(f64, f64),
-    /// No pixel has a disparity with a depth in the range.
-    #[error("none of the {pixels} pixels has a disparity with a depth in the range")]
-    Empty {
-        /// How many pixels the map has.
-        pixels: usize,
-    },
-    /// There are more points than indices.
-    #[error("{0} points are more than a mesh can number")]
-    TooMany(usize),
-}

@@ -4,46 +4,25 @@ use std::sync::Arc;
 
 use ga_image::colour::linear_from_srgb;
 use ga_image::plane::PlaneView;
-use ga_mesh::{CornerAttribute, Faces, Image, Material, Mesh, MeshError, Rgba, Texture, Wrap};
+use ga_mesh::{CornerAttribute, Faces, Image, Material, Mesh, Rgba, Texture, Wrap};
 
 use super::Surface;
-
-/// Why a surface is not a mesh.
-#[derive(Debug, thiserror::Error)]
-pub enum ModelError {
-    /// The picture does not have the size of the disparity map.
-    #[error(
-        "the picture has {} × {} pixels and the disparity map {} × {}",
-        picture[0], picture[1], map[0], map[1]
-    )]
-    Size {
-        /// Width and height of the picture.
-        picture: [usize; 2],
-        /// Width and height of the disparity map.
-        map: [usize; 2],
-    },
-    /// No two neighbouring pixels belong together.
-    #[error("the surface has no triangles: all neighbouring pixels are cut apart")]
-    NoTriangles,
-    /// The mesh is not valid.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
+use crate::disparity::DisparityMapError;
 
 impl Surface {
     /// The colour of each point in the left view, whose pixels are in sRGB with 8 bits, as linear
     /// light.
     ///
     /// # Errors
-    /// [`ModelError::Size`].
+    /// [`DisparityMapError::PictureSize`].
     pub fn colours<'a>(
         &self,
         picture: impl Into<PlaneView<'a, [u8; 3]>>,
-    ) -> Result<Vec<Rgba>, ModelError> {
+    ) -> Result<Vec<Rgba>, DisparityMapError> {
         let picture = picture.into();
         let size = [picture.width(), picture.height()];
         if size != self.size() {
-            return Err(ModelError::Size {
+            return Err(DisparityMapError::PictureSize {
                 picture: size,
                 map: self.size(),
             });
@@ -66,7 +45,7 @@ impl Surface {
     pub fn to_cloud<'a>(
         &self,
         picture: impl Into<PlaneView<'a, [u8; 3]>>,
-    ) -> Result<Mesh, ModelError> {
+    ) -> Result<Mesh, DisparityMapError> {
         let colours = self.colours(picture)?;
         let mesh = Mesh::new(self.points().to_vec(), Faces::default())?;
         let all = (0..self.points().len() as u32).collect();
@@ -77,14 +56,15 @@ impl Surface {
     /// Points without a triangle are left out.
     ///
     /// # Errors
-    /// [`ModelError`].
+    /// [`DisparityMapError::NoTriangles`], [`DisparityMapError::PictureSize`] and
+    /// [`DisparityMapError::Mesh`].
     pub fn to_mesh<'a>(
         &self,
         picture: impl Into<PlaneView<'a, [u8; 3]>>,
-    ) -> Result<Mesh, ModelError> {
+    ) -> Result<Mesh, DisparityMapError> {
         let surface = self
             .without_single_points()
-            .ok_or(ModelError::NoTriangles)?;
+            .ok_or(DisparityMapError::NoTriangles)?;
         let colours = surface.colours(picture)?;
         Ok(surface.shape()?.with_colours(colours)?)
     }
@@ -93,15 +73,15 @@ impl Surface {
     /// not lit: the picture already shows the light of the scene.
     ///
     /// # Errors
-    /// [`ModelError`].
+    /// [`DisparityMapError::NoTriangles`] and [`DisparityMapError::Mesh`].
     pub fn to_textured_mesh(
         &self,
         media_type: &str,
         picture: Arc<[u8]>,
-    ) -> Result<Mesh, ModelError> {
+    ) -> Result<Mesh, DisparityMapError> {
         let surface = self
             .without_single_points()
-            .ok_or(ModelError::NoTriangles)?;
+            .ok_or(DisparityMapError::NoTriangles)?;
         let [width, height] = surface.size().map(|count| count as f64);
         let place = |[column, row]: &[u32; 2]| {
             let [u, v] = [column, row].map(|x| f64::from(*x) + 0.5);
@@ -130,7 +110,7 @@ impl Surface {
     }
 
     /// Positions, triangles and normals.
-    fn shape(&self) -> Result<Mesh, ModelError> {
+    fn shape(&self) -> Result<Mesh, DisparityMapError> {
         let faces = Faces::from_uniform(self.triangles().to_vec())?;
         let mesh = Mesh::new(self.points().to_vec(), faces)?;
         let normals = self.normals().into_iter().map(Option::unwrap_or_default);

@@ -4,8 +4,8 @@ use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
 use ga_image::pyramid::halved;
 use ga_numerics::order_statistics::Sorted;
 
-use crate::disparity::DisparityMap;
-use crate::matcher::{MatchError, Matcher, MatcherOptions, Mode};
+use crate::disparity::{DisparityMap, StereoError};
+use crate::matcher::{Matcher, MatcherOptions, Mode};
 
 /// Views are halved to no more columns than this before their range is measured.
 const COLUMNS: usize = 320;
@@ -26,7 +26,7 @@ const CONFIDENCE: f32 = 0.1;
 /// beyond the disparity that 99.5 % of the confident pixels stay below. The rule is our own.
 ///
 /// # Errors
-/// [`MatchError`] for views that cannot be matched.
+/// [`StereoError`] for views that cannot be matched.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -41,13 +41,13 @@ const CONFIDENCE: f32 = 0.1;
 /// let right = Plane::from_fn(400, 160, |u, v| grey(u + 21, v));
 /// let range = disparity_range(&left, &right, 1)?;
 /// assert!(range > 21 && range <= 64, "{range}");
-/// # Ok::<(), ga_vision::matcher::MatchError>(())
+/// # Ok::<(), ga_vision::disparity::StereoError>(())
 /// ```
 pub fn disparity_range(
     left: &Plane<u8>,
     right: &Plane<u8>,
     threads: usize,
-) -> Result<usize, MatchError> {
+) -> Result<usize, StereoError> {
     let width = left.width();
     let (mut small, mut factor) = ([left.clone(), right.clone()], 1);
     while small[0].width() > COLUMNS && small[0].height() >= 2 * ROWS {

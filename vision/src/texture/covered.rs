@@ -5,8 +5,8 @@ use std::ops::Range;
 use ga_mesh::bake::Texels;
 use rayon::prelude::*;
 
-use super::TextureError;
 use super::target::Target;
+use crate::texture::TextureError;
 
 /// A texel and the point of the surface that it shows.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,12 @@
 //! Why a mesh cannot be textured from views.
 
+use ga_image::file::EncodeError;
 use ga_mesh::MeshError;
 use ga_mesh::atlas::AtlasError;
 use ga_mesh::bake::BakeError;
 
-/// Why a mesh cannot be textured from views. Views are named as their [`View`](super::View) is.
+/// Why a mesh cannot be textured from views, or a textured mesh is not a model. Views are named as
+/// their [`View`](super::View) is.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TextureError {
@@ -82,4 +84,7 @@ pub enum TextureError {
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// The texture has no form in PNG.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
 }

@@ -73,7 +73,7 @@ mod warp;
 mod weight;
 
 pub use error::TextureError;
-pub use textured::{ModelError, Report, Textured, ViewReport};
+pub use textured::{Report, Textured, ViewReport};
 pub use view::View;
 pub use warp::{TriangleWarp, affine_error};
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::texture::TextureError;
 use ga_mesh::atlas::{self, Options};
 use ga_mesh::bake::corner_coordinates;
 use ga_mesh::normals::area_vector;
@@ -9,8 +10,6 @@ use ga_mesh::query::Bvh;
 use ga_mesh::topology::Edges;
 use ga_mesh::{Faces, Mesh};
 use ga_runtime::vga3::Vector;
-
-use super::TextureError;
 
 /// A mesh with an atlas, and what the projection of views needs of it.
 pub(super) struct Target {

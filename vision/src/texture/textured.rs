@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use ga_image::file::EncodeError;
+use crate::texture::TextureError;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_mesh::{Image, Material, Mesh, MeshError, Texture, Wrap};
+use ga_mesh::{Image, Material, Mesh, Texture, Wrap};
 
 /// A mesh with a texture from views.
 #[derive(Clone, Debug)]
@@ -60,24 +60,13 @@ pub struct ViewReport {
     pub affine_triangles: usize,
 }
 
-/// Why a textured mesh is not a model.
-#[derive(Debug, thiserror::Error)]
-pub enum ModelError {
-    /// The texture has no form in PNG.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
-    /// The mesh is not valid.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
-
 impl Textured {
     /// The mesh with one material that shows the texture, as an embedded PNG. It is not lit, since
     /// the pictures already show the light of the scene.
     ///
     /// # Errors
-    /// [`ModelError`].
-    pub fn to_mesh(&self) -> Result<Mesh, ModelError> {
+    /// [`TextureError`].
+    pub fn to_mesh(&self) -> Result<Mesh, TextureError> {
         let texture = Texture {
             wrap: [Wrap::ClampToEdge; 2],
             ..Texture::new(Image::Embedded {

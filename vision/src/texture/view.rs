@@ -6,7 +6,7 @@ use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
 use ga_runtime::vga3::Vector;
 
-use super::TextureError;
+use crate::texture::TextureError;
 use ga_camera::Camera;
 
 /// A picture of the mesh, and the camera that took it.

@@ -2,8 +2,7 @@
 
 use ga_runtime::cga3::{Motor, Point};
 use ga_vision::capture::{
-    Capture, CaptureError, DescriptionError, FrameError, PointSet, PoseError, PoseOptions,
-    description_constant, rigid_pose,
+    Capture, CaptureError, PointSet, PoseOptions, description_constant, rigid_pose,
 };
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
@@ -227,16 +226,16 @@ fn the_description_constant_by_hand() {
     assert_eq!(found(1.0, &[2.0, 0.0, 1.0], -3.0), Ok(-35.0));
     assert!(matches!(
         found(f64::NAN, &[], 1.0),
-        Err(DescriptionError::Ratio(_))
+        Err(CaptureError::Ratio(_))
     ));
     let term = found(1.0, &[0.0, f64::INFINITY], 1.0);
-    assert!(matches!(term, Err(DescriptionError::Term { time: 2, .. })));
+    assert!(matches!(term, Err(CaptureError::Term { time: 2, .. })));
     let frame = found(1.0, &[1.0], f64::NAN);
-    assert!(matches!(frame, Err(DescriptionError::FrameValue(_))));
+    assert!(matches!(frame, Err(CaptureError::FrameValue(_))));
     let large = found(1.0, &[0.0, 1.0], 1e200);
     assert!(matches!(
         large,
-        Err(DescriptionError::OutOfRange { terms: 2, .. })
+        Err(CaptureError::DescriptionOutOfRange { terms: 2, .. })
     ));
 }
 
@@ -254,23 +253,23 @@ fn points_that_determine_no_pose_are_refused() {
         |rest: &[Point<f64>], seen: &[Point<f64>]| rigid_pose(rest, seen, &all).unwrap_err();
     assert!(rigid_pose(&square, &square, &all).is_ok());
     let place = PointSet::Rest;
-    assert_eq!(fails(&line, &square), PoseError::Collinear { place });
+    assert_eq!(fails(&line, &square), CaptureError::Collinear { place });
     let place = PointSet::Seen;
-    assert_eq!(fails(&square, &line), PoseError::Collinear { place });
+    assert_eq!(fails(&square, &line), CaptureError::Collinear { place });
     let one = vec![square[1]; 4];
-    assert_eq!(fails(&square, &one), PoseError::Coincident { place });
+    assert_eq!(fails(&square, &one), CaptureError::Coincident { place });
     let (found, needed) = (3, 4);
     assert_eq!(
         fails(&square[1..], &line[1..]),
-        PoseError::TooFew { found, needed }
+        CaptureError::TooFew { found, needed }
     );
     assert_eq!(
         fails(&square, &line[1..]),
-        PoseError::Counts { rest: 4, seen: 3 }
+        CaptureError::Counts { rest: 4, seen: 3 }
     );
     let mut wrong = square.clone();
     wrong[2] = Point::new(0.0, f64::NAN, 0.0);
-    assert_eq!(fails(&square, &wrong), PoseError::NotFinite { point: 2 });
+    assert_eq!(fails(&square, &wrong), CaptureError::NotFinite { point: 2 });
     // The mirror image of a cube fits equally well in several ways.
     let cube: Vec<_> = (0..8)
         .map(|k| [k & 1, k >> 1 & 1, k >> 2].map(|bit| f64::from(2 * bit - 1)))
@@ -278,7 +277,7 @@ fn points_that_determine_no_pose_are_refused() {
     let mirror: Vec<_> = cube.iter().map(|p| p.map(|x| -x)).collect();
     assert_eq!(
         fails(&points(&cube), &points(&mirror)),
-        PoseError::NotUnique
+        CaptureError::NotUnique
     );
     let robust = |threshold| PoseOptions {
         threshold: Some(threshold),
@@ -286,13 +285,13 @@ fn points_that_determine_no_pose_are_refused() {
     };
     assert_eq!(
         rigid_pose(&square, &square, &robust(0.0)),
-        Err(PoseError::Threshold(0.0))
+        Err(CaptureError::Threshold(0.0))
     );
     let mut bent = square.clone();
     bent[3] = Point::new(0.0, 1.0, 5.0);
     assert!(matches!(
         rigid_pose(&square, &bent, &robust(0.1)),
-        Err(PoseError::NoConsensus {
+        Err(CaptureError::NoConsensus {
             agreeing: 3,
             points: 4,
             needed: 4
@@ -321,7 +320,7 @@ fn frames_that_cannot_be_captured_are_named() {
     assert_eq!(new(&[0, 1, 2, 1]), Err(CaptureError::Twice(1)));
     assert!(matches!(
         new(&[0, 1, 2]),
-        Err(CaptureError::Rest(PoseError::TooFew { .. }))
+        Err(CaptureError::Rest(error)) if matches!(*error, CaptureError::TooFew { .. })
     ));
     let mut bad = rest.clone();
     bad[5] = Point::new(0.0, f64::INFINITY, 0.0);
@@ -338,11 +337,12 @@ fn frames_that_cannot_be_captured_are_named() {
     let good = frame.clone();
     frame[1] = None;
     let error = capture.frames(&[good.clone(), frame.clone()]).unwrap_err();
-    let problem = FrameError::Missing {
+    let problem = CaptureError::Missing {
         seen: 3,
         needed: 4,
         missing: vec![1, 3],
     };
+    let problem = Box::new(problem);
     assert_eq!(error, CaptureError::Frame { frame: 1, problem });
     assert!(
         error.to_string().contains("frame 1") && error.to_string().contains("point 1, point 3")
@@ -357,9 +357,9 @@ fn frames_that_cannot_be_captured_are_named() {
     seen[3] = None;
     let place = PointSet::Rest;
     let problem = line.frame(&seen).unwrap_err();
-    let error = PoseError::Collinear { place };
+    let error = Box::new(CaptureError::Collinear { place });
     let missing = vec![3];
-    assert_eq!(problem, FrameError::PoseOfSeen { missing, error });
+    assert_eq!(problem, CaptureError::PoseOfSeen { missing, error });
     assert!(
         problem.to_string().ends_with("missing: point 3"),
         "{problem}"
@@ -367,11 +367,11 @@ fn frames_that_cannot_be_captured_are_named() {
     frame[1] = Some(Point::new(f64::NAN, 0.0, 0.0));
     assert_eq!(
         capture.frame(&frame),
-        Err(FrameError::NotFinite { point: 1 })
+        Err(CaptureError::PointNotFinite { point: 1 })
     );
     let (expected, found) = (6, 5);
     assert_eq!(
         capture.frame(&good[..5]),
-        Err(FrameError::Counts { expected, found })
+        Err(CaptureError::FrameCounts { expected, found })
     );
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 use ga_vision::capture::{
-    LocalArea, PrincipalShapes, SphericalParameterisation, SphericalSpline, SurfaceError,
+    CaptureError, LocalArea, PrincipalShapes, SphericalParameterisation, SphericalSpline,
     SurfaceMesh, SurfaceMotion,
 };
 use proptest::prelude::*;
@@ -221,7 +221,7 @@ fn keys_that_were_not_seen_follow_the_others() {
     }
     assert!(matches!(
         motion.filled(&[None; 9]),
-        Err(SurfaceError::NoKeys)
+        Err(CaptureError::NoKeys)
     ));
 }
 
@@ -359,22 +359,22 @@ fn a_set_of_vertices_falls_off_at_its_border() {
     assert!(whole.falloff().iter().all(|&falloff| falloff == 1.0));
     assert_eq!(
         LocalArea::of_vertices(&strip, &[1, 42], 0.01),
-        Err(SurfaceError::NoVertex {
+        Err(CaptureError::NoVertex {
             vertex: 42,
             vertices: 42
         })
     );
     let none = LocalArea::of_vertices(&strip, &[], 0.01);
-    assert!(matches!(none, Err(SurfaceError::EmptyArea { .. })));
+    assert!(matches!(none, Err(CaptureError::EmptyArea { .. })));
     let far = LocalArea::around(&strip, Point::new(0.0, 0.0, 1.0), 0.02);
     assert!(far.is_ok(), "the nearest point of the surface counts");
     for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let refused = LocalArea::around(&strip, places[0], radius);
-        assert!(matches!(refused, Err(SurfaceError::Radius(_))));
+        assert!(matches!(refused, Err(CaptureError::Radius(_))));
     }
     let between = Point::new(0.005, 0.004, 0.0);
     let small = LocalArea::around(&strip, between, 1e-4);
-    assert_eq!(small, Err(SurfaceError::EmptyArea { radius: 1e-4 }));
+    assert_eq!(small, Err(CaptureError::EmptyArea { radius: 1e-4 }));
 }
 
 #[test]
@@ -416,7 +416,7 @@ fn shapes_of_a_sequence() {
     let uneven = [vec![Vector::ZERO; 3], vec![Vector::ZERO; 2]];
     assert!(matches!(
         PrincipalShapes::new(&uneven, 0.0),
-        Err(SurfaceError::Counts {
+        Err(CaptureError::ListCounts {
             expected: 3,
             found: 2,
             ..
@@ -424,7 +424,7 @@ fn shapes_of_a_sequence() {
     ));
     assert_eq!(
         PrincipalShapes::new(&[], -1.0),
-        Err(SurfaceError::Tolerance(-1.0))
+        Err(CaptureError::Tolerance(-1.0))
     );
 }
 
@@ -436,23 +436,23 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
     assert_eq!(sphere.folded_triangles(), 0);
     let key = |x, y, z| Point::new(x, y, z);
     let fails = |keys: &[Point<f64>]| SurfaceMotion::new(&sphere, keys).unwrap_err();
-    assert_eq!(fails(&[]), SurfaceError::NoKeys);
+    assert_eq!(fails(&[]), CaptureError::NoKeys);
     let many = fails(&[key(1.0, 0.0, 0.0); 8193]);
     assert_eq!(
         many,
-        SurfaceError::TooManyKeys {
+        CaptureError::TooManyKeys {
             keys: 8193,
             most: 8192
         }
     );
     let nan = [key(1.0, 0.0, 0.0), key(0.0, f64::NAN, 0.0)];
-    assert_eq!(fails(&nan), SurfaceError::KeyNotFinite { key: 1 });
+    assert_eq!(fails(&nan), CaptureError::KeyNotFinite { key: 1 });
     let inside = [key(1.0, 0.0, 0.0), sphere.centre()];
-    assert_eq!(fails(&inside), SurfaceError::KeyAtCentre { key: 1 });
+    assert_eq!(fails(&inside), CaptureError::KeyAtCentre { key: 1 });
     let same = [key(0.0, 1.0, 0.0), key(1.0, 0.0, 0.0), key(0.0, 3.0, 0.0)];
     assert!(matches!(
         fails(&same),
-        SurfaceError::SameDirection {
+        CaptureError::SameDirection {
             first: 0,
             second: 2,
             ..
@@ -460,22 +460,22 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
     ));
     assert_eq!(
         SurfaceMesh::new(&places, &[[0, 1, 1]]),
-        Err(SurfaceError::NoArea)
+        Err(CaptureError::NoArea)
     );
     assert!(matches!(
         SurfaceMesh::new(&places[..9], &triangles),
-        Err(SurfaceError::Mesh(_))
+        Err(CaptureError::Mesh(_))
     ));
     let mut bad = places.clone();
     bad[3] = key(f64::INFINITY, 0.0, 0.0);
     assert!(matches!(
         SurfaceMesh::new(&bad, &triangles),
-        Err(SurfaceError::Mesh(_))
+        Err(CaptureError::Mesh(_))
     ));
     let centre = places[17];
     assert_eq!(
         SphericalParameterisation::about(centre, &surface),
-        Err(SurfaceError::VertexAtCentre { vertex: 17 })
+        Err(CaptureError::VertexAtCentre { vertex: 17 })
     );
     // Seen from a place near the surface, the near side shows its front.
     let aside = SphericalParameterisation::about(key(1.5, 0.1, 0.1), &surface).unwrap();
@@ -485,7 +485,7 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
     let three = [Vector::ZERO; 3];
     assert!(matches!(
         motion.displacements(&three, &mut moved),
-        Err(SurfaceError::Counts {
+        Err(CaptureError::ListCounts {
             expected: 2,
             found: 3,
             ..
@@ -494,7 +494,7 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
     let wrong = [Vector::ZERO, Vector::new(0.0, f64::NAN, 0.0)];
     assert_eq!(
         motion.displacements(&wrong, &mut moved),
-        Err(SurfaceError::KeyNotFinite { key: 1 })
+        Err(CaptureError::KeyNotFinite { key: 1 })
     );
     assert!(motion.displacements(&three[..2], &mut moved[..5]).is_err());
 }

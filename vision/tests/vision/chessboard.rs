@@ -4,7 +4,8 @@ use ga_image::filter::{Border, Gaussian};
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_vision::chessboard::{BoardSize, ChessboardError, find};
+use ga_vision::calibration::CalibrationError;
+use ga_vision::chessboard::{BoardSize, find};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
@@ -251,7 +252,7 @@ proptest! {
         let part = picture.view().part(0, 0, width, HEIGHT).expect("a part");
         let found = find(part, scene.size);
         prop_assert!(
-            matches!(found, Err(ChessboardError::NotFound { .. })),
+            matches!(found, Err(CalibrationError::NotFound { .. })),
             "{found:?} {scene:?}"
         );
     }
@@ -376,12 +377,12 @@ fn sizes_are_read_and_refused() {
     assert_eq!((size.columns(), size.rows(), size.count()), (9, 6, 54));
     for text in ["9", "9x", "x", "9x6x3", "-9x6", "9.5x6", ""] {
         let found = text.parse::<BoardSize>();
-        assert_eq!(found, Err(ChessboardError::Text(text.to_owned())));
+        assert_eq!(found, Err(CalibrationError::BoardText(text.to_owned())));
     }
     for text in ["2x6", "9x0", "9x101", "1000000x1000000"] {
         let found = text.parse::<BoardSize>();
         assert!(
-            matches!(found, Err(ChessboardError::Size { .. })),
+            matches!(found, Err(CalibrationError::BoardSize { .. })),
             "{found:?}"
         );
     }
@@ -393,7 +394,7 @@ fn pictures_without_a_board_are_refused() {
     let not_found = |picture: &Plane<u8>| {
         let found = find(picture, size);
         assert!(
-            matches!(found, Err(ChessboardError::NotFound { .. })),
+            matches!(found, Err(CalibrationError::NotFound { .. })),
             "{found:?}"
         );
     };

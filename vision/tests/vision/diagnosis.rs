@@ -1,6 +1,7 @@
 //! Diagnoses of pairs of points with known deviations.
 
-use ga_vision::diagnosis::{Diagnosis, DiagnosisError, DiagnosisOptions};
+use ga_vision::ViewGeometryError;
+use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
 use ga_vision::feature::PixelPair;
 use proptest::prelude::*;
 
@@ -124,14 +125,14 @@ fn pairs_that_cannot_be_diagnosed() {
     let good = pairs(1, 20, 0.0, 1.0, 0.0);
     assert_eq!(
         with(&good[..2]),
-        Err(DiagnosisError::TooFew {
+        Err(ViewGeometryError::TooFewMatches {
             found: 2,
             needed: 3
         })
     );
     let mut faulty = good.clone();
     faulty[7].left[1] = f64::NAN;
-    assert_eq!(with(&faulty), Err(DiagnosisError::NotFinite(7)));
+    assert_eq!(with(&faulty), Err(ViewGeometryError::MatchNotFinite(7)));
     let on_a_line: Vec<PixelPair> = (0..20)
         .map(|k| {
             let x = 10.0 * f64::from(k);
@@ -141,7 +142,7 @@ fn pairs_that_cannot_be_diagnosed() {
             }
         })
         .collect();
-    assert_eq!(with(&on_a_line), Err(DiagnosisError::OnOneLine));
+    assert_eq!(with(&on_a_line), Err(ViewGeometryError::OnOneLine));
     let mut next = random(3);
     let mut anything = || [640.0 * next(), 480.0 * next()];
     let unrelated: Vec<PixelPair> = (0..200)
@@ -152,7 +153,7 @@ fn pairs_that_cannot_be_diagnosed() {
         .collect();
     assert!(matches!(
         with(&unrelated),
-        Err(DiagnosisError::NoConsensus { pairs: 200, .. })
+        Err(ViewGeometryError::NoMatchConsensus { pairs: 200, .. })
     ));
     let options = DiagnosisOptions {
         threshold: f64::NAN,
@@ -160,6 +161,6 @@ fn pairs_that_cannot_be_diagnosed() {
     };
     assert!(matches!(
         Diagnosis::new(&good, SIZE, options),
-        Err(DiagnosisError::Threshold(_))
+        Err(ViewGeometryError::MatchThreshold(_))
     ));
 }

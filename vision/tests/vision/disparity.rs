@@ -4,9 +4,9 @@
 use ga_image::pfm::{self, ByteOrder};
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_vision::disparity::evaluation::{ErrorMap, EvaluationError};
+use ga_vision::disparity::evaluation::ErrorMap;
 use ga_vision::disparity::picture::ColourScale;
-use ga_vision::disparity::{DisparityMap, file};
+use ga_vision::disparity::{DisparityMap, DisparityMapError, file};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 
@@ -102,7 +102,7 @@ fn maps_that_cannot_be_compared_are_errors() {
     assert!(error.to_string().contains("1 × 1 and 2 × 1"), "{error}");
     for truth in [&[0.0][..], &[f32::NAN], &[f32::INFINITY]] {
         let compared = ErrorMap::new(&small, &map(1, truth));
-        assert_eq!(compared.unwrap_err(), EvaluationError::NoTruth);
+        assert_eq!(compared.unwrap_err(), DisparityMapError::NoTruth);
     }
     let nothing = ErrorMap::new(&map(1, &[f32::NAN]), &small).unwrap();
     assert_eq!(nothing.average_px(), None);
@@ -165,7 +165,7 @@ proptest! {
         let errors = ErrorMap::new(&map(1, &found), &map(1, &truth));
         let used: Vec<_> = pairs.iter().filter(|(_, t)| t.is_finite() && *t != 0.0).collect();
         if used.is_empty() {
-            prop_assert_eq!(errors.unwrap_err(), EvaluationError::NoTruth);
+            prop_assert_eq!(errors.unwrap_err(), DisparityMapError::NoTruth);
             return Ok(());
         }
         let errors = errors.unwrap();

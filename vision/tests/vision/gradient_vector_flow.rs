@@ -2,7 +2,8 @@
 //! diffusion of Xu and Prince.
 
 use ga_image::plane::Plane;
-use ga_vision::contour::snake::{Flow, SnakeError};
+use ga_vision::contour::ContourError;
+use ga_vision::contour::snake::Flow;
 use nalgebra_035::{DMatrix, DVector};
 
 /// Two blobs of different strength, one of which is at the border.
@@ -122,11 +123,11 @@ fn flows_that_cannot_be_are_errors() {
     let edges = strength(12, 10);
     for smoothness in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = Flow { smoothness }.field(&edges).unwrap_err();
-        assert!(matches!(error, SnakeError::Setting { .. }), "{error}");
+        assert!(matches!(error, ContourError::Setting { .. }), "{error}");
     }
     let level = Plane::filled(8, 7, 0.0f32);
     let none = Flow::default().field(&level).unwrap();
     assert!(none[0].values().iter().all(|force| *force == 0.0));
     let thin = Flow::default().field(&Plane::filled(1, 7, 0.0));
-    assert!(matches!(thin, Err(SnakeError::TooSmall { width: 1, .. })));
+    assert!(matches!(thin, Err(ContourError::TooSmall { width: 1, .. })));
 }

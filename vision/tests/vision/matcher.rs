@@ -3,8 +3,8 @@
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_vision::disparity::evaluation::ErrorMap;
-use ga_vision::disparity::file;
-use ga_vision::matcher::{Match, MatchError, Matcher, MatcherOptions, Mode};
+use ga_vision::disparity::{StereoError, file};
+use ga_vision::matcher::{Match, Matcher, MatcherOptions, Mode};
 use nullcone_shared_data::shared;
 
 const MODES: [Mode; 3] = [Mode::Fast, Mode::Balanced, Mode::Best];
@@ -164,8 +164,8 @@ fn extreme_views_give_finite_disparities() {
 #[test]
 fn what_cannot_be_matched_is_named() {
     let build = |range, width, height| Matcher::new(options(range, Mode::Fast, 1), width, height);
-    let range = |result: Result<Matcher, MatchError>| match result {
-        Err(MatchError::Range {
+    let range = |result: Result<Matcher, StereoError>| match result {
+        Err(StereoError::Range {
             range, greatest, ..
         }) => Some((range, greatest)),
         _ => None,
@@ -176,11 +176,11 @@ fn what_cannot_be_matched_is_named() {
     assert!(build(60, 60, 40).is_ok());
     assert!(matches!(
         build(4, 60, 8),
-        Err(MatchError::TooSmall { height: 8, .. })
+        Err(StereoError::TooSmall { height: 8, .. })
     ));
     assert!(matches!(
         build(4, usize::MAX, 9),
-        Err(MatchError::TooLarge { .. })
+        Err(StereoError::TooLarge { .. })
     ));
     let mut matcher = build(8, 60, 40).unwrap();
     let plane = |width, height| Plane::filled(width, height, 0u8);

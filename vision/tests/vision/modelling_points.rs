@@ -4,10 +4,9 @@ use ga_camera::Intrinsics;
 use ga_camera::rig::RectifiedRig;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Direction, Point};
-use ga_vision::disparity::DisparityMap;
+use ga_vision::disparity::{DisparityMap, DisparityMapError};
 use ga_vision::modelling_points::{
-    DistanceControls, DistanceError, ModellingError, ModellingPoint, ModellingPyramid,
-    predicted_distance,
+    DistanceControls, ModellingPoint, ModellingPyramid, predicted_distance,
 };
 use nalgebra_035::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -283,21 +282,21 @@ fn what_is_wrong_with_the_input_is_named() {
     let good = weighed(&map);
     assert!(matches!(
         make(&Plane::filled(2, 3, 1.0), 2, 0.1),
-        ModellingError::Size(_)
+        DisparityMapError::WeightsSize(_)
     ));
     for weight in [-1.0, f32::INFINITY] {
         let mut weights = good.clone();
         weights.values_mut()[4] = weight;
-        let expected = ModellingError::Weight {
+        let expected = DisparityMapError::Weight {
             weight,
             column: 1,
             row: 1,
         };
         assert_eq!(make(&weights, 2, 0.1), expected);
     }
-    assert_eq!(make(&good, 0, 0.1), ModellingError::Levels(0));
-    assert_eq!(make(&good, 33, 0.1), ModellingError::Levels(33));
-    assert_eq!(make(&good, 2, -0.1), ModellingError::Deviation(-0.1));
+    assert_eq!(make(&good, 0, 0.1), DisparityMapError::Levels(0));
+    assert_eq!(make(&good, 33, 0.1), DisparityMapError::Levels(33));
+    assert_eq!(make(&good, 2, -0.1), DisparityMapError::Deviation(-0.1));
 }
 
 #[test]
@@ -313,13 +312,16 @@ fn the_distance_of_the_paper() {
         Ok(0.0)
     );
     let vanishing = predicted_distance(2.0, 8.0, controls(2.0, -16.0, 0.25));
-    assert!(matches!(vanishing, Err(DistanceError::Denominator { .. })));
+    assert!(matches!(
+        vanishing,
+        Err(DisparityMapError::Denominator { .. })
+    ));
     for wrong in [f64::NAN, f64::INFINITY, 1e200] {
         let result = predicted_distance(2.0, 8.0, controls(wrong, 1.0, 0.0));
-        assert!(matches!(result, Err(DistanceError::NotFinite(_))));
+        assert!(matches!(result, Err(DisparityMapError::NotFinite(_))));
     }
     let far = predicted_distance(1e200, 1e200, controls(1.0, 1.0, 0.0));
-    assert!(matches!(far, Err(DistanceError::NotFinite(_))));
+    assert!(matches!(far, Err(DisparityMapError::NotFinite(_))));
     let map = DisparityMap::new(Plane::filled(8, 8, 2.0));
     let pyramid = ModellingPyramid::new(&map, &weighed(&map), 4, 0.1).unwrap();
     let point = pyramid.point(3, [0, 0]).unwrap();

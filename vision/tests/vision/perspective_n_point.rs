@@ -3,7 +3,8 @@
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
-use ga_vision::perspective_n_point::{Options, PerspectiveError, estimate, three_points};
+use ga_vision::ViewGeometryError;
+use ga_vision::perspective_n_point::{Options, estimate, three_points};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -198,24 +199,24 @@ fn points_that_determine_nothing_are_refused() {
     let find = |points: &[Point<f64>], pixels: &[[f64; 2]]| {
         estimate(points, pixels, &lens(), &Options::default()).unwrap_err()
     };
-    let too_few = PerspectiveError::TooFew {
+    let too_few = ViewGeometryError::TooFewPoints {
         found: 3,
         needed: 4,
     };
     assert_eq!(find(&points[..3], &pixels[..3]), too_few);
-    let counts = PerspectiveError::Counts {
+    let counts = ViewGeometryError::PointCounts {
         points: 10,
         pixels: 9,
     };
     assert_eq!(find(&points, &pixels[..9]), counts);
     let mut broken = points.clone();
     broken[6] = Point::new(f64::INFINITY, 0.0, 0.0);
-    assert_eq!(find(&broken, &pixels), PerspectiveError::NotFinite(6));
+    assert_eq!(find(&broken, &pixels), ViewGeometryError::PointNotFinite(6));
     let mut wrong = pixels.clone();
     wrong[2] = [f64::NAN, 0.0];
     assert!(matches!(
         find(&points, &wrong),
-        PerspectiveError::Camera { point: 2, .. }
+        ViewGeometryError::PointCamera { point: 2, .. }
     ));
     let line: Vec<_> = (0..10)
         .map(|k| Point::new(0.1 * f64::from(k), 0.2, 0.0))
@@ -223,7 +224,7 @@ fn points_that_determine_nothing_are_refused() {
     let seen = camera.project_all(&line).unwrap();
     assert!(matches!(
         find(&line, &seen),
-        PerspectiveError::Collinear { .. }
+        ViewGeometryError::PointsCollinear { .. }
     ));
     for threshold in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let options = Options {
@@ -231,7 +232,7 @@ fn points_that_determine_nothing_are_refused() {
             ..Options::default()
         };
         let refused = estimate(&points, &pixels, &lens(), &options);
-        assert!(matches!(refused, Err(PerspectiveError::Threshold(_))));
+        assert!(matches!(refused, Err(ViewGeometryError::PointThreshold(_))));
     }
     // Points that no camera sees there.
     let behind = camera.project_all(&points[..4]).unwrap();
@@ -242,7 +243,7 @@ fn points_that_determine_nothing_are_refused() {
     };
     assert!(matches!(
         estimate(&points[..4], &swapped, &lens(), &options),
-        Err(PerspectiveError::NoConsensus { .. } | PerspectiveError::Undetermined)
+        Err(ViewGeometryError::NoPointConsensus { .. } | ViewGeometryError::PoseUndetermined)
     ));
     // A sample may have the same point twice.
     let [p, q] = [points[0], points[1]];

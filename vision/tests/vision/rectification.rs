@@ -5,9 +5,8 @@ use ga_camera::rig::{RectifiedRig, RectifiedRigError};
 use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
-use ga_vision::rectification::{
-    Rectification, RectificationError, RectificationOptions, Undistortion, UndistortionError,
-};
+use ga_vision::ViewGeometryError;
+use ga_vision::rectification::{Rectification, RectificationOptions, Undistortion};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -290,20 +289,20 @@ fn rigs_that_cannot_be_rectified() {
     let (size, options) = ([640, 480], RectificationOptions::default());
     assert_eq!(
         rectify([0.0; 3], size, options),
-        RectificationError::Baseline(0.0)
+        ViewGeometryError::Baseline(0.0)
     );
     let above = rectify([0.01, -0.2, 0.0], size, options);
-    assert!(matches!(above, RectificationError::Vertical([x, y, _]) if x == -0.01 && y == 0.2));
+    assert!(matches!(above, ViewGeometryError::Vertical([x, y, _]) if x == -0.01 && y == 0.2));
     for t in [[0.0, 0.0, 0.2], [0.0, 0.01, -0.2]] {
         let forward = rectify(t, size, options);
-        assert!(matches!(forward, RectificationError::Forward([_, _, z]) if z == -t[2]));
+        assert!(matches!(forward, ViewGeometryError::Forward([_, _, z]) if z == -t[2]));
     }
     let exchanged = rectify([0.2, 0.0, 0.0], size, options);
-    assert!(matches!(exchanged, RectificationError::Exchanged([x, ..]) if x == -0.2));
+    assert!(matches!(exchanged, ViewGeometryError::Exchanged([x, ..]) if x == -0.2));
     let side = [-0.2, 0.0, 0.0];
     assert_eq!(
         rectify(side, [640, 1], options),
-        RectificationError::Size([640, 1])
+        ViewGeometryError::Size([640, 1])
     );
     // The maps of such pictures would have 64 GiB.
     let large = RectificationOptions {
@@ -312,7 +311,7 @@ fn rigs_that_cannot_be_rectified() {
     };
     assert_eq!(
         rectify(side, size, large),
-        RectificationError::Size([65_535, 65_535])
+        ViewGeometryError::Size([65_535, 65_535])
     );
     for alpha in [-0.1, 1.1, f64::NAN] {
         let options = RectificationOptions {
@@ -321,7 +320,7 @@ fn rigs_that_cannot_be_rectified() {
         };
         assert!(matches!(
             rectify(side, size, options),
-            RectificationError::Alpha(_)
+            ViewGeometryError::Alpha(_)
         ));
     }
     // Cameras that look to opposite sides.
@@ -362,10 +361,10 @@ fn rigs_that_are_not_rectified() {
     assert_eq!(rig.disparity(-1.0), None);
     assert_eq!(
         Undistortion::new(camera(), [0, 5], None),
-        Err(UndistortionError::Size([0, 5]))
+        Err(ViewGeometryError::UndistortionSize([0, 5]))
     );
     assert!(matches!(
         Undistortion::new(camera(), [64, 48], Some(2.0)),
-        Err(UndistortionError::Alpha(2.0))
+        Err(ViewGeometryError::Alpha(2.0))
     ));
 }

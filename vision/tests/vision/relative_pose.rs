@@ -3,11 +3,11 @@
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
+use ga_vision::ViewGeometryError;
 use ga_vision::feature::PixelPair;
 use ga_vision::relative_pose::{
-    Bearing, BearingPair, EssentialMatrix, FundamentalMatrix, FundamentalOptions, Options,
-    RelativePoseError, View, eight_point, estimate, estimate_from_bearings, estimate_fundamental,
-    five_point, seven_point,
+    Bearing, BearingPair, EssentialMatrix, FundamentalMatrix, FundamentalOptions, Options, View,
+    eight_point, estimate, estimate_from_bearings, estimate_fundamental, five_point, seven_point,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -306,7 +306,7 @@ proptest! {
     fn a_rotation_alone_is_refused(axis in vector(1.0), angle in -0.2..0.2, sigma in 0.0..0.5) {
         let Some(pairs) = seen(&scene(60), motor(axis, angle, [0.0; 3])) else { return Ok(()) };
         let found = estimate(&noisy(&pairs, sigma), &intrinsics(), &intrinsics(), &generous());
-        let is_refused = matches!(found, Err(RelativePoseError::PureRotation { .. }));
+        let is_refused = matches!(found, Err(ViewGeometryError::PureRotation { .. }));
         prop_assert!(is_refused, "{:?}", found);
     }
 
@@ -358,7 +358,7 @@ fn pairs_that_determine_nothing_are_refused() {
     let find = |pairs: &[PixelPair]| {
         estimate(pairs, &intrinsics(), &intrinsics(), &Options::default()).unwrap_err()
     };
-    let too_few = |found, needed| RelativePoseError::TooFew { found, needed };
+    let too_few = |found, needed| ViewGeometryError::TooFew { found, needed };
     assert_eq!(find(&pairs[..5]), too_few(5, 6));
     assert_eq!(find(&[]), too_few(0, 6));
     assert_eq!(eight_point(&pairs[..7]), Err(too_few(7, 8)));
@@ -371,7 +371,7 @@ fn pairs_that_determine_nothing_are_refused() {
     let bearings: Vec<_> = bearings.collect();
     assert_eq!(
         estimate_from_bearings(&pairs[..8], &bearings, &Options::default()),
-        Err(RelativePoseError::Counts {
+        Err(ViewGeometryError::Counts {
             pixels: 8,
             directions: 10
         })
@@ -379,14 +379,14 @@ fn pairs_that_determine_nothing_are_refused() {
     let mut broken = pairs.clone();
     broken[7].right[1] = f64::NAN;
     let (pair, view) = (7, View::Right);
-    assert_eq!(find(&broken), RelativePoseError::NotFinite { pair, view });
+    assert_eq!(find(&broken), ViewGeometryError::NotFinite { pair, view });
     let on_a_line: Vec<_> = (0..30)
         .map(|k| Point::new(-1.0 + 0.07 * f64::from(k), 0.2, 4.0 + 0.1 * f64::from(k)))
         .collect();
     let found = find(&seen(&on_a_line, truth).unwrap());
     let view = View::Left;
     assert!(
-        matches!(found, RelativePoseError::Collinear { view: v, .. } if v == view),
+        matches!(found, ViewGeometryError::Collinear { view: v, .. } if v == view),
         "{found:?}"
     );
     // Pixels that have nothing to do with each other.
@@ -400,7 +400,7 @@ fn pairs_that_determine_nothing_are_refused() {
         .collect();
     let found = find(&mixed);
     assert!(
-        matches!(found, RelativePoseError::NoConsensus { .. }),
+        matches!(found, ViewGeometryError::NoConsensus { .. }),
         "{found:?}"
     );
 }

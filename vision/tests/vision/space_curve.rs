@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_runtime::cga3::{Circle, Motor, Point, Rotor, Translator};
-use ga_vision::contour::resampled;
-use ga_vision::contour::space_curve::{SpaceCurveError, SpaceCurveOptions, space_curve};
+use ga_vision::contour::space_curve::{SpaceCurveOptions, space_curve};
+use ga_vision::contour::{ContourError, resampled};
 
 /// Cameras that look at a place 2 m away from different heights, 0.5 m apart, with distorted lenses
 /// and rolled against each other.
@@ -213,7 +213,7 @@ fn contours_that_give_no_curve_are_errors() {
     let fails = |left: &[[f64; 2]], right: &[[f64; 2]]| {
         space_curve(&rig, left, right, &options).unwrap_err()
     };
-    let few = SpaceCurveError::TooFew {
+    let few = ContourError::ContourTooFew {
         view: "right",
         count: 7,
         least: 8,
@@ -222,10 +222,10 @@ fn contours_that_give_no_curve_are_errors() {
     let mut wrong = left.clone();
     wrong[11][0] = f64::NAN;
     let error = fails(&wrong, &right);
-    let expected = |error: &SpaceCurveError| {
+    let expected = |error: &ContourError| {
         matches!(
             error,
-            SpaceCurveError::Camera {
+            ContourError::Camera {
                 view: "left",
                 index: 11,
                 ..
@@ -235,15 +235,12 @@ fn contours_that_give_no_curve_are_errors() {
     assert!(expected(&error), "{error}");
     // What is far above in one view is not what is below in the other.
     let moved = |by: f64| -> Vec<[f64; 2]> { right.iter().map(|[u, v]| [*u, v + by]).collect() };
-    assert_eq!(fails(&left, &moved(-600.0)), SpaceCurveError::NoOverlap);
+    assert_eq!(fails(&left, &moved(-600.0)), ContourError::NoOverlap);
     // A part of the one is in the planes of a part of the other.
     let error = fails(&left, &moved(-220.0));
-    assert!(matches!(error, SpaceCurveError::Apart { .. }), "{error}");
+    assert!(matches!(error, ContourError::Apart { .. }), "{error}");
     let flat: Vec<[f64; 2]> = (0..10).map(|k| [f64::from(k), 3.0]).collect();
-    assert_eq!(
-        fails(&flat, &right),
-        SpaceCurveError::NoArea { view: "left" }
-    );
+    assert_eq!(fails(&flat, &right), ContourError::NoArea { view: "left" });
     // A bar along the baseline, too thin for points at its ends.
     let corners = [[-0.3, -0.002], [0.3, -0.002], [0.3, 0.002], [-0.3, 0.002]];
     let around = resampled(&corners, 8000);
@@ -253,7 +250,7 @@ fn contours_that_give_no_curve_are_errors() {
     assert!(
         matches!(
             error,
-            SpaceCurveError::AlongLines {
+            ContourError::AlongLines {
                 crossing: ..8,
                 count: 400,
                 least: 8
@@ -266,5 +263,5 @@ fn contours_that_give_no_curve_are_errors() {
         right: rig.left,
     };
     let error = space_curve(&same, &left, &left, &options).unwrap_err();
-    assert!(matches!(error, SpaceCurveError::Cameras(_)), "{error}");
+    assert!(matches!(error, ContourError::Cameras(_)), "{error}");
 }

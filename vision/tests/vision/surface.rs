@@ -7,11 +7,9 @@ use ga_camera::rig::RectifiedRig;
 use ga_image::plane::Plane;
 use ga_mesh::format;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor};
-use ga_vision::disparity::DisparityMap;
+use ga_vision::disparity::{DisparityMap, DisparityMapError};
 use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
-use ga_vision::surface::{
-    ModelError, Surface, SurfaceError, SurfaceOptions, disparity_range, seen_by_both,
-};
+use ga_vision::surface::{Surface, SurfaceOptions, disparity_range, seen_by_both};
 use proptest::prelude::*;
 
 const SIZE: [usize; 2] = [48, 32];
@@ -293,20 +291,23 @@ fn faulty_surfaces_are_errors() {
     let all = SurfaceOptions::default();
     assert_eq!(
         error(SurfaceOptions { cut_px: 0.0, ..all }),
-        SurfaceError::Cut(0.0)
+        DisparityMapError::Cut(0.0)
     );
     assert!(matches!(
         error(SurfaceOptions {
             cut_px: f64::NAN,
             ..all
         }),
-        SurfaceError::Cut(_)
+        DisparityMapError::Cut(_)
     ));
-    assert_eq!(error(SurfaceOptions { step: 0, ..all }), SurfaceError::Step);
+    assert_eq!(
+        error(SurfaceOptions { step: 0, ..all }),
+        DisparityMapError::Step
+    );
     let depths = [3.0, 2.0];
     assert_eq!(
         error(SurfaceOptions { depths, ..all }),
-        SurfaceError::Depths(3.0, 2.0)
+        DisparityMapError::Depths(3.0, 2.0)
     );
     let pixels = SIZE[0] * SIZE[1];
     assert_eq!(
@@ -314,30 +315,30 @@ fn faulty_surfaces_are_errors() {
             depths: [3.0, 4.0],
             ..all
         }),
-        SurfaceError::Empty { pixels }
+        DisparityMapError::Empty { pixels }
     );
     // At infinity and behind the cameras there are no points.
     for disparity in [f32::NAN, -2.5, -10.0] {
         let map = DisparityMap::new(Plane::filled(4, 4, disparity));
         let error = Surface::new(&map, &rig, &all).unwrap_err();
-        assert_eq!(error, SurfaceError::Empty { pixels: 16 });
+        assert_eq!(error, DisparityMapError::Empty { pixels: 16 });
     }
     assert!(matches!(
         Surface::new(&DisparityMap::default(), &rig, &all),
-        Err(SurfaceError::Empty { pixels: 0 })
+        Err(DisparityMapError::Empty { pixels: 0 })
     ));
     let surface = Surface::new(&map, &rig, &all).unwrap();
     let small = Plane::filled(4, 4, [0u8; 3]);
     assert!(matches!(
         surface.to_mesh(&small),
-        Err(ModelError::Size {
+        Err(DisparityMapError::PictureSize {
             picture: [4, 4],
             ..
         })
     ));
     assert!(matches!(
         surface.to_cloud(&small),
-        Err(ModelError::Size { .. })
+        Err(DisparityMapError::PictureSize { .. })
     ));
     // A chessboard of depths has points and no triangle.
     let board = Plane::from_fn(8, 8, |u, v| if (u + v) % 2 == 0 { 5.0 } else { 15.0 });
@@ -346,7 +347,7 @@ fn faulty_surfaces_are_errors() {
     let picture = Plane::filled(8, 8, [0u8; 3]);
     assert!(matches!(
         torn.to_mesh(&picture),
-        Err(ModelError::NoTriangles)
+        Err(DisparityMapError::NoTriangles)
     ));
     assert_eq!(torn.to_cloud(&picture).unwrap().vertex_count(), 64);
 }

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use ga_files::{ReadError, WriteError};
 
-use super::file::{self, FileError, Parsed};
+use super::file::{self, Parsed};
 use super::layout::JointLayout;
 use super::settings::Settings;
 use super::tables::Tables;
+use crate::clip::ClipError;
 use crate::transform::Transform;
 
 /// A clip whose errors stay within a bound on every frame, in few bytes.
@@ -26,8 +27,10 @@ impl CompressedClip {
     ///
     /// # Errors
     ///
-    /// Any [`FileError`].
-    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, FileError> {
+    /// [`ClipError::NotAClip`], [`ClipError::Version`], [`ClipError::Truncated`],
+    /// [`ClipError::TooLong`], [`ClipError::Checksum`], [`ClipError::Invalid`] and
+    /// [`ClipError::Header`].
+    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, ClipError> {
         let (header, segments) = file::parse(&bytes)?;
         let tracks: Vec<(bool, f64)> = header
             .tracks
@@ -46,8 +49,8 @@ impl CompressedClip {
     ///
     /// # Errors
     ///
-    /// [`ReadError::Io`], or [`ReadError::Contents`] with any [`FileError`].
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<FileError>> {
+    /// [`ReadError::Io`], or [`ReadError::Contents`] as [`from_bytes`](Self::from_bytes) gives.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<ClipError>> {
         ga_files::read(path, |bytes| Self::from_bytes(bytes.to_vec()))
     }
 

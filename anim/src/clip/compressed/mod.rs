@@ -24,13 +24,12 @@
 //!
 //! All numbers are little-endian. A header of fixed length with counts, settings and the lengths of
 //! the sections, then three sections: names, joints, segments. The header and each section end with
-//! a CRC-32, so a file that is cut or changed anywhere is a [`FileError`].
+//! a CRC-32, so a file that is cut or changed anywhere is a [`ClipError`](crate::clip::ClipError).
 
 mod basis;
 mod bits;
 mod clip;
 mod encode;
-mod error;
 mod file;
 mod layout;
 mod measure;
@@ -44,8 +43,6 @@ mod tables;
 
 pub use clip::CompressedClip;
 pub use encode::compress;
-pub use error::CompressError;
-pub use file::FileError;
 pub(crate) use layout::double_transform;
 pub use measure::{Measured, measure};
 pub use sampler::Sampler;

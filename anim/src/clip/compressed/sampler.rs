@@ -9,7 +9,7 @@ use super::basis::SEGMENT;
 use super::layout::{double, double_rotor};
 use super::tables::{Block, LANES, RotorBlock, Tables, VectorChannels};
 use crate::frame_position::frame_at;
-use crate::recording::ModelSpaceError;
+use crate::kinematics::KinematicsError;
 use crate::transform::Transform;
 
 /// Where the cosine of half the angle from one frame to the next is above this in all joints, a
@@ -154,11 +154,11 @@ impl<'a> Sampler<'a> {
     ///
     /// # Errors
     ///
-    /// [`ModelSpaceError::Length`] unless `locals` has one place for each joint.
-    pub fn locals(&self, locals: &mut [Transform<f64>]) -> Result<(), ModelSpaceError> {
+    /// [`KinematicsError::SliceLength`] unless `locals` has one place for each joint.
+    pub fn locals(&self, locals: &mut [Transform<f64>]) -> Result<(), KinematicsError> {
         let (expected, found) = (self.rotors.len(), locals.len());
         if expected != found {
-            return Err(ModelSpaceError::Length { expected, found });
+            return Err(KinematicsError::SliceLength { expected, found });
         }
         for (joint, local) in locals.iter_mut().enumerate() {
             *local = Transform::from_parts(

@@ -1,6 +1,6 @@
 //! What a compressed clip must keep.
 
-use super::CompressError;
+use crate::clip::ClipError;
 
 /// The bounds that a compressed clip keeps on every frame.
 ///
@@ -62,7 +62,7 @@ impl Settings {
         }
     }
 
-    pub(super) fn check(&self, joints: usize) -> Result<(), CompressError> {
+    pub(super) fn check(&self, joints: usize) -> Result<(), ClipError> {
         let own = self.joints.iter();
         let tolerances = own.clone().map(|bound| ("tolerance", bound.tolerance));
         let shells = own.clone().map(|bound| ("shell", bound.shell));
@@ -72,16 +72,16 @@ impl Settings {
         ];
         for (name, value) in tolerances.chain(all) {
             if !value.is_finite() || value <= 0.0 {
-                return Err(CompressError::Setting { name, value });
+                return Err(ClipError::Setting { name, value });
             }
         }
         for (name, value) in shells.chain([("shell", self.shell)]) {
             if !value.is_finite() || value < 0.0 {
-                return Err(CompressError::Setting { name, value });
+                return Err(ClipError::Setting { name, value });
             }
         }
         match own.map(|bound| bound.joint).find(|&joint| joint >= joints) {
-            Some(joint) => Err(CompressError::Joint { joint, joints }),
+            Some(joint) => Err(ClipError::BoundJoint { joint, joints }),
             None => Ok(()),
         }
     }

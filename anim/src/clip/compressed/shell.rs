@@ -4,7 +4,8 @@ use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 use nalgebra_035::Matrix3;
 
-use crate::recording::{ModelSpaceError, Recording, model_maps};
+use crate::kinematics::KinematicsError;
+use crate::recording::{Recording, model_maps};
 use crate::transform::Transform;
 
 /// A frame scaled below this part of its greatest scale in the recording counts as scaled by the
@@ -18,7 +19,7 @@ pub(super) struct Sizes {
 }
 
 impl Sizes {
-    pub(super) fn new(recording: &Recording) -> Result<Self, ModelSpaceError> {
+    pub(super) fn new(recording: &Recording) -> Result<Self, KinematicsError> {
         let count = recording.joints().len();
         if recording.locals().iter().all(Transform::is_rigid) {
             let greatest = vec![1.0; count];

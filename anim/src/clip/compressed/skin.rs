@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 use super::CompressedClip;
 use super::sampler::Sampler;
-use crate::recording::{ModelSpaceError, Recording, model_maps};
+use crate::kinematics::KinematicsError;
+use crate::recording::{Recording, model_maps};
 use crate::transform::Transform;
 use crate::weights::{Influence, SkinWeights};
 
@@ -35,7 +36,7 @@ pub enum SkinMismatch {
     },
     /// The hierarchy has no model space.
     #[error(transparent)]
-    ModelSpace(#[from] ModelSpaceError),
+    ModelSpace(#[from] KinematicsError),
 }
 
 /// The greatest distance, in metres and over all frames, of a vertex moved by the decoded clip from

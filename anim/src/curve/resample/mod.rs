@@ -1,14 +1,13 @@
 //! Few vertices on a curve, with a proven bound of the distance to it (Cui, §2.2.2 (3)).
 
 mod chord;
-mod error;
 mod path;
 mod search;
 
 use super::piecewise::Curve;
 use super::value::Value;
+use crate::curve::CurveError;
 pub use chord::Distance;
-pub use error::ResampleError;
 use path::Path;
 
 /// Vertices on a curve; see [`Curve::resampled`].
@@ -40,7 +39,7 @@ impl<V: Value> Curve<V> {
     ///
     /// # Errors
     ///
-    /// [`ResampleError`]. The bound can be proven for any tolerance from 16 units in the last place
+    /// [`CurveError`]. The bound can be proven for any tolerance from 16 units in the last place
     /// of the largest coordinate up, unless times are too coarse for the speed of the curve.
     ///
     /// ```
@@ -57,7 +56,7 @@ impl<V: Value> Curve<V> {
         &self,
         tolerance: f64,
         distance: Distance,
-    ) -> Result<Resampled<V>, ResampleError> {
+    ) -> Result<Resampled<V>, CurveError> {
         self.resampled_within(tolerance, distance, usize::MAX)
     }
 
@@ -65,13 +64,13 @@ impl<V: Value> Curve<V> {
     ///
     /// # Errors
     ///
-    /// As [`Curve::resampled`], and [`ResampleError::TooMany`].
+    /// As [`Curve::resampled`], and [`CurveError::TooMany`].
     pub fn resampled_within(
         &self,
         tolerance: f64,
         distance: Distance,
         most: usize,
-    ) -> Result<Resampled<V>, ResampleError> {
+    ) -> Result<Resampled<V>, CurveError> {
         let path = Path::of(&self.times, V::DIMENSION, |piece, channel| {
             match self.pieces.get(piece) {
                 Some(c) => c.map(|c| c.component(channel)),
@@ -95,14 +94,14 @@ impl<V: Value> Curve<V> {
 ///
 /// # Errors
 ///
-/// As [`Curve::resampled_within`], and [`ResampleError::Times`] where channels have different
+/// As [`Curve::resampled_within`], and [`CurveError::Times`] where channels have different
 /// times. Without a channel there is no vertex.
 pub fn resample_channels(
     channels: &[Curve<f64>],
     tolerance: f64,
     distance: Distance,
     most: usize,
-) -> Result<Resampled<Vec<f64>>, ResampleError> {
+) -> Result<Resampled<Vec<f64>>, CurveError> {
     let Some(first) = channels.first() else {
         return Ok(Resampled {
             times: Vec::new(),
@@ -114,7 +113,7 @@ pub fn resample_channels(
         .iter()
         .position(|channel| channel.times != first.times)
     {
-        return Err(ResampleError::Times { channel });
+        return Err(CurveError::Times { channel });
     }
     let path = Path::of(&first.times, channels.len(), |piece, channel| {
         let channel = &channels[channel];

@@ -1,8 +1,9 @@
 //! The search for the farthest vertex whose chord can be proven.
 
+use super::Distance;
 use super::chord::Chords;
 use super::path::Path;
-use super::{Distance, ResampleError};
+use crate::curve::CurveError;
 
 /// The share of the tolerance from which a chord is good enough.
 const GOOD: f64 = 0.985;
@@ -15,16 +16,16 @@ pub(super) fn vertices(
     tolerance: f64,
     distance: Distance,
     most: usize,
-) -> Result<(Vec<f64>, f64), ResampleError> {
+) -> Result<(Vec<f64>, f64), CurveError> {
     if !(tolerance.is_finite() && tolerance > 0.0) {
-        return Err(ResampleError::Tolerance(tolerance));
+        return Err(CurveError::Tolerance(tolerance));
     }
     let least = 16.0 * (path.largest.next_up() - path.largest);
     if tolerance < least {
-        return Err(ResampleError::TooFine { tolerance, least });
+        return Err(CurveError::TooFine { tolerance, least });
     }
     if let Some(key) = path.jump() {
-        return Err(ResampleError::Jump { key });
+        return Err(CurveError::Jump { key });
     }
     let (start, end) = (path.times[0], path.times[path.times.len() - 1]);
     let bound = tolerance * path.scale;
@@ -33,10 +34,10 @@ pub(super) fn vertices(
     let (mut time, mut guess) = (start, end - start);
     while time < end {
         if times.len() >= most {
-            return Err(ResampleError::TooMany { tolerance, most });
+            return Err(CurveError::TooMany { tolerance, most });
         }
         let Some((next, deviation)) = farthest(&mut chords, time, end, guess, bound) else {
-            return Err(ResampleError::TimeTooCoarse { time, tolerance });
+            return Err(CurveError::TimeTooCoarse { time, tolerance });
         };
         guess = next - time;
         time = next;

@@ -4,7 +4,7 @@ mod alignment;
 mod levers;
 mod marker;
 
-use super::check::fits;
+use super::check::{check_tolerance, exists, finite, fits};
 use super::motion::with_rotation;
 use super::rotation::rotated;
 use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
@@ -12,10 +12,9 @@ use ga_runtime::cga3::{Motor, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
-use super::error::{KinematicsError, check_tolerance, exists, finite};
-
 use super::normal_equations::{Blocked, NormalEquations};
 
+use crate::kinematics::KinematicsError;
 use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 use levers::{Levers, extent, levers, movers};
@@ -215,7 +214,7 @@ impl<'a> PoseFit<'a> {
     /// # Errors
     ///
     /// [`KinematicsError::Targets`], [`KinematicsError::NotFinite`], [`KinematicsError::Weight`],
-    /// [`KinematicsError::Pose`], [`KinematicsError::Tolerance`]. The pose is then as it was.
+    /// [`KinematicsError::Skeleton`], [`KinematicsError::Tolerance`]. The pose is then as it was.
     pub fn solve(
         &mut self,
         targets: &[Target],

@@ -23,13 +23,13 @@ mod march;
 mod network;
 mod volume;
 
-use ga_mesh::MeshError;
 use ga_mesh::query::Bvh;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-use super::distance::{self, Bone, DistanceWeightsError};
-use super::{SkinWeights, WeightsError};
+use super::SkinWeights;
+use super::distance::{self, Bone};
+use crate::weights::error::SkinError;
 use network::Network;
 
 /// The most cells along the longest side of the box about the mesh. A cell takes less than a byte,
@@ -70,38 +70,13 @@ pub struct GeodesicWeights {
     pub unreached: Vec<u32>,
 }
 
-/// Numbers from which weights cannot be computed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum GeodesicWeightsError {
-    /// Bones, exponent or vertices are not valid.
-    #[error(transparent)]
-    Distance(#[from] DistanceWeightsError),
-    /// The triangles are not those of a mesh.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// There are no triangles.
-    #[error("a mesh without triangles has neither an inside nor a surface")]
-    NoTriangles,
-    /// The number of cells is 0 or too large.
-    #[error("{resolution} cells along the mesh; there must be from 1 to 256")]
-    BadResolution {
-        /// The number of cells.
-        resolution: usize,
-    },
-}
-
-impl From<WeightsError> for GeodesicWeightsError {
-    fn from(error: WeightsError) -> Self {
-        Self::Distance(error.into())
-    }
-}
-
 /// The weights of the vertices of a mesh with respect to bones, given by head and tail in the order
 /// of their joints.
 ///
 /// # Errors
 ///
-/// Any [`GeodesicWeightsError`].
+/// Those of [`distance_weights`](super::distance::distance_weights), and [`SkinError::Mesh`],
+/// [`SkinError::NoTriangles`] and [`SkinError::BadResolution`].
 ///
 /// # Examples
 ///
@@ -127,27 +102,27 @@ impl From<WeightsError> for GeodesicWeightsError {
 /// assert!(found.has_interior);
 /// assert_eq!(found.weights.influences(1).len(), 1);
 /// assert_eq!(found.weights.influences(8)[0].joint, 1);
-/// # Ok::<(), ga_anim::weights::geodesic::GeodesicWeightsError>(())
+/// # Ok::<(), ga_anim::skin::SkinError>(())
 /// ```
 pub fn geodesic_weights<P: Copy + Into<Point<f64>>>(
     positions: &[P],
     triangles: &[[u32; 3]],
     bones: &[Bone],
     options: &Options,
-) -> Result<GeodesicWeights, GeodesicWeightsError> {
+) -> Result<GeodesicWeights, SkinError> {
     distance::check(bones, options.influences, options.exponent)?;
     let resolution = options.resolution;
     if resolution == 0 || resolution > MOST_CELLS {
-        return Err(GeodesicWeightsError::BadResolution { resolution });
+        return Err(SkinError::BadResolution { resolution });
     }
     let places: Vec<Vector<f64>> = positions.iter().map(|&p| Vector::from(p.into())).collect();
     if let Some(point) = places.iter().position(|p| !p.length().is_finite()) {
         let coordinates = places[point].coordinates();
-        return Err(DistanceWeightsError::BadPoint { point, coordinates }.into());
+        return Err(SkinError::BadPoint { point, coordinates });
     }
     let bvh = Bvh::new(positions, triangles)?;
-    let network = Network::new(&places, triangles, &bvh, resolution)
-        .ok_or(GeodesicWeightsError::NoTriangles)?;
+    let network =
+        Network::new(&places, triangles, &bvh, resolution).ok_or(SkinError::NoTriangles)?;
     let count = options.influences.min(bones.len());
     let found = march::march(&network, &places, bones, count, &bvh);
     let reached = |vertex: u32| !found.of_vertex(vertex as usize).is_empty();
@@ -165,11 +140,10 @@ pub fn geodesic_weights<P: Copy + Into<Point<f64>>>(
                 let near = distance::nearest(place, bones, count);
                 if !near.iter().all(|(_, length)| length.is_finite()) {
                     let point = vertex as usize;
-                    return Err(DistanceWeightsError::BadPoint {
+                    return Err(SkinError::BadPoint {
                         point,
                         coordinates: place,
-                    }
-                    .into());
+                    });
                 }
                 distance::shares(&near, options.exponent)
             }
@@ -188,7 +162,7 @@ fn nearest_reached(
     triangles: &[[u32; 3]],
     unreached: &[u32],
     reached: impl Fn(u32) -> bool,
-) -> Result<Vec<Option<u32>>, GeodesicWeightsError> {
+) -> Result<Vec<Option<u32>>, SkinError> {
     if unreached.is_empty() {
         return Ok(Vec::new());
     }

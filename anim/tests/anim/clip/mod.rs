@@ -4,10 +4,10 @@ mod mirror;
 mod timing;
 
 use ga_anim::clip::{
-    Clip, ClipError, EventTrack, GroundMotion, Layer, LayerError, Mirror, MirrorError, RootMotion,
-    RootMotionError, TimeWarp, overlay,
+    Clip, ClipError, EventTrack, GroundMotion, Layer, Mirror, RootMotion, TimeWarp, overlay,
 };
 use ga_anim::pose::Pose;
+use ga_anim::recording::RecordingError;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::cga3::{DualPlane, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
@@ -305,7 +305,7 @@ fn what_does_not_fit_is_said() {
     let error = overlay(&mut pose, &[Layer::new(&two, 1.0), Layer::new(&one, 0.5)]).unwrap_err();
     assert_eq!(
         error,
-        LayerError::JointCount {
+        ClipError::LayerJointCount {
             layer: 1,
             expected: 2,
             found: 1
@@ -314,7 +314,7 @@ fn what_does_not_fit_is_said() {
     let error = overlay(&mut pose, &[Layer::new(&two, 1.0).of_joints(&[1.0])]).unwrap_err();
     assert_eq!(
         error,
-        LayerError::WeightCount {
+        ClipError::LayerWeightCount {
             layer: 0,
             expected: 2,
             found: 1
@@ -322,7 +322,7 @@ fn what_does_not_fit_is_said() {
     );
     for weight in [-0.1, 1.1, f64::INFINITY] {
         let error = overlay(&mut pose, &[Layer::new(&two, weight)]).unwrap_err();
-        assert_eq!(error, LayerError::Weight { layer: 0, weight });
+        assert_eq!(error, ClipError::LayerWeight { layer: 0, weight });
     }
     assert!(overlay(&mut pose, &[Layer::new(&two, f64::NAN)]).is_err());
     assert_eq!(pose, two);
@@ -341,19 +341,22 @@ fn what_does_not_fit_is_said() {
     let by_pairs = |pairs: &[(usize, usize)]| Mirror::by_pairs(&body(), mirror_plane(), pairs);
     assert_eq!(
         by_pairs(&[(1, 5)]),
-        Err(MirrorError::NoJoint { joint: 5, count: 5 })
+        Err(RecordingError::MirrorNoJoint { joint: 5, count: 5 })
     );
-    let twice = MirrorError::Twice {
+    let twice = RecordingError::PairedTwice {
         name: "LeftUpLeg".into(),
     };
     assert_eq!(by_pairs(&[(1, 3), (1, 2)]), Err(twice));
-    let parents = MirrorError::Parents {
+    let parents = RecordingError::PairParents {
         name: "LeftFoot".into(),
         other: "RightFoot".into(),
     };
     assert_eq!(by_pairs(&[(2, 4)]), Err(parents));
     let plane = DualPlane::new(0.0, 0.0, 0.0, 1.0);
-    assert_eq!(Mirror::by_names(&body(), plane), Err(MirrorError::Plane));
+    assert_eq!(
+        Mirror::by_names(&body(), plane),
+        Err(RecordingError::MirrorPlane)
+    );
     let mut joints = body().joints().to_vec();
     joints[4].name = "RightToe".into();
     let lone = Mirror::by_names(&Skeleton::new(joints).unwrap(), mirror_plane()).unwrap_err();
@@ -373,15 +376,15 @@ fn what_does_not_fit_is_said() {
     };
     assert_eq!(
         of(5, [0.0, 1.0, 0.0]),
-        Err(RootMotionError::Joint { joint: 5, count: 5 })
+        Err(ClipError::NoJoint { joint: 5, count: 5 })
     );
-    assert_eq!(of(0, [0.0; 3]), Err(RootMotionError::Up([0.0; 3])));
+    assert_eq!(of(0, [0.0; 3]), Err(ClipError::Up([0.0; 3])));
     assert!(clip.root_motion(&body(), GroundMotion::default()).is_err());
     let way = RootMotion::new(1.0, vec![Motor::default(); 2]).unwrap();
     let error = walk.with_root_motion(&way).unwrap_err();
     assert_eq!(
         error,
-        RootMotionError::FrameCount {
+        ClipError::MotionCount {
             expected: 1,
             found: 2
         }

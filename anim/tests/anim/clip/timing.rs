@@ -1,8 +1,6 @@
 //! Loops, cross-fades, clocks, events and scalar tracks.
 
-use ga_anim::clip::{
-    Clip, ClipError, CrossFade, EventError, EventTrack, RootMotion, ScalarTracks, TimeWarp,
-};
+use ga_anim::clip::{Clip, ClipError, CrossFade, EventTrack, RootMotion, ScalarTracks, TimeWarp};
 use ga_anim::curve::{Curve, CurveError};
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -98,7 +96,7 @@ fn events_and_scalar_tracks() {
     let empty = EventTrack::<()>::new(Vec::new()).unwrap();
     assert_eq!(empty.in_loop(1e-300, 0.0, 1e300).count(), 0);
     let error = EventTrack::new(vec![(0.0, 1), (f64::NAN, 2)]).unwrap_err();
-    assert!(matches!(error, EventError::Time { index: 1, .. }));
+    assert!(matches!(error, ClipError::EventTime { index: 1, .. }));
 
     let mut tracks = ScalarTracks::default();
     tracks.insert("smile", Curve::step(&[0.0], &[9.0]).unwrap());

@@ -1,6 +1,7 @@
 //! The bound holds on made recordings of every kind.
 
-use ga_anim::clip::compressed::{CompressError, JointBound, Sampler, Settings, compress, measure};
+use ga_anim::clip::ClipError;
+use ga_anim::clip::compressed::{JointBound, Sampler, Settings, compress, measure};
 use ga_anim::recording::{Recording, ScalarTrack};
 use ga_anim::transform::Transform;
 use ga_runtime::vga3::Vector;
@@ -120,7 +121,7 @@ fn a_still_chain_of_thousands_of_joints() {
     );
     assert_eq!(
         error.unwrap_err(),
-        CompressError::TooManyJoints {
+        ClipError::TooManyJoints {
             joints: 20_000,
             most: 4096
         }
@@ -343,7 +344,7 @@ fn what_cannot_be_kept_is_an_error_that_names_it() {
     let error = compress(&far, &Settings::default(), |_, _| ()).unwrap_err();
     let names_it = matches!(
         &error,
-        CompressError::Bound { joint, .. } | CompressError::Precision { joint, .. }
+        ClipError::Bound { joint, .. } | ClipError::Precision { joint, .. }
             if joint.starts_with("joint ")
     );
     assert!(names_it, "{error}");
@@ -371,7 +372,7 @@ fn what_cannot_be_kept_is_an_error_that_names_it() {
     let error = compress(&small, &settings, |_, _| ()).unwrap_err();
     assert_eq!(
         error,
-        CompressError::Joint {
+        ClipError::BoundJoint {
             joint: 2,
             joints: 2
         }

@@ -1,6 +1,7 @@
 //! Files that are cut or changed.
 
-use ga_anim::clip::compressed::{CompressedClip, FileError, Settings};
+use ga_anim::clip::ClipError;
+use ga_anim::clip::compressed::{CompressedClip, Settings};
 use proptest::prelude::*;
 
 use super::{compressed, noise, recording, rigid, rotation, tree};
@@ -40,8 +41,8 @@ fn a_cut_at_any_byte_is_an_error_that_says_where() {
     for length in 0..bytes.len() {
         let error = CompressedClip::from_bytes(bytes[..length].to_vec()).unwrap_err();
         match error {
-            FileError::NotAClip => assert_eq!(length, 0),
-            FileError::Truncated {
+            ClipError::NotAClip => assert_eq!(length, 0),
+            ClipError::Truncated {
                 section,
                 expected,
                 found,
@@ -57,7 +58,7 @@ fn a_cut_at_any_byte_is_an_error_that_says_where() {
     longer.push(0);
     let error = CompressedClip::from_bytes(longer).unwrap_err();
     let (expected, found) = (bytes.len() as u64, bytes.len() as u64 + 1);
-    assert_eq!(error, FileError::TooLong { expected, found });
+    assert_eq!(error, ClipError::TooLong { expected, found });
 }
 
 #[test]
@@ -69,8 +70,8 @@ fn any_changed_byte_is_an_error() {
             bytes[at] ^= change;
             let error = CompressedClip::from_bytes(bytes.clone()).unwrap_err();
             match error {
-                FileError::NotAClip => assert!(at < 8),
-                FileError::Checksum { .. } => assert!(at >= 8),
+                ClipError::NotAClip => assert!(at < 8),
+                ClipError::Checksum { .. } => assert!(at >= 8),
                 other => panic!("byte {at} changed by {change}: {other}"),
             }
             bytes[at] ^= change;

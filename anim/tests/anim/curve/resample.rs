@@ -1,6 +1,6 @@
 //! The bound of resampled curves holds wherever it is tried.
 
-use ga_anim::curve::{Curve, Distance, Ends, ResampleError, Resampled};
+use ga_anim::curve::{Curve, CurveError, Distance, Ends, Resampled};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -155,7 +155,7 @@ proptest! {
                 check(&curve, least, distance);
             }
             let below = least.next_down();
-            let expected = ResampleError::TooFine { tolerance: below, least };
+            let expected = CurveError::TooFine { tolerance: below, least };
             prop_assert_eq!(curve.resampled(below, distance), Err(expected));
         }
     }
@@ -232,17 +232,17 @@ fn what_cannot_be_resampled_is_said() {
     let curve = Curve::linear(&times, &[0.0, 1.0, 0.0]).unwrap();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = curve.resampled(bad, Distance::Geometric).unwrap_err();
-        assert!(matches!(error, ResampleError::Tolerance(_)), "{error}");
+        assert!(matches!(error, CurveError::Tolerance(_)), "{error}");
     }
     let step = Curve::step(&times, &[0.0, 1.0, 1.0]).unwrap();
     let error = step.resampled(0.1, Distance::EqualTime).unwrap_err();
-    assert_eq!(error, ResampleError::Jump { key: 1 });
+    assert_eq!(error, CurveError::Jump { key: 1 });
     let error = curve
         .resampled_within(1e-3, Distance::EqualTime, 2)
         .unwrap_err();
     assert_eq!(
         error,
-        ResampleError::TooMany {
+        CurveError::TooMany {
             tolerance: 1e-3,
             most: 2
         }
@@ -251,10 +251,7 @@ fn what_cannot_be_resampled_is_said() {
     let late = [1e16, 1e16 + 4.0, 1e16 + 8.0];
     let late = Curve::spline(&late, &[0.0, 1.0, 0.0], Ends::Natural).unwrap();
     let error = late.resampled(1e-3, Distance::EqualTime).unwrap_err();
-    assert!(
-        matches!(error, ResampleError::TimeTooCoarse { .. }),
-        "{error}"
-    );
+    assert!(matches!(error, CurveError::TimeTooCoarse { .. }), "{error}");
 }
 
 #[test]

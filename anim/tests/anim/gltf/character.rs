@@ -1,6 +1,7 @@
 //! Characters: the mesh, skeleton and weights of a document's skins.
 
-use ga_anim::gltf::{CharacterError, Placement, Player, character};
+use ga_anim::MotionFileError;
+use ga_anim::gltf::{Placement, Player, character};
 use ga_anim::skin::{self, Method};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, Node, Primitive, Skin, Transform,
@@ -146,7 +147,7 @@ fn it_moves_as_its_document_does() {
 fn a_document_without_a_skin() {
     let mut still = document();
     still.nodes.iter_mut().for_each(|node| node.skin = None);
-    assert_eq!(character(&still), Err(CharacterError::NoSkin));
+    assert_eq!(character(&still), Err(MotionFileError::NoSkin));
 }
 
 #[test]

@@ -11,8 +11,8 @@ mod refused;
 
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{animation, joint_nodes, vertex_weights};
-use ga_anim::pose::{Pose, PoseError};
-use ga_anim::skeleton::{Joint, Skeleton};
+use ga_anim::pose::Pose;
+use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_anim::weights::SkinWeights;
 use ga_mesh::gltf::model::{Animation, JointNode, Material, Model, Skin, to_glb};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -220,7 +220,7 @@ fn a_clip_for_another_skeleton_is_refused() {
     let clip = Clip::new(1.0, vec![Pose::rest(2)]).unwrap();
     assert_eq!(
         animation("clip", &skeleton, &clip),
-        Err(PoseError {
+        Err(SkeletonError::PoseLength {
             expected: 1,
             found: 2
         })

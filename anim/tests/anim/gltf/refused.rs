@@ -1,6 +1,7 @@
 //! Documents that cannot be played: the error names the element.
 
-use ga_anim::gltf::{Placement, PlayError, Player};
+use ga_anim::MotionFileError;
+use ga_anim::gltf::{Placement, Player};
 use ga_anim::skin::Method;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Element, Interpolation, Keys, Mesh, Node, Primitive, Problem,
@@ -60,7 +61,7 @@ fn scaled(scale: [f32; 3]) -> Transform {
 }
 
 /// The error of a changed document, read or played at 0.5 s.
-fn error(method: Method, change: impl FnOnce(&mut Document)) -> PlayError {
+fn error(method: Method, change: impl FnOnce(&mut Document)) -> MotionFileError {
     let mut document = document();
     change(&mut document);
     let play = || {
@@ -72,8 +73,8 @@ fn error(method: Method, change: impl FnOnce(&mut Document)) -> PlayError {
 }
 
 #[track_caller]
-fn assert_document(error: PlayError, element: Element, problem: Problem) {
-    let PlayError::Document(error) = error else {
+fn assert_document(error: MotionFileError, element: Element, problem: Problem) {
+    let MotionFileError::Document(error) = error else {
         panic!("{error}");
     };
     assert_eq!((error.element(), &error.problem), (&element, &problem));
@@ -149,7 +150,7 @@ fn keys_and_times() {
             seconds: -1.0,
         },
     );
-    let PlayError::Document(nan) = with_times([0.0, f32::NAN]) else {
+    let MotionFileError::Document(nan) = with_times([0.0, f32::NAN]) else {
         panic!("a time that is not a number");
     };
     assert!(nan.to_string().contains("key 1, NaN s"), "{nan}");
@@ -167,7 +168,7 @@ fn keys_and_times() {
     let (element, seconds) = (CHANNEL, 0.5);
     assert_eq!(
         with_keys([[0.0; 4]; 2]),
-        PlayError::NoRotation { element, seconds }
+        MotionFileError::NoRotation { element, seconds }
     );
 }
 
@@ -181,7 +182,7 @@ fn a_spline_through_zero() {
         channel.keys = Keys::Rotation(vec![zero, one, zero, zero, one.map(|x: f32| -x), zero]);
     });
     let (element, seconds) = (CHANNEL, 0.5);
-    assert_eq!(found, PlayError::NoRotation { element, seconds });
+    assert_eq!(found, MotionFileError::NoRotation { element, seconds });
 }
 
 #[test]
@@ -196,7 +197,7 @@ fn nodes() {
         d.nodes[2].transform = Transform::Matrix(identity);
     });
     let (element, node) = (CHANNEL, 2);
-    assert_eq!(matrix, PlayError::AnimatedMatrix { element, node });
+    assert_eq!(matrix, MotionFileError::AnimatedMatrix { element, node });
     let far = error(Method::Linear, |d| {
         d.nodes[1].transform = scaled([f32::MAX; 3]);
         for _ in 0..9 {
@@ -211,7 +212,7 @@ fn nodes() {
         }
     });
     let (node, seconds) = (10, 0.5);
-    assert_eq!(far, PlayError::FrameNotFinite { node, seconds });
+    assert_eq!(far, MotionFileError::FrameNotFinite { node, seconds });
 }
 
 /// A joint that maps everything onto a line has no rotation. One that maps onto a plane has, and
@@ -223,7 +224,7 @@ fn singular_joints() {
         for scale in [[0.0; 3], [1.0, 0.0, 0.0]] {
             let (skin, joint, node) = (0, 1, 2);
             let found = error(method, flattened(scale));
-            assert_eq!(found, PlayError::Singular { skin, joint, node });
+            assert_eq!(found, MotionFileError::Singular { skin, joint, node });
         }
     }
     let mut flat = document();
@@ -243,12 +244,12 @@ fn numbers_of_the_caller() {
     let document = document();
     let player = Player::new(&document).unwrap();
     let (animation, count) = (1, 1);
-    let none = PlayError::NoAnimation { animation, count };
+    let none = MotionFileError::NoAnimation { animation, count };
     assert_eq!(none.to_string(), "there is no animation 1: the file has 1");
     assert_eq!(player.pose(Some(1), 0.0), Err(none));
     assert!(matches!(
         player.pose(None, f64::NAN),
-        Err(PlayError::Time(_))
+        Err(MotionFileError::Time(_))
     ));
 }
 
@@ -278,5 +279,5 @@ fn one_mesh_in_many_nodes() {
     let player = Player::new(&document).unwrap();
     let (needed, limit) = (20_020_000, 20_000_000);
     let found = Placement::new(&player).unwrap_err();
-    assert_eq!(found, PlayError::TooLarge { needed, limit });
+    assert_eq!(found, MotionFileError::TooLarge { needed, limit });
 }

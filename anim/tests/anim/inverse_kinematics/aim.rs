@@ -1,4 +1,5 @@
-use ga_anim::inverse_kinematics::{Aim, KinematicsError, aim_joint};
+use ga_anim::inverse_kinematics::{Aim, aim_joint};
+use ga_anim::kinematics::KinematicsError;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{JointLimits, Limit};
 use ga_runtime::cga3::{Motor, Point, Rotor};

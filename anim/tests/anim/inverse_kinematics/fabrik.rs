@@ -1,4 +1,5 @@
-use ga_anim::inverse_kinematics::{Fabrik, FabrikSettings, KinematicsError, reach_with_chain};
+use ga_anim::inverse_kinematics::{Fabrik, FabrikSettings, reach_with_chain};
+use ga_anim::kinematics::KinematicsError;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{JointLimits, Limit};
 use ga_runtime::cga3::{Motor, Point, Rotor};

@@ -1,5 +1,7 @@
-use ga_anim::inverse_kinematics::{KinematicsError, Reach, TwoBone, bend_limb};
-use ga_anim::pose::{Pose, PoseError};
+use ga_anim::inverse_kinematics::{Reach, TwoBone, bend_limb};
+use ga_anim::kinematics::KinematicsError;
+use ga_anim::pose::Pose;
+use ga_anim::skeleton::SkeletonError;
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
@@ -180,7 +182,7 @@ fn faults_of_a_limb_name_its_joints() {
     let wrong = bend_limb(&skeleton, &mut Pose::rest(3), [0, 2, 3], target, None);
     assert_eq!(
         wrong,
-        Err(KinematicsError::Pose(PoseError {
+        Err(KinematicsError::Skeleton(SkeletonError::PoseLength {
             expected: 4,
             found: 3
         }))

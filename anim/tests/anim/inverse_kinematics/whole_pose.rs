@@ -1,5 +1,6 @@
 use ga_anim::bvh;
-use ga_anim::inverse_kinematics::{KinematicsError, Marker, PoseFit, PoseFitSettings, Target};
+use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings, Target};
+use ga_anim::kinematics::KinematicsError;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, JointLimits, Limit, Skeleton};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -351,7 +352,7 @@ fn faults_are_named() {
         }
     );
     let both = [target(0.0, 1.0), target(1.0, 1.0)];
-    assert!(matches!(solve(&both, 5), KinematicsError::Pose(_)));
+    assert!(matches!(solve(&both, 5), KinematicsError::Skeleton(_)));
     let nan = [target(0.0, 1.0), target(f64::NAN, 1.0)];
     assert!(matches!(solve(&nan, 6), KinematicsError::NotFinite { .. }));
     let weight = |weight| [target(0.0, 1.0), target(0.0, weight)];

@@ -3,7 +3,8 @@
 mod structure;
 
 use ga_anim::bvh::{self, Bvh};
-use ga_anim::retarget::{JointMap, Retarget, RetargetError, Soles};
+use ga_anim::recording::RecordingError;
+use ga_anim::retarget::{JointMap, Retarget, Soles};
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::vga3::Vector;
 
@@ -283,7 +284,7 @@ fn other_names_mean_nothing() {
     assert!(map.source_of().iter().all(Option::is_none));
     let soles = Soles::of_skeleton(&target);
     let error = Retarget::with_map(&motion, &target, &soles, &map).unwrap_err();
-    assert_eq!(error, RetargetError::NoMatch);
+    assert_eq!(error, RecordingError::NoMatch);
     // Helpers beside the joints that they are named after, and the CMU's joints beside the hips.
     let mut names = NAMES[5].1;
     names[3] = "UpperArm_Twist_L";
@@ -403,7 +404,7 @@ fn maps_from_json_and_their_faults() {
     let short = Skeleton::new(other.joints()[..5].to_vec()).unwrap();
     let soles = Soles::of_skeleton(&short);
     let wrong = Retarget::with_map(&motion, &short, &soles, &found);
-    assert!(matches!(wrong, Err(RetargetError::Pose(_))));
+    assert!(matches!(wrong, Err(RecordingError::Skeleton(_))));
 }
 
 #[test]

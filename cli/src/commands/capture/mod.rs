@@ -14,9 +14,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, ensure};
 use ga_runtime::cga3::{Motor, Point};
-use ga_vision::capture::{
-    Capture, CaptureError, CapturedFrame, FrameError, PoseError, PoseOptions,
-};
+use ga_vision::capture::{Capture, CaptureError, CapturedFrame, PoseOptions};
 
 use crate::files::Files;
 use crate::format::Format;
@@ -172,14 +170,16 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
     let name = |point: &usize| points.names[*point].as_str();
     match error {
         CaptureError::Twice(point) => anyhow!("--calibrated: {} is named twice", name(&point)),
-        CaptureError::Rest(PoseError::TooFew { found, needed }) => {
-            anyhow!("--calibrated: {needed} points are needed for a pose, not {found}")
-        }
-        CaptureError::Rest(error) => anyhow!("{}: {error}", points.place(reference)),
+        CaptureError::Rest(error) => match *error {
+            CaptureError::TooFew { found, needed } => {
+                anyhow!("--calibrated: {needed} points are needed for a pose, not {found}")
+            }
+            error => anyhow!("{}: {error}", points.place(reference)),
+        },
         CaptureError::Frame { frame, problem } => {
             let place = points.place(frame);
-            match problem {
-                FrameError::Missing {
+            match *problem {
+                CaptureError::Missing {
                     seen,
                     needed,
                     missing,
@@ -191,7 +191,7 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
                         missing.join(", ")
                     )
                 }
-                FrameError::PoseOfSeen { missing, error } => {
+                CaptureError::PoseOfSeen { missing, error } => {
                     let missing: Vec<_> = missing.iter().map(name).collect();
                     anyhow!("{place}: {error}; missing: {}", missing.join(", "))
                 }

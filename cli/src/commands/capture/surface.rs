@@ -12,7 +12,7 @@ use ga_mesh::{CornerAttribute, Mesh};
 use ga_runtime::cga3::{Motor, Point, Similarity};
 use ga_runtime::vga3::{Rotor, Vector};
 use ga_vision::capture::{
-    CapturedFrame, LocalArea, PrincipalShapes, SphericalParameterisation, SurfaceError,
+    CaptureError, CapturedFrame, LocalArea, PrincipalShapes, SphericalParameterisation,
     SurfaceMesh, SurfaceMotion,
 };
 
@@ -82,7 +82,7 @@ impl Surface {
             path.display()
         );
         let named =
-            |error: SurfaceError| anyhow!("{}: {}", path.display(), text(&error, &keys, points));
+            |error: CaptureError| anyhow!("{}: {}", path.display(), text(&error, &keys, points));
         let triangles = mesh.triangles();
         let shape = SurfaceMesh::new(mesh.positions(), &triangles).map_err(named)?;
         let sphere = SphericalParameterisation::new(&shape).map_err(named)?;
@@ -139,7 +139,7 @@ impl Surface {
             filled += seen.iter().filter(|key| key.is_none()).count();
             let found = self.motion.filled(&seen);
             all.push(found.map_err(|error| match error {
-                SurfaceError::NoKeys => anyhow!("{}: no key is seen", points.place(index)),
+                CaptureError::NoKeys => anyhow!("{}: no key is seen", points.place(index)),
                 error => anyhow!(
                     "{}: {}",
                     points.place(index),
@@ -366,14 +366,14 @@ fn local(area: &Area, shape: &SurfaceMesh<'_>, keys: &[Key], points: &Points) ->
 }
 
 /// The text of an error, with the names of the points.
-fn text(error: &SurfaceError, keys: &[Key], points: &Points) -> String {
+fn text(error: &CaptureError, keys: &[Key], points: &Points) -> String {
     let name = |key: &usize| &points.names[keys[*key].point];
     match error {
-        SurfaceError::KeyNotFinite { key } => format!("key {} is not finite", name(key)),
-        SurfaceError::KeyAtCentre { key } => {
+        CaptureError::KeyNotFinite { key } => format!("key {} is not finite", name(key)),
+        CaptureError::KeyAtCentre { key } => {
             format!("key {} is at the centre of gravity of the mesh", name(key))
         }
-        SurfaceError::SameDirection { first, second, .. } => format!(
+        CaptureError::SameDirection { first, second, .. } => format!(
             "keys {} and {} are seen in the same direction from the centre of gravity of the mesh",
             name(first),
             name(second)

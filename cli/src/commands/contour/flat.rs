@@ -8,7 +8,7 @@ use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::{file, threshold};
 use ga_runtime::cga2::{self, Point};
-use ga_vision::contour::{Contour, OutlineError, borders, fit, perimeter, signed_area};
+use ga_vision::contour::{Contour, ContourError, borders, fit, perimeter, signed_area};
 use serde::Serialize;
 
 use super::arguments::check_out;
@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &Arguments, image: &Path, quiet: bool) -> Result<()
 /// The borders of regions above a threshold.
 fn regions(picture: &Plane<u8>, arguments: &Arguments) -> Result<Report> {
     let given = arguments.threshold.or_else(|| threshold::otsu(picture));
-    let level = given.ok_or(OutlineError::OneLevel)?;
+    let level = given.ok_or(ContourError::OneLevel)?;
     let all = borders(&threshold::above(picture, level));
     let is_kept: Vec<bool> = all
         .iter()
@@ -105,7 +105,7 @@ fn regions(picture: &Plane<u8>, arguments: &Arguments) -> Result<Report> {
         .collect();
     if contours.is_empty() {
         let least_area = arguments.least_area;
-        return Err(OutlineError::NoBorder { least_area }.into());
+        return Err(ContourError::NoBorder { least_area }.into());
     }
     Ok(Report {
         width_px: picture.width(),

@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use ga_image::plane::Plane;
 use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
-use ga_vision::contour::{OutlineError, outline, resampled};
+use ga_vision::contour::{ContourError, outline, resampled};
 use serde::Serialize;
 
 use crate::frame::Progress;
@@ -98,7 +98,7 @@ impl Settings {
             Some([u, v, radius]) => snake::circle([u, v], radius, count),
             None => match outline(picture, least_area.max(1.0)) {
                 Ok(border) => resampled(&border.points(), count),
-                Err(error @ OutlineError::LeavesPicture { .. }) => bail!(
+                Err(error @ ContourError::LeavesPicture { .. }) => bail!(
                     "{error}; --circle, or --right-circle for the right view, gives the circle at \
                      which the snake begins"
                 ),

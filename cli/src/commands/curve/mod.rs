@@ -9,7 +9,7 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::ValueEnum;
-use ga_anim::curve::{self, Curve, CurveError, EndKind, ResampleError, Resampled, SplineSystem};
+use ga_anim::curve::{self, Curve, CurveError, EndKind, Resampled, SplineSystem};
 use serde::Serialize;
 
 use crate::files::Files;
@@ -284,7 +284,7 @@ fn vertices(
     curves: &[Curve<f64>],
     tolerance: f64,
     distance: Distance,
-) -> Result<Resampled<Vec<f64>>, ResampleError> {
+) -> Result<Resampled<Vec<f64>>, CurveError> {
     let distance = match distance {
         Distance::Geometric => curve::Distance::Geometric,
         Distance::EqualTime => curve::Distance::EqualTime,

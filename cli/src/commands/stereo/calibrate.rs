@@ -10,10 +10,10 @@ use ga_camera::format::rig::RigFile;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::calibration::{
-    CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start, StereoCalibration,
-    StereoSettings, calibrate_stereo, square_edges,
+    CalibrationError, CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start,
+    StereoCalibration, StereoSettings, calibrate_stereo, square_edges,
 };
-use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find};
+use ga_vision::chessboard::{BoardSize, Chessboard, find};
 use serde::Serialize;
 
 use super::{corners, views};
@@ -331,7 +331,7 @@ fn find_boards(
         let board = |side: usize| -> Result<Result<Chessboard, String>> {
             match find(&views[side], arguments.board) {
                 Ok(board) => Ok(Ok(board)),
-                Err(error @ ChessboardError::NotFound { .. }) => {
+                Err(error @ CalibrationError::NotFound { .. }) => {
                     let path = files_of_pair[side].display();
                     Ok(Err(format!("{path}: {error}")))
                 }

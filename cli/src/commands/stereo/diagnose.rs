@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Error, Result};
-use ga_vision::diagnosis::{Diagnosis, DiagnosisError, DiagnosisOptions};
+use ga_vision::ViewGeometryError;
+use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
 use ga_vision::feature::{ViewOptions, match_views};
 use serde::Serialize;
 
@@ -100,7 +101,7 @@ impl Command for Arguments {
         let paths = [&*arguments.left, &*arguments.right];
         let found = found.map_err(|error| {
             let context = match error {
-                DiagnosisError::TooFew { needed, .. } => {
+                ViewGeometryError::TooFewMatches { needed, .. } => {
                     views::few_matches([&left, &right], paths, &matching.detect, needed)
                 }
                 _ => format!("{} and {}", paths[0].display(), paths[1].display()),

@@ -8,8 +8,9 @@ use ga_camera::Intrinsics;
 use ga_camera::format::camera::CameraFile;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
+use ga_vision::ViewGeometryError;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
-use ga_vision::relative_pose::{Options, RelativePose, RelativePoseError, estimate};
+use ga_vision::relative_pose::{Options, RelativePose, estimate};
 use serde::Serialize;
 
 use super::views;
@@ -177,7 +178,7 @@ fn pose(
     let motion = estimate(&pairs, cameras[0], cameras[1], &options);
     let motion = motion.map_err(|error| {
         let corners = match (error, outside) {
-            (RelativePoseError::TooFew { needed, .. }, _) if matched < needed => {
+            (ViewGeometryError::TooFew { needed, .. }, _) if matched < needed => {
                 let paths = [&*arguments.first, &*arguments.second];
                 views::few_matches([first, second], paths, &matching.detect, needed)
             }

@@ -36,7 +36,7 @@
 //!     Batch::new().skin_by_motors(chunk, &palette, posed)?;
 //! }
 //! assert_eq!(moved[1].coordinates(), [2.0, 2.0, 0.0]);
-//! # Ok::<(), ga_runtime::batch::skin::SkinError>(())
+//! # Ok::<(), ga_runtime::batch::BatchError>(())
 //! ```
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
@@ -44,7 +44,6 @@ pub(crate) mod avx2;
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 pub(crate) mod avx512;
 mod bucket;
-mod error;
 mod maps;
 mod palette;
 mod points;
@@ -56,7 +55,6 @@ mod tile;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-pub use error::SkinError;
 pub use palette::{AffinePalette, MotorPalette};
 pub use points::{Chunk, Skin};
 pub use pose::Mix;
@@ -64,6 +62,7 @@ pub use posed::Posed;
 pub use scalar::SkinScalar;
 
 use super::error::same_length;
+use crate::batch::BatchError;
 use crate::cga3::Point;
 use crate::vga3::Vector;
 pub(crate) use bucket::{Bucket, Motors};
@@ -84,9 +83,9 @@ impl<S: SkinScalar> Skin<S> {
         joints: usize,
         points: &[Point<S>],
         influences: impl IntoIterator<Item = R>,
-    ) -> Result<Self, SkinError> {
+    ) -> Result<Self, BatchError> {
         if joints > 1 << 16 {
-            return Err(SkinError::TooLarge);
+            return Err(BatchError::TooLarge);
         }
         let mut skin = Self {
             joints,
@@ -118,7 +117,7 @@ impl<S: SkinScalar> Skin<S> {
                     })
                 });
                 if u32::try_from(joints + skin.pairs.len()).is_err() {
-                    return Err(SkinError::TooLarge);
+                    return Err(BatchError::TooLarge);
                 }
             }
             let buckets = buckets.into_values().map(Bucket::padded).collect();
@@ -145,7 +144,7 @@ impl<S: SkinScalar> Skin<S> {
     ///
     /// # Errors
     /// There is another number of them.
-    pub fn set_points(&mut self, points: &[Point<S>]) -> Result<(), SkinError> {
+    pub fn set_points(&mut self, points: &[Point<S>]) -> Result<(), BatchError> {
         same_length(self.points, points.len())?;
         for chunk in &mut self.chunks {
             let points = &points[chunk.first..chunk.first + chunk.len];
@@ -163,7 +162,7 @@ impl<S: SkinScalar> Skin<S> {
     ///
     /// # Errors
     /// There is another number of them.
-    pub fn with_normals(mut self, normals: &[Vector<S>]) -> Result<Self, SkinError> {
+    pub fn with_normals(mut self, normals: &[Vector<S>]) -> Result<Self, BatchError> {
         same_length(self.points, normals.len())?;
         self.has_normals = true;
         for chunk in &mut self.chunks {
@@ -179,7 +178,7 @@ impl<S: SkinScalar> Skin<S> {
     ///
     /// # Errors
     /// There is another number of them.
-    pub fn with_tangents(mut self, tangents: &[Vector<S>]) -> Result<Self, SkinError> {
+    pub fn with_tangents(mut self, tangents: &[Vector<S>]) -> Result<Self, BatchError> {
         same_length(self.points, tangents.len())?;
         self.has_tangents = true;
         for chunk in &mut self.chunks {
@@ -192,27 +191,27 @@ impl<S: SkinScalar> Skin<S> {
     }
 
     /// Sorts the influences from the heaviest down, equals in their order, and checks them.
-    fn check(&self, element: usize, row: &mut Vec<(u32, S)>) -> Result<(), SkinError> {
+    fn check(&self, element: usize, row: &mut Vec<(u32, S)>) -> Result<(), BatchError> {
         let is_weight = |weight: S| weight.is_finite() && !weight.less_than(S::zero());
         if !row.iter().all(|&(_, weight)| is_weight(weight)) {
-            return Err(SkinError::NotAWeight { element });
+            return Err(BatchError::NotAWeight { element });
         }
         row.retain(|&(_, weight)| S::zero().less_than(weight));
         if let Some(&(place, _)) = row.iter().find(|(place, _)| *place as usize >= self.joints) {
-            return Err(SkinError::NotInPalette {
+            return Err(BatchError::JointNotInPalette {
                 element,
                 place: place as usize,
                 palette: self.joints,
             });
         }
         if row.is_empty() {
-            return Err(SkinError::NoInfluence { element });
+            return Err(BatchError::NoInfluence { element });
         }
         row.sort_by(|(_, a), (_, b)| b.partial_cmp(a).unwrap_or(core::cmp::Ordering::Equal));
         Ok(())
     }
 
-    fn mismatch(&self, found: usize) -> SkinError {
+    fn mismatch(&self, found: usize) -> BatchError {
         super::LengthMismatch {
             expected: self.points,
             found,

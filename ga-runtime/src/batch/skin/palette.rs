@@ -3,8 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::SkinError;
 use super::points::{Chunk, Skin};
+use crate::batch::BatchError;
 use crate::batch::error::same_length;
 use crate::cga3::Motor;
 use crate::geometry::Affine;
@@ -45,14 +45,14 @@ impl<S: Real<Mask = bool> + Default> AffinePalette<S> {
     ///
     /// # Errors
     /// There is not one map for each joint, or one is not finite. Then the palette is as before.
-    pub fn set(&mut self, maps: &[Affine<S>]) -> Result<(), SkinError> {
+    pub fn set(&mut self, maps: &[Affine<S>]) -> Result<(), BatchError> {
         same_length(self.maps.len(), maps.len())?;
         let is_finite = |map: &Affine<S>| {
             let entries = map.linear.iter().flatten().chain(&map.translation);
             entries.fold(true, |all, x| all & x.is_finite())
         };
         if let Some(joint) = maps.iter().position(|map| !is_finite(map)) {
-            return Err(SkinError::BadMotion { joint });
+            return Err(BatchError::BadMotion { joint });
         }
         for (columns, map) in self.maps.iter_mut().zip(maps) {
             *columns = Columns::new(*map);
@@ -60,7 +60,7 @@ impl<S: Real<Mask = bool> + Default> AffinePalette<S> {
         Ok(())
     }
 
-    pub(super) fn fits(&self, chunk: &Chunk<S>) -> Result<(), SkinError> {
+    pub(super) fn fits(&self, chunk: &Chunk<S>) -> Result<(), BatchError> {
         Ok(same_length(chunk.joints, self.maps.len())?)
     }
 }
@@ -133,11 +133,11 @@ impl<S: Real<Mask = bool> + Default> MotorPalette<S> {
     /// # Errors
     /// There is not one motor for each joint, or one is not a unit motor within √ε. Then the
     /// palette is as before.
-    pub fn set(&mut self, motors: &[Motor<S>]) -> Result<(), SkinError> {
+    pub fn set(&mut self, motors: &[Motor<S>]) -> Result<(), BatchError> {
         let joints = self.motors.len() / 2;
         same_length(joints, motors.len())?;
         if let Some(joint) = motors.iter().position(|motor| !is_unit(*motor)) {
-            return Err(SkinError::BadMotion { joint });
+            return Err(BatchError::BadMotion { joint });
         }
         self.stretches.clear();
         for (joint, motor) in motors.iter().enumerate() {
@@ -164,11 +164,11 @@ impl<S: Real<Mask = bool> + Default> MotorPalette<S> {
         &mut self,
         motors: &[Motor<S>],
         stretches: &[[[S; 3]; 3]],
-    ) -> Result<(), SkinError> {
+    ) -> Result<(), BatchError> {
         same_length(self.motors.len() / 2, stretches.len())?;
         let is_finite = |rows: &[[S; 3]; 3]| rows.iter().flatten().all(|x| x.is_finite());
         if let Some(joint) = stretches.iter().position(|rows| !is_finite(rows)) {
-            return Err(SkinError::BadMotion { joint });
+            return Err(BatchError::BadMotion { joint });
         }
         self.set(motors)?;
         let zero = [S::zero(); 3];
@@ -180,7 +180,7 @@ impl<S: Real<Mask = bool> + Default> MotorPalette<S> {
         Ok(())
     }
 
-    pub(super) fn fits(&self, chunk: &Chunk<S>) -> Result<(), SkinError> {
+    pub(super) fn fits(&self, chunk: &Chunk<S>) -> Result<(), BatchError> {
         same_length(2 * chunk.joints, self.motors.len())?;
         Ok(same_length(chunk.pairs, self.pairs.len())?)
     }

@@ -4,9 +4,9 @@ use super::bucket::{Bucket, TILE};
 use super::palette::{AffinePalette, MotorPalette};
 use super::posed::Posed;
 use super::tile::{Asked, Tile, is_doubtful};
-use super::{Chunk, SkinError, SkinScalar, maps};
-use crate::batch::Batch;
+use super::{Chunk, SkinScalar, maps};
 use crate::batch::error::same_length;
+use crate::batch::{Batch, BatchError};
 use crate::cga3::Point;
 use crate::instruction_set::InstructionSet;
 use crate::scalar::Real;
@@ -34,7 +34,7 @@ impl Batch {
         chunk: &Chunk<S>,
         palette: &AffinePalette<S>,
         mut posed: Posed<'_, S>,
-    ) -> Result<(), SkinError> {
+    ) -> Result<(), BatchError> {
         palette.fits(chunk)?;
         let asked = posed.check(chunk)?;
         let set = self.instruction_set;
@@ -64,7 +64,7 @@ impl Batch {
         chunk: &Chunk<S>,
         palette: &MotorPalette<S>,
         mut posed: Posed<'_, S>,
-    ) -> Result<(), SkinError> {
+    ) -> Result<(), BatchError> {
         palette.fits(chunk)?;
         let asked = posed.check(chunk)?;
         let set = self.instruction_set;
@@ -101,7 +101,7 @@ impl Batch {
         motors: &MotorPalette<S>,
         mix: Mix<'_, S>,
         mut posed: Posed<'_, S>,
-    ) -> Result<(), SkinError> {
+    ) -> Result<(), BatchError> {
         maps.fits(chunk)?;
         motors.fits(chunk)?;
         if let Mix::Each(shares) = mix {
@@ -128,7 +128,7 @@ impl Batch {
 }
 
 impl<S: SkinScalar> Posed<'_, S> {
-    fn check(&self, chunk: &Chunk<S>) -> Result<Asked, SkinError> {
+    fn check(&self, chunk: &Chunk<S>) -> Result<Asked, BatchError> {
         same_length(chunk.len, self.points.len())?;
         let asked = Asked {
             normals: !self.normals.is_empty(),
@@ -147,7 +147,7 @@ impl<S: SkinScalar> Posed<'_, S> {
                 || (asked.tangents && bucket.tangents.is_empty())
         };
         if chunk.buckets.iter().any(lacks) {
-            return Err(SkinError::NoDirections);
+            return Err(BatchError::NoDirections);
         }
         Ok(asked)
     }

@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use ga_runtime::cga3::{Motor, Point, Rotor, Similarity};
-use ga_runtime::geometry::motion::{FitError, WeightError};
+use ga_runtime::geometry::FitError;
 use ga_runtime::testing::assert_close;
 use nullcone_tests::plain::{Vector, plus};
 
@@ -25,10 +25,10 @@ fn points_that_do_not_fix_a_motion_are_refused() {
             assert_eq!(Similarity::from_point_pairs(&pairs).unwrap_err(), expected);
         }
     };
-    both(&line, &corner, FitError::Collinear);
-    both(&line, &line, FitError::Collinear);
-    both(&heap, &corner, FitError::Coincident);
-    both(&heap, &heap, FitError::Coincident);
+    both(&line, &corner, FitError::PairsCollinear);
+    both(&line, &line, FitError::PairsCollinear);
+    both(&heap, &corner, FitError::PairsCoincident);
+    both(&heap, &heap, FitError::PairsCoincident);
     // Two distinct points only span a line, however often they are repeated.
     let two = [
         [1e6, 0.3, 0.0],
@@ -36,17 +36,17 @@ fn points_that_do_not_fix_a_motion_are_refused() {
         [1e6, 0.3, 0.0],
         [1e6, 0.7, 0.1],
     ];
-    both(&two, &corner, FitError::Collinear);
+    both(&two, &corner, FitError::PairsCollinear);
     let far = line.map(|x| plus(x, [1e8, -1e8, 1e8]));
-    both(&far, &corner, FitError::Collinear);
+    both(&far, &corner, FitError::PairsCollinear);
     // Large coordinates whose differences are near the precision.
     both(
         &line.map(|x| x.map(|c| c * 1e200)),
         &corner,
-        FitError::Collinear,
+        FitError::PairsCollinear,
     );
     let rounded = [[1e16, 0.0, 0.0], [1e16 + 2.0, 0.0, 0.0], [1e16, 1e-3, 0.0]];
-    both(&rounded, &corner[..3], FitError::Coincident);
+    both(&rounded, &corner[..3], FitError::PairsCoincident);
     // A regular tetrahedron against its mirror image, and a symmetric body against its own.
     let regular = [
         [1.0, 1.0, 1.0],
@@ -57,7 +57,7 @@ fn points_that_do_not_fix_a_motion_are_refused() {
     both(
         &regular,
         &regular.map(|x| x.map(|c| -c)),
-        FitError::NotUnique,
+        FitError::RotationNotUnique,
     );
     // Too few pairs.
     for found in 0..3 {
@@ -87,9 +87,9 @@ fn directions_that_do_not_fix_a_rotation_are_refused() {
     let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let back = [-2.0, 0.0, 0.0];
     let refused = |pairs: &[(Vector, Vector)]| Rotor::from_direction_pairs(pairs).unwrap_err();
-    assert_eq!(refused(&[(x, y), (x, x)]), FitError::Collinear);
-    assert_eq!(refused(&[(x, y), (back, x)]), FitError::Collinear);
-    assert_eq!(refused(&[(x, x), (y, back)]), FitError::Collinear);
+    assert_eq!(refused(&[(x, y), (x, x)]), FitError::PairsCollinear);
+    assert_eq!(refused(&[(x, y), (back, x)]), FitError::PairsCollinear);
+    assert_eq!(refused(&[(x, x), (y, back)]), FitError::PairsCollinear);
     assert_eq!(
         refused(&[(x, x), (y, [0.0; 3])]),
         FitError::NoDirection { index: 1 }
@@ -110,12 +110,12 @@ fn directions_that_do_not_fix_a_rotation_are_refused() {
     );
     assert_eq!(
         refused(&[(x, x), (y, y), (x, [f64::NAN, 0.0, 0.0])]),
-        FitError::NotFinite { index: 2 }
+        FitError::PairNotFinite { index: 2 }
     );
     // Inverted in all axes, every rotation by 180° fits equally well.
     let z = [0.0, 0.0, 1.0];
     let inverted = [x, y, z].map(|d| (d, d.map(|c| -c)));
-    assert_eq!(refused(&inverted), FitError::NotUnique);
+    assert_eq!(refused(&inverted), FitError::RotationNotUnique);
     // The angles between the directions differ: each direction is off by the same angle.
     let fit = Rotor::from_direction_pairs(&[(x, x), (y, [0.6, 0.8, 0.0])]).unwrap();
     let excess = FRAC_PI_2 - (0.6_f64).acos();
@@ -149,7 +149,7 @@ fn bad_numbers_are_named() {
             for place in 0..3 {
                 let mut spoilt = corner;
                 spoilt[index][place] = bad;
-                let named = Err(FitError::NotFinite { index });
+                let named = Err(FitError::PairNotFinite { index });
                 assert_eq!(Motor::from_point_pairs(&paired(&spoilt, &corner)), named);
                 assert_eq!(Motor::from_point_pairs(&paired(&corner, &spoilt)), named);
             }
@@ -159,7 +159,7 @@ fn bad_numbers_are_named() {
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         let mut pairs = weighted(1.0);
         pairs[2].0 = bad;
-        let Err(FitError::Weight(WeightError::Invalid { index: 2, weight })) =
+        let Err(FitError::InvalidWeight { index: 2, weight }) =
             Motor::from_weighted_point_pairs(&pairs)
         else {
             panic!("{bad} is a weight");
@@ -167,7 +167,7 @@ fn bad_numbers_are_named() {
         assert_eq!(weight.to_bits(), bad.to_bits());
     }
     let none = Motor::from_weighted_point_pairs(&weighted(0.0));
-    assert_eq!(none, Err(FitError::Weight(WeightError::AllZero)));
+    assert_eq!(none, Err(FitError::ZeroWeights));
     // Differences beyond the range of the scalar.
     let huge = corner.map(|x| x.map(|c| (c - 0.5) * f64::MAX * 2.0));
     let lost = Motor::from_point_pairs(&paired(&huge, &corner));

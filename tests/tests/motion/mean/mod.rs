@@ -6,7 +6,7 @@ mod uniqueness;
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use ga_runtime::cga3::{Motor, MotorGenerator, Rotor, Translator};
-use ga_runtime::geometry::motion::{BlendError, MeanError, WeightError};
+use ga_runtime::geometry::FitError;
 use ga_runtime::testing::assert_close;
 use nullcone_tests::plain::{cross, length, motor_coefficients};
 use nullcone_tests::random::SplitMix64;
@@ -384,13 +384,10 @@ fn one_motor_is_its_own_mean() {
 #[test]
 fn bad_input_is_named() {
     let one = Motor::<f64>::default();
-    assert_eq!(Motor::<f64>::blend(&[]), Err(BlendError::Empty));
-    assert_eq!(
-        Motor::<f64>::mean(&[]),
-        Err(MeanError::Blend(BlendError::Empty))
-    );
+    assert_eq!(Motor::<f64>::blend(&[]), Err(FitError::NoMotions));
+    assert_eq!(Motor::<f64>::mean(&[]), Err(FitError::NoMotions));
     for bad in [-1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let Err(BlendError::Weight(WeightError::Invalid { index, weight })) =
+        let Err(FitError::InvalidWeight { index, weight }) =
             Motor::blend(&[(1.0, one), (bad, one)])
         else {
             panic!("{bad} is a weight");
@@ -400,7 +397,7 @@ fn bad_input_is_named() {
         assert!(error.to_string().starts_with("weight 0 is "), "{error}");
         let coefficient = bad * f64::INFINITY;
         let lost = Motor::new_unchecked(1.0, 0.0, 0.0, 0.0, coefficient, 0.0, 0.0, 0.0);
-        let named = BlendError::NotFinite { index: 2 };
+        let named = FitError::MotionNotFinite { index: 2 };
         let motors = [(1.0, one), (1.0, one), (0.0, lost)];
         assert_eq!(Motor::blend(&motors), Err(named));
         let lost = Rotor::new_unchecked(coefficient, 0.0, 0.0, 0.0);
@@ -408,10 +405,10 @@ fn bad_input_is_named() {
         assert_eq!(Rotor::blend(&rotors), Err(named));
     }
     let none = Motor::blend(&[(0.0, one), (0.0, one)]);
-    assert_eq!(none, Err(BlendError::Weight(WeightError::AllZero)));
+    assert_eq!(none, Err(FitError::ZeroWeights));
     assert_eq!(none.unwrap_err().to_string(), "all weights are zero");
     // Displacements whose sum is beyond the range although each is within it.
     let far = translation([f64::MAX, 0.0, 0.0]);
     let far = Motor::blend(&[(1.0, far), (1.0, far), (1.0, far)]);
-    assert_eq!(far, Err(BlendError::OutOfRange));
+    assert_eq!(far, Err(FitError::OutOfRange));
 }

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use ga_runtime::cga3::Motor;
-use ga_runtime::geometry::motion::MeanError;
+use ga_runtime::geometry::FitError;
 use ga_runtime::testing::assert_close;
 use nullcone_tests::random::SplitMix64;
 
@@ -27,7 +27,7 @@ fn rotations_all_around_have_no_mean() {
     ];
     for motors in all_around {
         let weighted: Vec<_> = motors.iter().map(|&m| (1.0, m)).collect();
-        let Err(MeanError::NotUnique { index, angle }) = Motor::mean(&weighted) else {
+        let Err(FitError::MeanNotUnique { index, angle }) = Motor::mean(&weighted) else {
             panic!("{motors:?} have a mean");
         };
         assert!(index < motors.len() && angle > 1.5 && angle <= PI);
@@ -152,7 +152,7 @@ fn a_ball_is_found_wherever_its_centre_is() {
         let edge = (0.5_f64).sqrt();
         match Motor::mean(&weighted) {
             Ok(_) => assert!(best > edge - 1e-4, "seed {seed}: {best}"),
-            Err(MeanError::NotUnique { .. }) => {
+            Err(FitError::MeanNotUnique { .. }) => {
                 refused += 1;
                 assert!(best < edge, "seed {seed}: {best}");
             }

@@ -15,7 +15,8 @@ pub use delay::CommonDelay;
 
 use super::monitor::{Monitor, Options};
 use super::stereoscopy::{Alignment, Stereoscopy};
-use super::{ComfortError, FrameMeasures, FrameMeter, Record, Tone, Viewing};
+use super::{FrameMeasures, FrameMeter, Record, Tone, Viewing};
+use crate::comfort::ComfortError;
 use crate::stereo::{Layout, StereoSource};
 use crate::{Frame, Properties, VideoError};
 use pairs::Pairs;

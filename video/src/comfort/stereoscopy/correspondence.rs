@@ -4,7 +4,8 @@ use ga_image::plane::Plane;
 use ga_numerics::order_statistics::Sorted;
 
 use super::view::{View, shrunk};
-use ga_vision::matcher::{MatchError, Matcher, MatcherOptions, Mode};
+use ga_vision::disparity::StereoError;
+use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
 
 /// The first look is taken at a third of the size.
 const FIRST_LOOK: usize = 3;
@@ -41,7 +42,7 @@ pub(super) struct Correspondence {
 }
 
 /// Matches two views; `None` where they are too small.
-pub(super) fn correspond(left: &View, right: &View) -> Result<Option<Correspondence>, MatchError> {
+pub(super) fn correspond(left: &View, right: &View) -> Result<Option<Correspondence>, StereoError> {
     if left.width().min(left.height()) < LEAST_SIDE {
         return Ok(None);
     }
@@ -100,7 +101,7 @@ fn matched(
     other: &View,
     [least, most]: [i32; 2],
     clear: f32,
-) -> Result<Plane<f32>, MatchError> {
+) -> Result<Plane<f32>, StereoError> {
     let options = MatcherOptions {
         max_disparity: (most - least + 1).clamp(1, view.width() as i32) as usize,
         mode: Mode::Balanced,

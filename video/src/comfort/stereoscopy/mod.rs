@@ -25,8 +25,7 @@ use strips::{Cues, REGION_COUNT, collect};
 
 use crate::Samples;
 pub use alignment::Alignment;
-
-use ga_vision::matcher::MatchError;
+use ga_vision::disparity::StereoError;
 
 /// How a shot uses its two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -113,7 +112,7 @@ pub(super) const IDENTICAL: f64 = 0.0006;
 /// let mut meter = StereoscopyMeter::default();
 /// meter.add(&right, &left, &Alignment::default())?;
 /// assert_eq!(meter.verdict(), Stereoscopy::Exchanged);
-/// # Ok::<(), ga_vision::matcher::MatchError>(())
+/// # Ok::<(), ga_vision::disparity::StereoError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct StereoscopyMeter {
@@ -144,13 +143,13 @@ impl StereoscopyMeter {
     ///
     /// # Errors
     ///
-    /// [`MatchError`] when the views cannot be matched.
+    /// [`StereoError`] when the views cannot be matched.
     pub fn add(
         &mut self,
         left: &Samples,
         right: &Samples,
         alignment: &Alignment,
-    ) -> Result<(), MatchError> {
+    ) -> Result<(), StereoError> {
         let [left, right] = view::reduced(left, right, alignment);
         let Some(found) = correspond(&left, &right)? else {
             return Ok(());

@@ -1,6 +1,6 @@
 //! Diffusion with sinks: `(w − μΔ) x = b` on the pixels of a picture.
 
-use super::SnakeError;
+use crate::contour::ContourError;
 use ga_numerics::conjugate_gradient::{self, NotConverged, Settings};
 
 /// The equations `wᵢ xᵢ + μ Σⱼ (xᵢ − xⱼ) = bᵢ`, where the pixels j are the two to four neighbours
@@ -41,7 +41,7 @@ impl Diffusion {
     }
 
     /// The solution, or the one of mean zero where all weights are zero.
-    pub(super) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, SnakeError> {
+    pub(super) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, ContourError> {
         const SETTINGS: Settings = Settings {
             steps: 200,
             relative_tolerance: 1e-10,
@@ -57,7 +57,7 @@ impl Diffusion {
             &SETTINGS,
         )
         .map_err(
-            |NotConverged { steps, residual }| SnakeError::FlowNotConverged { steps, residual },
+            |NotConverged { steps, residual }| ContourError::FlowNotConverged { steps, residual },
         )?;
         if finest.weights.iter().all(|weight| *weight == 0.0) {
             let mean = solution.iter().sum::<f64>() / solution.len() as f64;

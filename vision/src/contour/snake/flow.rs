@@ -2,8 +2,8 @@
 
 use ga_image::plane::Plane;
 
-use super::SnakeError;
 use super::diffusion::Diffusion;
+use crate::contour::ContourError;
 
 /// How far the forces of edges reach.
 ///
@@ -51,17 +51,17 @@ impl Flow {
     /// let [across, down] = Flow::default().field(&edge)?;
     /// assert!(across.row(4)[2] > 0.1 && across.row(4)[35] < -0.1);
     /// assert!(down.values().iter().all(|force| force.abs() < 1e-6));
-    /// # Ok::<(), ga_vision::contour::snake::SnakeError>(())
+    /// # Ok::<(), ga_vision::contour::ContourError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`SnakeError`] for a μ that is not positive and finite, fewer than 2 × 2 pixels, values that
-    /// are not finite, and equations whose solution is beyond the accuracy of the numbers.
-    pub fn field(&self, strength: &Plane<f32>) -> Result<[Plane<f64>; 2], SnakeError> {
+    /// [`ContourError`] for a μ that is not positive and finite, fewer than 2 × 2 pixels, values
+    /// that are not finite, and equations whose solution is beyond the accuracy of the numbers.
+    pub fn field(&self, strength: &Plane<f32>) -> Result<[Plane<f64>; 2], ContourError> {
         let mu = self.smoothness;
         if !(mu > 0.0 && mu.is_finite()) {
-            return Err(SnakeError::Setting {
+            return Err(ContourError::Setting {
                 setting: "smoothness of the flow",
                 value: mu,
             });
@@ -94,7 +94,7 @@ impl Flow {
     }
 
     /// The potential of the flow of edges whose strength is given.
-    pub(super) fn potential(&self, strength: &Plane<f32>) -> Result<Plane<f32>, SnakeError> {
+    pub(super) fn potential(&self, strength: &Plane<f32>) -> Result<Plane<f32>, ContourError> {
         let [across, down] = self.field(strength)?;
         let (width, height) = (across.width(), across.height());
         let poisson = Diffusion::new([width, height], 1.0, vec![0.0; width * height]);
@@ -146,15 +146,15 @@ fn central(plane: &Plane<f64>) -> [Plane<f64>; 2] {
 }
 
 /// Columns and rows of a plane that has slopes, all of whose values are finite.
-pub(super) fn check_plane(plane: &Plane<f32>) -> Result<[usize; 2], SnakeError> {
+pub(super) fn check_plane(plane: &Plane<f32>) -> Result<[usize; 2], ContourError> {
     let (width, height) = (plane.width(), plane.height());
     if width.min(height) < 2 {
-        return Err(SnakeError::TooSmall { width, height });
+        return Err(ContourError::TooSmall { width, height });
     }
     let wrong = plane.values().iter().position(|value| !value.is_finite());
     match wrong {
         None => Ok([width, height]),
-        Some(index) => Err(SnakeError::NotFinite {
+        Some(index) => Err(ContourError::PixelNotFinite {
             column: index % width,
             row: index / width,
         }),

@@ -2,17 +2,16 @@
 
 mod check;
 mod diffusion;
-mod error;
 mod flow;
 mod options;
 mod potential;
 
-pub use error::SnakeError;
 pub use flow::Flow;
 pub use options::SnakeOptions;
 pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};
+use crate::contour::ContourError;
 use ga_numerics::banded::ring::Ring;
 use ga_numerics::least_squares::{Attempt, Damping, Descent, Search};
 
@@ -104,7 +103,7 @@ pub struct Settled {
 ///
 /// # Errors
 ///
-/// [`SnakeError`] for fewer than six points, points that are all at one place, settings that are
+/// [`ContourError`] for fewer than six points, points that are all at one place, settings that are
 /// not positive and finite, an energy beyond the range of numbers, and a point outside the picture,
 /// at the beginning or after a step.
 pub fn settle(
@@ -112,7 +111,7 @@ pub fn settle(
     potential: &Potential,
     options: &SnakeOptions,
     mut each_step: impl FnMut(&SnakeStep<'_>),
-) -> Result<Settled, SnakeError> {
+) -> Result<Settled, ContourError> {
     check::check(start, potential, options)?;
     let mut motion = Motion::new(start, potential, options);
     motion.check_energy()?;
@@ -243,7 +242,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    fn check_energy(&self) -> Result<(), SnakeError> {
+    fn check_energy(&self) -> Result<(), ContourError> {
         let mut slopes = self.slopes.as_flattened().iter();
         if self.energy.is_finite() && slopes.all(|slope| slope.is_finite()) {
             return Ok(());
@@ -251,8 +250,8 @@ impl<'a> Motion<'a> {
         Err(self.energy_not_finite())
     }
 
-    fn energy_not_finite(&self) -> SnakeError {
-        SnakeError::EnergyNotFinite {
+    fn energy_not_finite(&self) -> ContourError {
+        ContourError::EnergyNotFinite {
             tension: self.options.tension,
             rigidity: self.options.rigidity,
         }
@@ -260,7 +259,7 @@ impl<'a> Motion<'a> {
 
     /// Moves the points, and gives the greatest distance. It is 0 where the energy cannot fall by
     /// more than its rounding errors.
-    fn step(&mut self, search: &mut Search) -> Result<f64, SnakeError> {
+    fn step(&mut self, search: &mut Search) -> Result<f64, ContourError> {
         while !search.is_exhausted() {
             let outcome = search.step(self);
             if outcome.is_accepted {

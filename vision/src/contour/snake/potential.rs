@@ -5,7 +5,8 @@ use ga_image::filter::{Border, Gaussian};
 use ga_image::interpolation::cubic_weights;
 use ga_image::plane::Plane;
 
-use super::{Flow, SnakeError};
+use super::Flow;
+use crate::contour::ContourError;
 
 /// The potential energy of places in a picture: low where a snake should lie.
 ///
@@ -23,7 +24,7 @@ use super::{Flow, SnakeError};
 /// assert!((value + 1.0).abs() < 0.1 && slope[0].abs() < 1e-6);
 /// let (value, slope) = potential.at([12.0, 4.0]);
 /// assert!(value > -0.6 && slope[0] > 0.1);
-/// # Ok::<(), ga_vision::contour::snake::SnakeError>(())
+/// # Ok::<(), ga_vision::contour::ContourError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Potential {
@@ -35,8 +36,8 @@ impl Potential {
     ///
     /// # Errors
     ///
-    /// [`SnakeError`] for fewer than 2 × 2 pixels and values that are not finite.
-    pub fn new(values: Plane<f32>) -> Result<Self, SnakeError> {
+    /// [`ContourError`] for fewer than 2 × 2 pixels and values that are not finite.
+    pub fn new(values: Plane<f32>) -> Result<Self, ContourError> {
         check_plane(&values)?;
         Ok(Self { values })
     }
@@ -49,7 +50,7 @@ impl Potential {
     ///
     /// As [`new`](Self::new), for the pixels of the picture, and for a `sigma` of which there is no
     /// Gaussian.
-    pub fn edges(picture: &Plane<f32>, sigma: f64) -> Result<Self, SnakeError> {
+    pub fn edges(picture: &Plane<f32>, sigma: f64) -> Result<Self, ContourError> {
         Self::new(steepness(picture, sigma)?.map(|value| -value))
     }
 
@@ -59,7 +60,7 @@ impl Potential {
     /// # Errors
     ///
     /// As [`edges`](Self::edges) and [`Flow::field`].
-    pub fn flow(picture: &Plane<f32>, sigma: f64, flow: &Flow) -> Result<Self, SnakeError> {
+    pub fn flow(picture: &Plane<f32>, sigma: f64, flow: &Flow) -> Result<Self, ContourError> {
         Self::new(flow.potential(&steepness(picture, sigma)?)?)
     }
 
@@ -139,7 +140,7 @@ fn taps(place: f64, length: usize) -> ([usize; 4], [[f64; 4]; 3]) {
 
 /// The length of the slope of a blurred picture, by Sobel's weights, times σ √(2π): 1 at a straight
 /// edge from 0 to 1 where the blur is wide.
-fn steepness(picture: &Plane<f32>, sigma: f64) -> Result<Plane<f32>, SnakeError> {
+fn steepness(picture: &Plane<f32>, sigma: f64) -> Result<Plane<f32>, ContourError> {
     let gaussian = Gaussian::new(sigma)?;
     // Before the blur, which spreads a wrong pixel over all within its reach.
     check_plane(picture)?;

@@ -1,10 +1,9 @@
 //! Stretches of a curve on the planes of their neighbours.
 
+use crate::contour::ContourError;
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{Matrix3, Vector3};
-
-use super::SpaceCurveError;
 
 /// The distances along rays, with those that are missing from planes through both ends of the
 /// stretch.
@@ -17,7 +16,7 @@ use super::SpaceCurveError;
 pub(super) fn bridge(
     rays: &[Ray<f64>],
     distances: &[Option<f64>],
-) -> Result<Vec<f64>, SpaceCurveError> {
+) -> Result<Vec<f64>, ContourError> {
     let count = rays.len();
     let known = |index: usize| distances[index % count].map(f64::recip);
     let direction = |index: usize| Vector::from(rays[index % count].direction());
@@ -57,7 +56,7 @@ pub(super) fn bridge(
             };
             let index = missing % count;
             if !is_in_front(reciprocal) {
-                return Err(SpaceCurveError::NotBridged { index });
+                return Err(ContourError::NotBridged { index });
             }
             bridged[index] = reciprocal.recip();
         }

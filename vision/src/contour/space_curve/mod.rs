@@ -2,10 +2,7 @@
 
 mod bridge;
 mod candidates;
-mod error;
 mod order;
-
-pub use error::SpaceCurveError;
 
 use std::f64::consts::PI;
 
@@ -13,6 +10,7 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 
 use super::polygon::{distance_to, perimeter, signed_area};
+use crate::contour::ContourError;
 use bridge::bridge;
 use candidates::{Candidate, candidates};
 use ga_camera::rig::StereoRig;
@@ -131,7 +129,7 @@ impl SpaceCurve {
 ///
 /// # Errors
 ///
-/// [`SpaceCurveError`] for fewer than eight points, pixels without a ray, cameras at one place, a
+/// [`ContourError`] for fewer than eight points, pixels without a ray, cameras at one place, a
 /// contour along the epipolar lines, contours of which no part is seen by both cameras, and
 /// contours that are not of one curve.
 pub fn space_curve(
@@ -139,7 +137,7 @@ pub fn space_curve(
     left: &[[f64; 2]],
     right: &[[f64; 2]],
     options: &SpaceCurveOptions,
-) -> Result<SpaceCurve, SpaceCurveError> {
+) -> Result<SpaceCurve, ContourError> {
     /// At least this part of the points at which the left contour crosses epipolar lines needs a
     /// counterpart.
     const LEAST_SHARE: f64 = 0.1;
@@ -154,16 +152,16 @@ pub fn space_curve(
     let right_rays = rays(&rig.right, &right, "right")?;
     for (view, area) in [("left", left_area), ("right", right_area)] {
         if area.is_nan() || area == 0.0 {
-            return Err(SpaceCurveError::NoArea { view });
+            return Err(ContourError::NoArea { view });
         }
     }
     if rig.baseline().is_nan() || rig.baseline() <= 0.0 {
-        return Err(SpaceCurveError::Cameras(TriangulationError::NoBaseline));
+        return Err(ContourError::Cameras(TriangulationError::NoBaseline));
     }
     let found = candidates(&left_rays, &right_rays, options.least_angle.sin());
     let crossing = found.iter().flatten().count();
     if crossing < LEAST {
-        return Err(SpaceCurveError::AlongLines {
+        return Err(ContourError::AlongLines {
             crossing,
             count: left.len(),
             least: LEAST,
@@ -171,12 +169,12 @@ pub fn space_curve(
     }
     let found: Vec<_> = found.into_iter().map(Option::unwrap_or_default).collect();
     if found.iter().all(Vec::is_empty) {
-        return Err(SpaceCurveError::NoOverlap);
+        return Err(ContourError::NoOverlap);
     }
     let chosen = in_order(&found, &fractions(left), &fractions(&right));
     let matched = chosen.iter().flatten().count();
     if (matched as f64) < LEAST_SHARE * crossing as f64 || matched < LEAST {
-        return Err(SpaceCurveError::TooFewMatches { matched, crossing });
+        return Err(ContourError::TooFewMatches { matched, crossing });
     }
     let depths: Vec<Option<f64>> = chosen
         .iter()
@@ -194,7 +192,7 @@ pub fn space_curve(
     let greatest = GREATEST_DEVIATION * perimeter(&right) / PI;
     match points.iter().position(|point| point.deviation > greatest) {
         None => Ok(SpaceCurve { points }),
-        Some(index) => Err(SpaceCurveError::Apart {
+        Some(index) => Err(ContourError::Apart {
             index,
             deviation: points[index].deviation,
         }),
@@ -208,17 +206,17 @@ fn rays(
     camera: &Camera,
     pixels: &[[f64; 2]],
     view: &'static str,
-) -> Result<Vec<Ray<f64>>, SpaceCurveError> {
+) -> Result<Vec<Ray<f64>>, ContourError> {
     let count = pixels.len();
     if count < LEAST {
         let least = LEAST;
-        return Err(SpaceCurveError::TooFew { view, count, least });
+        return Err(ContourError::ContourTooFew { view, count, least });
     }
     let pixels = pixels.iter().enumerate();
     pixels
         .map(|(index, pixel)| {
             let ray = camera.ray(*pixel);
-            ray.map_err(|error| SpaceCurveError::Camera {
+            ray.map_err(|error| ContourError::Camera {
                 view,
                 index,
                 error: Box::new(error),
@@ -263,9 +261,9 @@ fn bridged(
     position: Point<f64>,
     left: [f64; 2],
     right: &[[f64; 2]],
-) -> Result<SpaceCurvePoint, SpaceCurveError> {
+) -> Result<SpaceCurvePoint, ContourError> {
     let of_point = |view| {
-        move |error: CameraError| SpaceCurveError::Camera {
+        move |error: CameraError| ContourError::Camera {
             view,
             index,
             error: Box::new(error),
@@ -275,7 +273,7 @@ fn bridged(
     let (deviation, nearest) = distance_to(right, seen);
     let ray = rig.right.ray(nearest).map_err(of_point("right"))?;
     let own = rig.left.ray(left).map_err(of_point("left"))?;
-    let rays = triangulate(own, ray).map_err(|_| SpaceCurveError::NotBridged { index })?;
+    let rays = triangulate(own, ray).map_err(|_| ContourError::NotBridged { index })?;
     Ok(SpaceCurvePoint {
         position,
         left,

@@ -9,8 +9,8 @@ use std::path::Path;
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
-use ga_vision::contour::fit::{self, FitError};
-use ga_vision::contour::{borders, centroid, perimeter, resampled, signed_area};
+use ga_vision::contour::fit::{self};
+use ga_vision::contour::{ContourError, borders, centroid, perimeter, resampled, signed_area};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -188,21 +188,21 @@ fn points_that_determine_no_ellipse_are_errors() {
     let line: Vec<[f64; 2]> = (0..8).map(|k| [f64::from(k), 2.0 * f64::from(k)]).collect();
     assert!(matches!(
         fit::ellipse(&line),
-        Err(FitError::Degenerate { .. })
+        Err(ContourError::Degenerate { .. })
     ));
     assert!(matches!(
         fit::ellipse(&[[1.0, 2.0]; 5]),
-        Err(FitError::Degenerate { .. })
+        Err(ContourError::Degenerate { .. })
     ));
     assert!(matches!(
         fit::ellipse(&line[..4]),
-        Err(FitError::TooFew { count: 4, least: 5 })
+        Err(ContourError::EllipseTooFew { count: 4, least: 5 })
     ));
     let mut wrong = line.clone();
     wrong[1] = [1.0, f64::NAN];
     assert_eq!(
         fit::ellipse(&wrong).err(),
-        Some(FitError::NotFinite { index: 1 })
+        Some(ContourError::EllipseNotFinite { index: 1 })
     );
 }
 

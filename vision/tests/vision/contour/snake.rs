@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use ga_image::plane::Plane;
-use ga_vision::contour::snake::{self, Flow, Potential, SnakeError, SnakeOptions};
-use ga_vision::contour::{OutlineError, outline, perimeter, resampled};
+use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
+use ga_vision::contour::{ContourError, outline, perimeter, resampled};
 use nullcone_shared_data::shared;
 
 use super::{grey, truth};
@@ -182,7 +182,7 @@ fn outlines_are_those_of_the_largest_things() {
     assert!(
         matches!(
             cut,
-            Err(OutlineError::LeavesPicture {
+            Err(ContourError::LeavesPicture {
                 pixel: [59, _],
                 size: [60, 50]
             })
@@ -190,9 +190,9 @@ fn outlines_are_those_of_the_largest_things() {
         "{cut:?}"
     );
     let none = outline(&disk(30.0, false), 1000.0);
-    assert_eq!(none, Err(OutlineError::NoBorder { least_area: 1000.0 }));
+    assert_eq!(none, Err(ContourError::NoBorder { least_area: 1000.0 }));
     let level = outline(&Plane::filled(9, 8, 7u8), 1.0);
-    assert_eq!(level, Err(OutlineError::OneLevel));
+    assert_eq!(level, Err(ContourError::OneLevel));
 }
 
 /// Points that are placed at equal distances have moved. A snake has not settled while that goes
@@ -267,8 +267,8 @@ fn snakes_that_cannot_be_are_errors() {
         snake::settle(start, &potential, options, |_| {}).unwrap_err()
     };
     let few = fails(&start[..5], &options);
-    assert_eq!(few, SnakeError::TooFew { count: 5, least: 6 });
-    let outside = SnakeError::Outside {
+    assert_eq!(few, ContourError::SnakeTooFew { count: 5, least: 6 });
+    let outside = ContourError::Outside {
         index: 0,
         point: [30.0, 10.0],
         size: [30, 20],
@@ -279,28 +279,28 @@ fn snakes_that_cannot_be_are_errors() {
     );
     assert_eq!(
         fails(&[[15.0, 10.0]; 8], &options),
-        SnakeError::NoLength { spacing: 0.0 }
+        ContourError::NoLength { spacing: 0.0 }
     );
     let mut wrong = start.clone();
     wrong[7][1] = f64::NAN;
     let error = fails(&wrong, &options);
-    assert!(matches!(error, SnakeError::Outside { index: 7, .. }));
+    assert!(matches!(error, ContourError::Outside { index: 7, .. }));
     let negative = SnakeOptions {
         tension: -1.0,
         ..options
     };
-    let setting = SnakeError::Setting {
+    let setting = ContourError::Setting {
         setting: "tension",
         value: -1.0,
     };
     assert_eq!(fails(&start, &negative), setting);
     assert!(matches!(
         Potential::edges(&picture, -1.0),
-        Err(SnakeError::Sigma(_))
+        Err(ContourError::Sigma(_))
     ));
     let mut wrong = picture.clone();
     wrong.row_mut(13)[17] = f32::NAN;
-    let named = SnakeError::NotFinite {
+    let named = ContourError::PixelNotFinite {
         column: 17,
         row: 13,
     };
@@ -319,13 +319,13 @@ fn snakes_that_cannot_be_are_errors() {
     };
     let error = fails(&snake::circle([15.0, 10.0], 9.0, 20), &great);
     assert!(
-        matches!(error, SnakeError::EnergyNotFinite { tension: 1e308, .. }),
+        matches!(error, ContourError::EnergyNotFinite { tension: 1e308, .. }),
         "{error}"
     );
     let small = Potential::new(Plane::filled(1, 5, 0.0));
     assert_eq!(
         small.err(),
-        Some(SnakeError::TooSmall {
+        Some(ContourError::TooSmall {
             width: 1,
             height: 5
         })

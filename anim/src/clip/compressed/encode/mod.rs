@@ -16,7 +16,8 @@ use super::pack::{Segment, frames_of, segment_count};
 use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
 use super::settings::Settings;
 use super::tables::{Channel, channels};
-use super::{CompressError, CompressedClip, Measured, file, measure};
+use super::{CompressedClip, Measured, file, measure};
+use crate::clip::ClipError;
 use crate::recording::Recording;
 use search::Search;
 use source::Source;
@@ -61,9 +62,9 @@ const MOST_JOINTS: usize = 4096;
 ///
 /// # Errors
 ///
-/// [`CompressError::Setting`], [`CompressError::Joint`], [`CompressError::TooManyJoints`] past 4096
-/// joints, and [`CompressError::Bound`] or
-/// [`CompressError::Track`] where a bound is too small for the lengths or values at hand.
+/// [`ClipError::Setting`], [`ClipError::BoundJoint`], [`ClipError::TooManyJoints`] past 4096
+/// joints, and [`ClipError::Bound`] or
+/// [`ClipError::Track`] where a bound is too small for the lengths or values at hand.
 ///
 /// # Examples
 ///
@@ -94,14 +95,14 @@ pub fn compress(
     recording: &Recording,
     settings: &Settings,
     progress: impl Fn(usize, usize) + Sync,
-) -> Result<CompressedClip, CompressError> {
+) -> Result<CompressedClip, ClipError> {
     let joints = recording.joints().len();
     settings.check(joints)?;
     if joints > MOST_JOINTS {
         let most = MOST_JOINTS;
-        return Err(CompressError::TooManyJoints { joints, most });
+        return Err(ClipError::TooManyJoints { joints, most });
     }
-    let mut result = Err(CompressError::Bound {
+    let mut result = Err(ClipError::Bound {
         joint: recording.joints()[0].name.clone(),
         tolerance: settings.tolerance,
         error: f64::INFINITY,
@@ -113,7 +114,7 @@ pub fn compress(
     };
     for negligible in NEGLIGIBLE {
         result = compress_with(recording, settings, negligible, &steps);
-        if !matches!(result, Err(CompressError::Bound { .. })) {
+        if !matches!(result, Err(ClipError::Bound { .. })) {
             break;
         }
     }
@@ -125,7 +126,7 @@ fn compress_with(
     settings: &Settings,
     negligible: f64,
     steps: &Steps<impl Fn(usize, usize) + Sync>,
-) -> Result<CompressedClip, CompressError> {
+) -> Result<CompressedClip, ClipError> {
     let joint_bounds = settings.bounds(recording.joints().len());
     let source = Source::new(recording, joint_bounds, negligible)?;
     let frames = recording.frame_count();
@@ -151,7 +152,7 @@ fn compress_with(
     let mut worst = None;
     for repetition in 0..REPETITIONS {
         steps.add(todo.len());
-        let encoded: Result<Vec<Option<Segment>>, CompressError> = todo
+        let encoded: Result<Vec<Option<Segment>>, ClipError> = todo
             .par_iter()
             .map(|&(segment, needed)| {
                 let encoded = encoder.encode(segment, bounds[segment]);
@@ -190,7 +191,7 @@ fn compress_with(
         todo = again;
     }
     let (joint, frame) = worst.map_or((0, 0), |found| (found.joint, found.frame));
-    Err(CompressError::Precision {
+    Err(ClipError::Precision {
         joint: recording.joints()[joint].name.clone(),
         frame,
         tolerance: source.bounds[joint].tolerance,
@@ -228,14 +229,14 @@ struct SegmentEncoder<'a> {
 
 impl SegmentEncoder<'_> {
     /// A segment whose errors are within a bound, in tolerances.
-    fn encode(&self, segment: usize, bound: f64) -> Result<Segment, CompressError> {
+    fn encode(&self, segment: usize, bound: f64) -> Result<Segment, ClipError> {
         let source = self.source;
         let basis = &self.bases[usize::from(segment + 1 == self.segments)];
         let budget = BUDGET * source.joints();
         let search = Search::new(source, basis, segment * SEGMENT, bound, budget);
         let joints = search.run().map_err(|(joint, error)| {
             let tolerance = source.bounds[joint].tolerance;
-            CompressError::Bound {
+            ClipError::Bound {
                 joint: source.recording.joints()[joint].name.clone(),
                 tolerance,
                 error: error * tolerance,
@@ -255,10 +256,10 @@ fn check_tracks(
     recording: &Recording,
     settings: &Settings,
     errors: &[Measured],
-) -> Result<(), CompressError> {
+) -> Result<(), ClipError> {
     let tolerance = settings.track_tolerance;
     match errors.iter().find(|found| found.track_error > tolerance) {
-        Some(found) => Err(CompressError::Track {
+        Some(found) => Err(ClipError::Track {
             track: recording.tracks()[found.track].name.clone(),
             tolerance,
         }),
@@ -283,7 +284,7 @@ fn tracks(
     recording: &Recording,
     settings: &Settings,
     bases: &[Basis; 2],
-) -> Result<Vec<Track>, CompressError> {
+) -> Result<Vec<Track>, ClipError> {
     // A little is left for single precision.
     let tolerance = 0.99 * settings.track_tolerance;
     let mut tracks = Vec::with_capacity(recording.tracks().len());
@@ -305,7 +306,7 @@ fn tracks(
                     *deviation = value - constant;
                 }
                 let piece =
-                    within(basis, &deviations, tolerance).ok_or_else(|| CompressError::Track {
+                    within(basis, &deviations, tolerance).ok_or_else(|| ClipError::Track {
                         track: track.name.clone(),
                         tolerance: settings.track_tolerance,
                     })?;

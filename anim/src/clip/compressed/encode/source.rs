@@ -11,7 +11,8 @@ use super::super::layout::{self, JointLayout, Part};
 use super::super::settings::JointBound;
 use super::super::shell::{Sizes, least_of};
 use super::hierarchy::Hierarchy;
-use crate::recording::{ModelSpaceError, Recording, model_maps};
+use crate::kinematics::KinematicsError;
+use crate::recording::{Recording, model_maps};
 
 /// A recording in model space, and the layout of its channels.
 pub(super) struct Source<'a> {
@@ -77,7 +78,7 @@ impl<'a> Source<'a> {
         recording: &'a Recording,
         bounds: Vec<JointBound>,
         negligible: f64,
-    ) -> Result<Self, ModelSpaceError> {
+    ) -> Result<Self, KinematicsError> {
         let count = recording.joints().len();
         let mut models = vec![Affine::default(); recording.locals().len()];
         for (locals, models) in recording

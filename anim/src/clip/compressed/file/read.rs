@@ -5,7 +5,8 @@ use super::super::pack::{Codes, Segment, frames_of, segment_count};
 use super::super::settings::{JointBound, Settings};
 use super::super::tables::{Channel, channels};
 use super::cursor::Cursor;
-use super::{FileError, HEADER, MAGIC, MOST_BIVECTOR, MOST_CHANNELS, MOST_LENGTH, VERSION, joints};
+use super::{HEADER, MAGIC, MOST_BIVECTOR, MOST_CHANNELS, MOST_LENGTH, VERSION, joints};
+use crate::clip::ClipError;
 use crate::transform::Transform;
 
 /// What a file says beside its segments.
@@ -30,11 +31,11 @@ pub(in super::super) struct Track {
 }
 
 /// Reads a file. Nothing is allocated that the bytes do not fill.
-pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), FileError> {
+pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), ClipError> {
     let header = Header::read(bytes)?;
     let [names, constants, packed] = header.sections(bytes)?;
     let (joint_count, track_count) = (header.joints as usize, header.tracks as usize);
-    let invalid = |what, index: usize| FileError::Invalid {
+    let invalid = |what, index: usize| ClipError::Invalid {
         what,
         index: index as u64,
     };
@@ -114,12 +115,12 @@ struct Header {
 const SECTIONS: [&str; 3] = ["names", "joints", "segments"];
 
 impl Header {
-    fn read(bytes: &[u8]) -> Result<Self, FileError> {
+    fn read(bytes: &[u8]) -> Result<Self, ClipError> {
         let begin = &bytes[..bytes.len().min(MAGIC.len())];
         if !MAGIC.starts_with(begin) || begin.is_empty() {
-            return Err(FileError::NotAClip);
+            return Err(ClipError::NotAClip);
         }
-        let truncated = FileError::Truncated {
+        let truncated = ClipError::Truncated {
             section: "header",
             expected: HEADER as u64,
             found: bytes.len() as u64,
@@ -127,14 +128,14 @@ impl Header {
         let header = bytes.get(..HEADER).ok_or(truncated.clone())?;
         let (numbers, sum) = header.split_at(HEADER - 4);
         if Cursor::new(sum).u32() != Some(crc32fast::hash(numbers)) {
-            return Err(FileError::Checksum {
+            return Err(ClipError::Checksum {
                 section: "numbers at the beginning",
             });
         }
         let mut cursor = Cursor::new(&numbers[MAGIC.len()..]);
         let version = cursor.u32().ok_or(truncated.clone())?;
         if version != VERSION {
-            return Err(FileError::Version(version));
+            return Err(ClipError::Version(version));
         }
         let mut whole = || cursor.u32().ok_or(truncated.clone());
         let [joints, frames, tracks, bounds] = [whole()?, whole()?, whole()?, whole()?];
@@ -142,7 +143,7 @@ impl Header {
         let mut number = || {
             cursor
                 .f64()
-                .ok_or(FileError::Header("a number at the beginning is not finite"))
+                .ok_or(ClipError::Header("a number at the beginning is not finite"))
         };
         let frame_time = number()?;
         let settings = Settings {
@@ -156,11 +157,11 @@ impl Header {
             ("the number of frames is", frames),
         ] {
             if count == 0 {
-                return Err(FileError::Invalid { what, index: 0 });
+                return Err(ClipError::Invalid { what, index: 0 });
             }
         }
         if frame_time <= 0.0 {
-            return Err(FileError::Header("the frame time is not positive"));
+            return Err(ClipError::Header("the frame time is not positive"));
         }
         Ok(Self {
             joints,
@@ -174,7 +175,7 @@ impl Header {
     }
 
     /// The bytes of the sections, each whole by its checksum.
-    fn sections<'a>(&self, bytes: &'a [u8]) -> Result<[&'a [u8]; 3], FileError> {
+    fn sections<'a>(&self, bytes: &'a [u8]) -> Result<[&'a [u8]; 3], ClipError> {
         let found = bytes.len() as u64;
         let mut sections = [&bytes[..0]; 3];
         let mut begin = HEADER as u64;
@@ -182,7 +183,7 @@ impl Header {
         {
             let end = begin + u64::from(length) + 4;
             if end > found {
-                return Err(FileError::Truncated {
+                return Err(ClipError::Truncated {
                     section,
                     expected: end,
                     found,
@@ -191,13 +192,13 @@ impl Header {
             let whole = &bytes[begin as usize..end as usize];
             let (contents, sum) = whole.split_at(length as usize);
             if Cursor::new(sum).u32() != Some(crc32fast::hash(contents)) {
-                return Err(FileError::Checksum { section });
+                return Err(ClipError::Checksum { section });
             }
             *place = contents;
             begin = end;
         }
         if found > begin {
-            return Err(FileError::TooLong {
+            return Err(ClipError::TooLong {
                 expected: begin,
                 found,
             });
@@ -238,9 +239,9 @@ fn limits(parsed: &Parsed) -> Vec<f64> {
         .collect()
 }
 
-fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, FileError> {
+fn segments(packed: &[u8], parsed: &Parsed) -> Result<Vec<Segment>, ClipError> {
     let limits = limits(parsed);
-    let invalid = |what, index: usize| FileError::Invalid {
+    let invalid = |what, index: usize| ClipError::Invalid {
         what,
         index: index as u64,
     };

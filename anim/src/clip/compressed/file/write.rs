@@ -3,7 +3,8 @@ use super::super::layout::JointLayout;
 use super::super::pack::{Codes, Segment};
 use super::super::settings::Settings;
 use super::cursor::put_variable;
-use super::{FileError, HEADER, MAGIC, VERSION, joints};
+use super::{HEADER, MAGIC, VERSION, joints};
+use crate::clip::ClipError;
 use crate::recording::Recording;
 
 /// What a file says beside its segments.
@@ -19,11 +20,11 @@ pub(in super::super) struct Contents<'a> {
 pub(in super::super) fn to_bytes(
     contents: &Contents,
     segments: &[Segment],
-) -> Result<Vec<u8>, FileError> {
+) -> Result<Vec<u8>, ClipError> {
     let recording = contents.recording;
     let sections = [names(recording), constants(contents), packed(segments)];
     let count =
-        |what, count: usize| u32::try_from(count).map_err(|_| FileError::TooMany { what, count });
+        |what, count: usize| u32::try_from(count).map_err(|_| ClipError::TooMany { what, count });
     let mut bytes = MAGIC.to_vec();
     for number in [
         VERSION,

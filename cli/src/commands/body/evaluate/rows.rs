@@ -5,10 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow};
-use ga_body::evaluation::{
-    Disturbance, Scores, SimulationError, score, simulate, triangulated_points,
-};
-use ga_body::{BodyError, BodyFit, ClipError, FittedPose};
+use ga_body::evaluation::{Disturbance, Scores, score, simulate, triangulated_points};
+use ga_body::{BodyError, BodyFit, FittedPose};
 use ga_camera::observation::ObservationError;
 use ga_runtime::cga3::Point;
 use serde::Serialize;
@@ -214,9 +212,12 @@ fn measure_stretch(
     let begin = Instant::now();
     let poses = fit.clip(&seen, motion.frames_per_second);
     let seconds = begin.elapsed().as_secs_f64();
-    let poses = poses.map_err(|ClipError { frame, error }| ClipError {
-        frame: stretch.number_in_file(frame),
-        error,
+    let poses = poses.map_err(|error| match error {
+        BodyError::Frame { frame, error } => BodyError::Frame {
+            frame: stretch.number_in_file(frame),
+            error,
+        },
+        error => error,
     })?;
     let poses: Vec<_> = poses.into_iter().map(Some).collect();
     let clip = (scores(&points(&poses, motion))?, seconds);
@@ -224,8 +225,8 @@ fn measure_stretch(
 }
 
 /// The same with the frame of the file and the name of the joint.
-fn with_names(error: SimulationError, motion: &Motion, stretch: &Stretch) -> anyhow::Error {
-    let SimulationError::Observation { frame, view, error } = &error else {
+fn with_names(error: BodyError, motion: &Motion, stretch: &Stretch) -> anyhow::Error {
+    let BodyError::Observation { frame, view, error } = &error else {
         return error.into();
     };
     let frame = stretch.number_in_file(*frame);

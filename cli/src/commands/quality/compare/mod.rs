@@ -18,7 +18,8 @@ use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
-use ga_video::quality::{ComparisonError, FrameQuality, VideoComparison};
+use ga_video::VideoError;
+use ga_video::quality::{FrameQuality, VideoComparison};
 
 use crate::files::Files;
 use crate::format::Format;
@@ -125,7 +126,7 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
     let progress = Progress::new(count.unwrap_or(0) as u64, quiet);
     progress.step("comparing");
     let mut frames = Vec::new();
-    let failure: Option<ComparisonError> = loop {
+    let failure: Option<VideoError> = loop {
         match comparison.next() {
             Some(Ok(frame)) => frames.push(frame),
             Some(Err(error)) => break Some(error),

@@ -4,13 +4,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::quadric::SquareMoments;
 use super::radial::Radial;
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Circle, Point};
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -33,8 +33,8 @@ fits! {
     ///
     /// # Errors
     /// Fewer than three points, numbers that are not finite, coincident or collinear points,
-    /// [`PrimitiveFitError::Flat`] where a line fits as well as any circle, and
-    /// [`PrimitiveFitError::NotUnique`] where no plane fits best.
+    /// [`FitError::Flat`] where a line fits as well as any circle, and
+    /// [`FitError::NotUnique`] where no plane fits best.
     ///
     /// ```
     /// use ga_runtime::cga3::{Circle, Point};
@@ -54,7 +54,7 @@ impl<S: Real<Mask = bool>> Circle<S> {
     ///
     /// # Errors
     /// Those of [`Circle::fit`].
-    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, PrimitiveFitError<S>> {
+    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, FitError<S>> {
         super::interface::start(points)
     }
 }
@@ -90,7 +90,7 @@ impl<S: Real<Mask = bool>> Shape<S, 6> for Circle<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         cloud.require_gap(1)?;
         let [(_, u), (_, v), (_, normal)] = cloud.principal;
         let vectors = cloud.points.iter().map(|&(weight, place)| {
@@ -98,7 +98,7 @@ impl<S: Real<Mask = bool>> Shape<S, 6> for Circle<S> {
             (weight, [x.mul_add(x, y * y), x, y])
         });
         let place = SquareMoments::of(vectors, cloud.total).place([u, v], normal);
-        Ok(vec![place.ok_or(PrimitiveFitError::NotUnique)?])
+        Ok(vec![place.ok_or(FitError::NotUnique)?])
     }
 
     fn oriented(place: Place<S>) -> Place<S> {

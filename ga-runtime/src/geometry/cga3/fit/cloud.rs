@@ -2,9 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::error::PrimitiveFitError;
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::{symmetric, symmetric_eigen};
-use crate::geometry::cga3::weight::{WeightError, checked};
+use crate::geometry::cga3::weight::checked;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -32,14 +32,14 @@ impl<S: Real<Mask = bool>> Cloud<S> {
     pub(super) fn of(
         points: impl ExactSizeIterator<Item = Weighted<S>>,
         needed: usize,
-    ) -> Result<Self, PrimitiveFitError<S>> {
+    ) -> Result<Self, FitError<S>> {
         let zero = S::zero();
         let mut kept = Vec::with_capacity(points.len());
         let (mut largest_weight, mut is_empty) = (zero, true);
         for (index, (weight, place)) in points.enumerate() {
             largest_weight = largest_weight.max(checked(index, weight)?);
             if !place.is_finite() {
-                return Err(PrimitiveFitError::NotFinite { index });
+                return Err(FitError::PointNotFinite { index });
             }
             is_empty = false;
             if zero.less_than(weight) {
@@ -47,19 +47,16 @@ impl<S: Real<Mask = bool>> Cloud<S> {
             }
         }
         if !is_empty && kept.is_empty() {
-            return Err(WeightError::AllZero.into());
+            return Err(FitError::ZeroWeights);
         }
         if kept.len() < needed {
             let found = kept.len();
-            return Err(PrimitiveFitError::TooFewPoints { found, needed });
+            return Err(FitError::TooFewPoints { found, needed });
         }
         Self::centred(kept, largest_weight)
     }
 
-    fn centred(
-        mut points: Vec<Weighted<S>>,
-        largest_weight: S,
-    ) -> Result<Self, PrimitiveFitError<S>> {
+    fn centred(mut points: Vec<Weighted<S>>, largest_weight: S) -> Result<Self, FitError<S>> {
         let zero = S::zero();
         let first = points
             .first()
@@ -81,11 +78,11 @@ impl<S: Real<Mask = bool>> Cloud<S> {
         let greatest = |v: Vector<S>| v.e1.max(v.e2).max(v.e3);
         let (unit, largest) = (greatest(extent), greatest(largest));
         if !unit.is_finite() {
-            return Err(PrimitiveFitError::OutOfRange);
+            return Err(FitError::OutOfRange);
         }
         let rounding = largest * S::epsilon() * S::from_integer(4);
         if !rounding.less_than(unit) {
-            return Err(PrimitiveFitError::Coincident);
+            return Err(FitError::Coincident);
         }
         let mut moments = [[zero; 3]; 3];
         for (weight, place) in &mut points {
@@ -114,24 +111,24 @@ impl<S: Real<Mask = bool>> Cloud<S> {
 
     /// An error where the points spread in fewer independent directions than that: within 8√ε of
     /// their extent, and the rounding of their coordinates.
-    pub(super) fn require(&self, dimension: usize) -> Result<(), PrimitiveFitError<S>> {
+    pub(super) fn require(&self, dimension: usize) -> Result<(), FitError<S>> {
         if dimension <= self.dimension {
             return Ok(());
         }
         Err(match self.dimension {
-            0 => PrimitiveFitError::Coincident,
-            1 => PrimitiveFitError::Collinear,
-            _ => PrimitiveFitError::Coplanar,
+            0 => FitError::Coincident,
+            1 => FitError::Collinear,
+            _ => FitError::Coplanar,
         })
     }
 
     /// An error where the mean squares along two principal axes are equal up to rounding, so that
     /// no direction between these axes is preferred.
-    pub(super) fn require_gap(&self, axis: usize) -> Result<(), PrimitiveFitError<S>> {
+    pub(super) fn require_gap(&self, axis: usize) -> Result<(), FitError<S>> {
         let [(largest, _), ..] = self.principal;
         let gap = self.principal[axis].0 - self.principal[axis + 1].0;
         if !(largest * S::epsilon() * S::from_integer(16)).less_than(gap) {
-            return Err(PrimitiveFitError::NotUnique);
+            return Err(FitError::NotUnique);
         }
         Ok(())
     }

@@ -2,13 +2,13 @@
 
 use alloc::vec::Vec;
 
-use super::error::PrimitiveFitError;
 use super::random::SplitMix64;
 use super::refinement::refine;
 use super::result::Located;
 use super::search::cloud_of;
 use super::settings::RobustSettings;
 use super::shape::Shape;
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -35,10 +35,10 @@ pub(super) fn agreeing<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
 pub(super) fn best_of_samples<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: &[Vector<S>],
     settings: &RobustSettings<S>,
-) -> Result<(Located<S>, usize), PrimitiveFitError<S>> {
+) -> Result<(Located<S>, usize), FitError<S>> {
     let (found, needed) = (points.len(), P::NEEDED);
     if found < needed {
-        return Err(PrimitiveFitError::TooFewPoints { found, needed });
+        return Err(FitError::TooFewPoints { found, needed });
     }
     let mut random = SplitMix64::new(settings.seed);
     let mut order: Vec<usize> = (0..found).collect();
@@ -62,7 +62,7 @@ pub(super) fn best_of_samples<P: Shape<S, N>, S: Real<Mask = bool>, const N: usi
     }
     match best {
         Some(best) => Ok((best.located, drawn)),
-        None => Err(PrimitiveFitError::NoConsensus { found: 0, needed }),
+        None => Err(FitError::NoConsensus { found: 0, needed }),
     }
 }
 

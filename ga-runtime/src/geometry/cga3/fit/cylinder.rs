@@ -4,12 +4,12 @@ use alloc::vec::Vec;
 
 use super::cloud::Cloud;
 use super::cylinder_axis::axes;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::radial::Radial;
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Line, Point};
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -60,7 +60,7 @@ fits! {
     ///
     /// # Errors
     /// Fewer than six points, since five lie on several cylinders; numbers that are not finite;
-    /// coincident, collinear or coplanar points, and [`PrimitiveFitError::Flat`] where a plane fits
+    /// coincident, collinear or coplanar points, and [`FitError::Flat`] where a plane fits
     /// as well as any cylinder.
     ///
     /// ```
@@ -87,7 +87,7 @@ impl<S: Real<Mask = bool>> Cylinder<S> {
     ///
     /// # Errors
     /// Those of [`Cylinder::fit`].
-    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, PrimitiveFitError<S>> {
+    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, FitError<S>> {
         super::interface::start(points)
     }
 }
@@ -122,10 +122,10 @@ impl<S: Real<Mask = bool>> Shape<S, 5> for Cylinder<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         let found = axes(cloud);
         if found.is_empty() {
-            return Err(PrimitiveFitError::NotUnique);
+            return Err(FitError::NotUnique);
         }
         Ok(found)
     }

@@ -1,11 +1,11 @@
 //! The functions that fit each primitive.
 
 use super::cloud::Weighted;
-use super::error::PrimitiveFitError;
 use super::result::{Located, PrimitiveFit, fitted};
 use super::search::{cloud_of, least};
 use super::shape::Shape;
 use crate::cga3::Point;
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -18,7 +18,7 @@ macro_rules! fits {
 
         impl<S: Real<Mask = bool>> $Type<S> {
             $(#[$documentation])*
-            pub fn fit(points: &[Point<S>]) -> Result<$Fit<S>, PrimitiveFitError<S>> {
+            pub fn fit(points: &[Point<S>]) -> Result<$Fit<S>, FitError<S>> {
                 let places = points.iter().map(|&point| (S::one(), $place(point)));
                 super::interface::fit(places)
             }
@@ -31,7 +31,7 @@ macro_rules! fits {
             /// zero.
             pub fn fit_weighted(
                 points: &[(S, Point<S>)],
-            ) -> Result<$Fit<S>, PrimitiveFitError<S>> {
+            ) -> Result<$Fit<S>, FitError<S>> {
                 let places = points.iter().map(|&(weight, point)| (weight, $place(point)));
                 super::interface::fit(places)
             }
@@ -42,11 +42,11 @@ macro_rules! fits {
             ///
             /// # Errors
             /// Those of [`fit`](Self::fit) for the points that agree; settings outside of their
-            /// range; [`PrimitiveFitError::NoConsensus`] where too few points agree.
+            /// range; [`FitError::NoConsensus`] where too few points agree.
             pub fn fit_robustly(
                 points: &[Point<S>],
                 settings: &$crate::geometry::fit::RobustSettings<S>,
-            ) -> Result<$crate::geometry::fit::RobustFit<Self, S, $unknowns>, PrimitiveFitError<S>>
+            ) -> Result<$crate::geometry::fit::RobustFit<Self, S, $unknowns>, FitError<S>>
             {
                 let places = points.iter().map(|&point| $place(point)).collect();
                 super::robust::fit(places, settings)
@@ -68,7 +68,7 @@ pub(super) use fits;
 /// The primitive with the least sum of squared distances.
 pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: impl ExactSizeIterator<Item = Weighted<S>>,
-) -> Result<PrimitiveFit<P, S, N>, PrimitiveFitError<S>> {
+) -> Result<PrimitiveFit<P, S, N>, FitError<S>> {
     let cloud = cloud_of::<P, S, N>(points)?;
     let starts = P::starts(&cloud)?;
     let place = least::<P, S, N>(&cloud, &starts, None)?;
@@ -78,10 +78,10 @@ pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
 /// The primitive of the algebraic fit.
 pub(super) fn start<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: &[Point<S>],
-) -> Result<P, PrimitiveFitError<S>> {
+) -> Result<P, FitError<S>> {
     let places = points.iter().map(|&point| (S::one(), Vector::from(point)));
     let cloud = cloud_of::<P, S, N>(places)?;
     let starts = P::starts(&cloud)?;
-    let place = starts.first().ok_or(PrimitiveFitError::NotUnique)?;
+    let place = starts.first().ok_or(FitError::NotUnique)?;
     Located::new(&cloud, *place).element::<P, N>()
 }

@@ -39,7 +39,6 @@ mod cloud;
 mod consensus;
 mod cylinder;
 mod cylinder_axis;
-mod error;
 mod interface;
 mod line;
 mod loss;
@@ -62,7 +61,6 @@ mod sphere;
 
 pub use circle::CircleFit;
 pub use cylinder::{Cylinder, CylinderFit};
-pub use error::PrimitiveFitError;
 pub use line::LineFit;
 pub use loss::Loss;
 #[cfg(feature = "cga2")]

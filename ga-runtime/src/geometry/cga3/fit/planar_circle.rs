@@ -4,13 +4,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::quadric::SquareMoments;
 use super::radial::Radial;
 use super::shape::{Parameters, Shape};
 use crate::cga2::{Circle, Point};
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -26,7 +26,7 @@ fits! {
     ///
     /// # Errors
     /// Fewer than three points, numbers that are not finite, coincident or collinear points, and
-    /// [`PrimitiveFitError::Flat`] where a line fits as well as any circle.
+    /// [`FitError::Flat`] where a line fits as well as any circle.
     ///
     /// ```
     /// use ga_runtime::cga2::{Circle, Point};
@@ -60,7 +60,7 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         let (zero, one) = (S::zero(), S::one());
         let vectors = cloud.points.iter().map(|&(weight, place)| {
             let [x, y, _] = place.coordinates();
@@ -69,7 +69,7 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Circle<S> {
         let axes = [Vector::new(one, zero, zero), Vector::new(zero, one, zero)];
         let moments = SquareMoments::of(vectors, cloud.total);
         let place = moments.place(axes, Vector::new(zero, zero, one));
-        Ok(vec![place.ok_or(PrimitiveFitError::NotUnique)?])
+        Ok(vec![place.ok_or(FitError::NotUnique)?])
     }
 
     fn oriented(place: Place<S>) -> Place<S> {

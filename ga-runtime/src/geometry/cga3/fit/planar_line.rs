@@ -4,12 +4,12 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::planar_circle::in_space;
 use super::shape::{Parameters, Shape};
 use crate::cga2::{Line, Point};
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::identity;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -28,7 +28,7 @@ fits! {
     ///
     /// # Errors
     /// Fewer than two points, numbers that are not finite, coincident points, and
-    /// [`PrimitiveFitError::NotUnique`] where the points spread equally in all directions.
+    /// [`FitError::NotUnique`] where the points spread equally in all directions.
     ///
     /// ```
     /// use ga_runtime::cga2::{Line, Point};
@@ -61,13 +61,13 @@ impl<S: Real<Mask = bool>> Shape<S, 2> for Line<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         cloud.require_gap(0)?;
         let [(_, direction), ..] = cloud.principal;
         let upwards = Vector::new(S::zero(), S::zero(), S::one());
         let right = direction.cross(upwards);
         let place = Place::new(Vector::default(), upwards, right, S::zero());
-        Ok(vec![place.ok_or(PrimitiveFitError::OutOfRange)?])
+        Ok(vec![place.ok_or(FitError::OutOfRange)?])
     }
 
     fn oriented(place: Place<S>) -> Place<S> {

@@ -4,11 +4,11 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Plane, Point};
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::identity;
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -31,7 +31,7 @@ fits! {
     ///
     /// # Errors
     /// Fewer than three points, numbers that are not finite, coincident or collinear points, and
-    /// [`PrimitiveFitError::NotUnique`] where the least variance belongs to several directions.
+    /// [`FitError::NotUnique`] where the least variance belongs to several directions.
     ///
     /// ```
     /// use ga_runtime::cga3::{Plane, Point};
@@ -68,11 +68,11 @@ impl<S: Real<Mask = bool>> Shape<S, 3> for Plane<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         cloud.require_gap(1)?;
         let [_, (_, second), (_, normal)] = cloud.principal;
         let place = Place::new(Vector::default(), second, normal, S::zero());
-        Ok(vec![place.ok_or(PrimitiveFitError::OutOfRange)?])
+        Ok(vec![place.ok_or(FitError::OutOfRange)?])
     }
 
     fn oriented(place: Place<S>) -> Place<S> {

@@ -1,12 +1,12 @@
 //! What a fit returns.
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::loss::{Limited, loss};
 use super::place::Place;
 use super::refinement::Equations;
 use super::shape::{Parameters, Shape};
 use crate::cga3::Point;
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::{Matrix, inverse_of_positive_definite};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -130,23 +130,21 @@ impl<S: Real<Mask = bool>> Located<S> {
     }
 
     /// The primitive alone.
-    pub(super) fn element<P: Shape<S, N>, const N: usize>(
-        &self,
-    ) -> Result<P, PrimitiveFitError<S>> {
+    pub(super) fn element<P: Shape<S, N>, const N: usize>(&self) -> Result<P, FitError<S>> {
         let parameters = P::parameters(P::oriented(self.place));
         let (origin, radius) = self.outside::<P, N>(&parameters)?;
-        P::element(origin, parameters.axes, radius).ok_or(PrimitiveFitError::OutOfRange)
+        P::element(origin, parameters.axes, radius).ok_or(FitError::OutOfRange)
     }
 
     /// The origin of parameters and the radius, outside.
     fn outside<P: Shape<S, N>, const N: usize>(
         &self,
         parameters: &Parameters<S, N>,
-    ) -> Result<(Vector<S>, S), PrimitiveFitError<S>> {
+    ) -> Result<(Vector<S>, S), FitError<S>> {
         // The sagitta of a primitive of less curvature is rounding, within 8√ε of the extent.
         let flat = S::epsilon().sqrt() * S::from_integer(8);
         if P::IS_ROUND && !flat.less_than(self.place.curvature.abs()) {
-            return Err(PrimitiveFitError::Flat);
+            return Err(FitError::Flat);
         }
         let origin = self.centroid + parameters.origin * self.unit;
         let radius = if P::IS_ROUND {
@@ -155,7 +153,7 @@ impl<S: Real<Mask = bool>> Located<S> {
             S::zero()
         };
         if !(origin.is_finite() && radius.is_finite()) {
-            return Err(PrimitiveFitError::OutOfRange);
+            return Err(FitError::OutOfRange);
         }
         Ok((origin, radius))
     }
@@ -166,13 +164,12 @@ pub(super) fn fitted<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     cloud: &Cloud<S>,
     place: Place<S>,
     limited: Limited<S>,
-) -> Result<PrimitiveFit<P, S, N>, PrimitiveFitError<S>> {
+) -> Result<PrimitiveFit<P, S, N>, FitError<S>> {
     let place = P::oriented(place);
     let parameters = P::parameters(place);
     let located = Located::new(cloud, place);
     let (origin, radius) = located.outside::<P, N>(&parameters)?;
-    let primitive =
-        P::element(origin, parameters.axes, radius).ok_or(PrimitiveFitError::OutOfRange)?;
+    let primitive = P::element(origin, parameters.axes, radius).ok_or(FitError::OutOfRange)?;
     let equations = Equations::<S, N>::at::<P>(&cloud.points, place, None);
     let mean_square = equations.cost / cloud.total;
     let measured = cloud.points.len() * P::COMPONENTS;

@@ -5,12 +5,12 @@ use core::cmp::Ordering;
 
 use super::cloud::Cloud;
 use super::consensus::{agreeing, best_of_samples};
-use super::error::PrimitiveFitError;
 use super::place::Place;
 use super::result::{Located, PrimitiveFit, fitted};
 use super::search::{cloud_of, least};
 use super::settings::RobustSettings;
 use super::shape::Shape;
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -30,12 +30,12 @@ pub struct RobustFit<P, S, const N: usize> {
 pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: Vec<Vector<S>>,
     settings: &RobustSettings<S>,
-) -> Result<RobustFit<P, S, N>, PrimitiveFitError<S>> {
+) -> Result<RobustFit<P, S, N>, FitError<S>> {
     /// How often the points that agree are collected.
     const ROUNDS: usize = 20;
     settings.check()?;
     if let Some(index) = points.iter().position(|place| !place.is_finite()) {
-        return Err(PrimitiveFitError::NotFinite { index });
+        return Err(FitError::PointNotFinite { index });
     }
     let (mut located, samples) = best_of_samples::<P, S, N>(&points, settings)?;
     let mut inliers = agreeing::<P, S, N>(&points, &located, settings.threshold);
@@ -43,7 +43,7 @@ pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
         let found = inliers.len();
         let needed = P::NEEDED;
         if found < needed {
-            return Err(PrimitiveFitError::NoConsensus { found, needed });
+            return Err(FitError::NoConsensus { found, needed });
         }
         let cloud = cloud_of::<P, S, N>(inliers.iter().map(|&k| (S::one(), points[k])))?;
         let scale = scale::<P, S, N>(&cloud, located.seen_from(&cloud), settings.scale);
@@ -62,7 +62,7 @@ pub(super) fn fit<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
         }
         inliers = next;
     }
-    Err(PrimitiveFitError::NotConverged)
+    Err(FitError::NotConverged)
 }
 
 /// The given scale of the noise, or that of the distances from a place, but at least their

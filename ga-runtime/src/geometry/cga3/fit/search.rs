@@ -1,11 +1,11 @@
 //! The search for the primitive of the least distances.
 
 use super::cloud::{Cloud, Weighted};
-use super::error::PrimitiveFitError;
 use super::loss::Limited;
 use super::place::Place;
 use super::refinement::refine;
 use super::shape::Shape;
+use crate::geometry::FitError;
 use crate::scalar::Real;
 
 /// The most steps of a search. Points near a primitive take fewer than ten, the worst some dozens.
@@ -17,7 +17,7 @@ const FIRST_STEPS: usize = 20;
 /// Points that spread as the primitive requires.
 pub(super) fn cloud_of<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     points: impl ExactSizeIterator<Item = Weighted<S>>,
-) -> Result<Cloud<S>, PrimitiveFitError<S>> {
+) -> Result<Cloud<S>, FitError<S>> {
     let cloud = Cloud::of(points, P::NEEDED)?;
     cloud.require(P::DIMENSION)?;
     Ok(cloud)
@@ -28,7 +28,7 @@ pub(super) fn least<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
     cloud: &Cloud<S>,
     starts: &[Place<S>],
     limited: Limited<S>,
-) -> Result<Place<S>, PrimitiveFitError<S>> {
+) -> Result<Place<S>, FitError<S>> {
     let search =
         |start, steps| refine::<P, S, N>(&cloud.points, cloud.total, start, limited, steps);
     let steps = if starts.len() > 1 {
@@ -52,10 +52,10 @@ pub(super) fn least<P: Shape<S, N>, S: Real<Mask = bool>, const N: usize>(
             search(found.place, MOST_STEPS)
         }
         Some(found) => found,
-        None => return Err(PrimitiveFitError::OutOfRange),
+        None => return Err(FitError::OutOfRange),
     };
     if !best.has_converged {
-        return Err(PrimitiveFitError::NotConverged);
+        return Err(FitError::NotConverged);
     }
     Ok(best.place)
 }

@@ -1,7 +1,7 @@
 //! How primitives are searched among gross errors.
 
-use super::error::PrimitiveFitError;
 use super::loss::Loss;
+use crate::geometry::FitError;
 use crate::scalar::Real;
 
 /// How primitives are searched among gross errors.
@@ -66,10 +66,10 @@ impl<S: Real> RobustSettings<S> {
 }
 
 impl<S: Real<Mask = bool>> RobustSettings<S> {
-    pub(super) fn check(&self) -> Result<(), PrimitiveFitError<S>> {
+    pub(super) fn check(&self) -> Result<(), FitError<S>> {
         let (zero, one) = (S::zero(), S::one());
         let is_length = |x: S| zero.less_than(x) && x.is_finite();
-        let invalid = |name, value| Err(PrimitiveFitError::InvalidSetting { name, value });
+        let invalid = |name, value| Err(FitError::InvalidSetting { name, value });
         if !is_length(self.threshold) {
             return invalid("threshold", self.threshold);
         }

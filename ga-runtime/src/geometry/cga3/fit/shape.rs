@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::place::{Place, Step};
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -29,7 +29,7 @@ pub(super) trait Shape<S: Real<Mask = bool>, const N: usize>: Sized {
 
     /// Places from which to search for the least distances, the best first, with what is expected
     /// of them.
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>>;
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>>;
 
     /// The same place with the documented orientation.
     fn oriented(place: Place<S>) -> Place<S>;

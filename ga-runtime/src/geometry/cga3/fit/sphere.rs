@@ -4,13 +4,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cloud::Cloud;
-use super::error::PrimitiveFitError;
 use super::interface::fits;
 use super::place::{Place, Step};
 use super::quadric::SquareMoments;
 use super::radial::Radial;
 use super::shape::{Parameters, Shape};
 use crate::cga3::{Point, Sphere};
+use crate::geometry::FitError;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -28,11 +28,11 @@ fits! {
     ///
     /// # Errors
     /// Fewer than four points, numbers that are not finite, coincident, collinear or coplanar
-    /// points, and [`PrimitiveFitError::Flat`] where a plane fits as well as any sphere.
+    /// points, and [`FitError::Flat`] where a plane fits as well as any sphere.
     ///
     /// ```
     /// use ga_runtime::cga3::{Point, Sphere};
-    /// use ga_runtime::geometry::fit::PrimitiveFitError;
+    /// use ga_runtime::geometry::FitError;
     /// let points = [[4.0_f64, 2.0, 3.0], [1.0, 5.0, 3.0], [1.0, 2.0, 6.0], [-2.0, 2.0, 3.0]];
     /// let points = points.map(Point::from);
     /// let fit = Sphere::fit(&points).unwrap();
@@ -41,7 +41,7 @@ fits! {
     /// // A signed distance, positive outside.
     /// assert!((fit.residual(Point::new(1.0, 2.0, 8.0)) - 2.0).abs() < 1e-14);
     /// let flat = points.map(|p| Point::new(p.x(), p.y(), 0.0));
-    /// assert_eq!(Sphere::fit(&flat).unwrap_err(), PrimitiveFitError::Coplanar);
+    /// assert_eq!(Sphere::fit(&flat).unwrap_err(), FitError::Coplanar);
     /// ```
 }
 
@@ -53,7 +53,7 @@ impl<S: Real<Mask = bool>> Sphere<S> {
     ///
     /// # Errors
     /// Those of [`Sphere::fit`].
-    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, PrimitiveFitError<S>> {
+    pub fn fit_algebraically(points: &[Point<S>]) -> Result<Self, FitError<S>> {
         super::interface::start(points)
     }
 }
@@ -86,14 +86,14 @@ impl<S: Real<Mask = bool>> Shape<S, 4> for Sphere<S> {
         }
     }
 
-    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, PrimitiveFitError<S>> {
+    fn starts(cloud: &Cloud<S>) -> Result<Vec<Place<S>>, FitError<S>> {
         let vectors = cloud.points.iter().map(|&(weight, place)| {
             let [x, y, z] = place.coordinates();
             (weight, [place.length_squared(), x, y, z])
         });
         let ([a, x, y, z], c, _) = SquareMoments::of(vectors, cloud.total).round();
         let place = Place::of_round([a, c], Vector::new(x, y, z), None);
-        Ok(vec![place.ok_or(PrimitiveFitError::NotUnique)?])
+        Ok(vec![place.ok_or(FitError::NotUnique)?])
     }
 
     fn oriented(place: Place<S>) -> Place<S> {

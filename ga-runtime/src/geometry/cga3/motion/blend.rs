@@ -1,47 +1,10 @@
 //! Weighted sums of motors, normalised.
 
-use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
-
 use super::alignment::aligned;
 use crate::cga3::{DualQuaternion, Motor, Rotor};
-use crate::geometry::cga3::weight::{WeightError, checked};
+use crate::geometry::FitError;
+use crate::geometry::cga3::weight::checked;
 use crate::scalar::Real;
-
-/// Motions that cannot be blended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum BlendError<S> {
-    /// There are no motions to blend.
-    Empty,
-    /// The weights do not define an average.
-    Weight(WeightError<S>),
-    /// A coefficient of a motion is not finite.
-    NotFinite {
-        /// The index of the motion, from 0.
-        index: usize,
-    },
-    /// The displacements are so large that the result is beyond the range of the scalar.
-    OutOfRange,
-}
-
-impl<S: Debug> Display for BlendError<S> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
-        match self {
-            Self::Empty => f.write_str("there are no motions"),
-            Self::Weight(error) => Display::fmt(error, f),
-            Self::NotFinite { index } => write!(f, "motion {index} is not finite"),
-            Self::OutOfRange => f.write_str("the result is beyond the range of the scalar"),
-        }
-    }
-}
-
-impl<S: Debug> core::error::Error for BlendError<S> {}
-
-impl<S> From<WeightError<S>> for BlendError<S> {
-    fn from(error: WeightError<S>) -> Self {
-        Self::Weight(error)
-    }
-}
 
 impl<S: Real<Mask = bool>> Motor<S> {
     /// The weighted sum of motors, normalised to a motor: `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`. The norm has a
@@ -62,7 +25,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Translator};
-    /// use ga_runtime::geometry::motion::{BlendError, WeightError};
+    /// use ga_runtime::geometry::FitError;
     /// let translation = |x: f64| Motor::from(Translator::from_displacement([x, 0.0, 0.0]));
     /// // Three to one, and the sign of a motor makes no difference.
     /// let blend = Motor::blend(&[(3.0, translation(2.0)), (1.0, -translation(6.0))]).unwrap();
@@ -70,17 +33,17 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let refused = Motor::blend(&[(1.0, translation(2.0)), (-1.0, translation(6.0))]);
     /// assert_eq!(
     ///     refused,
-    ///     Err(BlendError::Weight(WeightError::Invalid {
+    ///     Err(FitError::InvalidWeight {
     ///         index: 1,
     ///         weight: -1.0
-    ///     }))
+    ///     })
     /// );
     /// ```
-    pub fn blend(weighted: &[(S, Self)]) -> Result<Self, BlendError<S>> {
+    pub fn blend(weighted: &[(S, Self)]) -> Result<Self, FitError<S>> {
         let largest = largest_weight(weighted)?;
         Self::blend_influences(counting(weighted, largest))
             .filter(|&blend| is_finite(blend))
-            .ok_or(BlendError::OutOfRange)
+            .ok_or(FitError::OutOfRange)
     }
 
     /// The same blend, `Σ wᵢ ±Mᵢ / |Σ wᵢ ±Mᵢ|`, from an iterator: nothing is allocated, and nothing
@@ -128,7 +91,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     ///     .to_axis_angle();
     /// assert!((angle - 1.5).abs() < 1e-15 && axis == [0.0, 0.0, 1.0]);
     /// ```
-    pub fn blend(weighted: &[(S, Self)]) -> Result<Self, BlendError<S>> {
+    pub fn blend(weighted: &[(S, Self)]) -> Result<Self, FitError<S>> {
         let motors: alloc::vec::Vec<_> = weighted
             .iter()
             .map(|&(weight, rotor)| (weight, Motor::from(rotor)))
@@ -140,19 +103,19 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 /// Checks the motors and their weights, and returns the largest weight.
 pub(super) fn largest_weight<S: Real<Mask = bool>>(
     weighted: &[(S, Motor<S>)],
-) -> Result<S, BlendError<S>> {
+) -> Result<S, FitError<S>> {
     let mut largest = S::zero();
     for (index, &(weight, motor)) in weighted.iter().enumerate() {
         largest = largest.max(checked(index, weight)?);
         if !is_finite(motor) {
-            return Err(BlendError::NotFinite { index });
+            return Err(FitError::MotionNotFinite { index });
         }
     }
     if weighted.is_empty() {
-        return Err(BlendError::Empty);
+        return Err(FitError::NoMotions);
     }
     if !S::zero().less_than(largest) {
-        return Err(WeightError::AllZero.into());
+        return Err(FitError::ZeroWeights);
     }
     Ok(largest)
 }

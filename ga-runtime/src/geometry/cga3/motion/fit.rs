@@ -2,11 +2,11 @@
 
 use alloc::vec::Vec;
 
-use super::fit_error::FitError;
 use super::moments::Moments;
 use super::registration::{Pair, Sides, fixed_rotation};
 use crate::cga3::{Dilator, Motor, Point, Rotor, Similarity, Translator};
-use crate::geometry::cga3::weight::{WeightError, checked};
+use crate::geometry::FitError;
+use crate::geometry::cga3::weight::checked;
 use crate::scalar::Real;
 use crate::vga3::Vector;
 
@@ -39,7 +39,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Point};
-    /// use ga_runtime::geometry::motion::FitError;
+    /// use ga_runtime::geometry::FitError;
     /// // A quarter turn about e3 and a translation by 5 along e1.
     /// let from = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(Point::from);
     /// let to = [[5.0, 0.0, 0.0], [5.0, 1.0, 0.0], [3.0, 0.0, 0.0]].map(Point::from);
@@ -443,12 +443,12 @@ fn counting<S: Real<Mask = bool>>(
     for (index, (weight, from, to)) in weighted.enumerate() {
         largest = largest.max(checked(index, weight)?);
         if !(from.is_finite() && to.is_finite()) {
-            return Err(FitError::NotFinite { index });
+            return Err(FitError::PairNotFinite { index });
         }
         pairs.push((index, Pair { weight, from, to }));
     }
     if !pairs.is_empty() && !S::zero().less_than(largest) {
-        return Err(WeightError::AllZero.into());
+        return Err(FitError::ZeroWeights);
     }
     pairs.retain(|(_, pair)| S::zero().less_than(pair.weight));
     for (_, pair) in &mut pairs {

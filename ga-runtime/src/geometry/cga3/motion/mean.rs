@@ -1,12 +1,14 @@
 //! The intrinsic mean of motions.
 
 use alloc::vec::Vec;
-use core::fmt::{Debug, Display, Formatter, Result as FmtResult};
+use core::fmt::Debug;
 
 use super::alignment::{aligned, rotor_coordinates};
-use super::blend::{BlendError, counting, is_finite, largest_weight};
+use super::blend::{counting, is_finite, largest_weight};
 use super::enclosing::lie_in_quarter_ball;
+use super::residual::Residual;
 use crate::cga3::{DualQuaternion, Motor, MotorGenerator, Rotor, Translator};
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::{Matrix, solve};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -23,70 +25,6 @@ pub struct Mean<V, S> {
     pub residual: Residual<S>,
     /// The number of steps of the iteration, which starts at the blend.
     pub steps: usize,
-}
-
-/// The weighted mean of the logarithms `log(~M Mᵢ)`, which is zero for the mean M.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Residual<S> {
-    /// The length of its rotation vector, in radians.
-    pub angle: S,
-    /// The length of its displacement, in the unit of length of the motions.
-    pub displacement: S,
-}
-
-/// Motions without a unique mean, or whose mean was not found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum MeanError<S> {
-    /// The motions cannot be blended.
-    Blend(BlendError<S>),
-    /// No rotation is within a quarter turn of all of them, or there are only two different
-    /// rotations, half a turn apart: there may be several means.
-    NotUnique {
-        /// The index, from 0, of the motion with the largest angle from the blend.
-        index: usize,
-        /// The angle from the blend, in radians.
-        angle: S,
-    },
-    /// The iteration did not converge.
-    NotConverged {
-        /// The number of steps taken.
-        steps: usize,
-        /// The remaining error of the condition on the mean.
-        residual: Residual<S>,
-    },
-}
-
-impl<S: Debug> Display for MeanError<S> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> FmtResult {
-        match self {
-            Self::Blend(error) => Display::fmt(error, f),
-            Self::NotUnique { index, angle } => write!(
-                f,
-                "no rotation is within a quarter turn of all; motion {index} is rotated by {angle:?} rad from the blend"
-            ),
-            Self::NotConverged { steps, residual } => write!(
-                f,
-                "no convergence after {steps} steps: {:?} rad and a displacement of {:?} remain",
-                residual.angle, residual.displacement
-            ),
-        }
-    }
-}
-
-impl<S: Debug + 'static> core::error::Error for MeanError<S> {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Blend(error) => Some(error),
-            _ => None,
-        }
-    }
-}
-
-impl<S> From<BlendError<S>> for MeanError<S> {
-    fn from(error: BlendError<S>) -> Self {
-        Self::Blend(error)
-    }
 }
 
 impl<S: Real<Mask = bool>> Motor<S> {
@@ -122,7 +60,7 @@ impl<S: Real<Mask = bool>> Motor<S> {
     ///
     /// ```
     /// use ga_runtime::cga3::{Motor, Rotor, Translator};
-    /// use ga_runtime::geometry::motion::MeanError;
+    /// use ga_runtime::geometry::FitError;
     /// let rotation =
     ///     |angle: f64| Motor::from(Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap());
     /// let lift = Motor::from(Translator::from_displacement([0.0, 0.0, 6.0]));
@@ -142,10 +80,10 @@ impl<S: Real<Mask = bool>> Motor<S> {
     /// let thirds = [0.0, 2.0, 4.0].map(|k| (1.0, rotation(k * std::f64::consts::PI / 3.0)));
     /// assert!(matches!(
     ///     Motor::mean(&thirds),
-    ///     Err(MeanError::NotUnique { .. })
+    ///     Err(FitError::MeanNotUnique { .. })
     /// ));
     /// ```
-    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
+    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, FitError<S>> {
         let largest = largest_weight(weighted)?;
         let terms: Vec<_> = aligned(counting(weighted, largest))
             .into_iter()
@@ -158,13 +96,13 @@ impl<S: Real<Mask = bool>> Motor<S> {
             .collect();
         if !lie_in_quarter_ball(&rotors, rotor_coordinates(blend)) {
             let (index, angle) = farthest(weighted, blend);
-            return Err(MeanError::NotUnique { index, angle });
+            return Err(FitError::MeanNotUnique { index, angle });
         }
         let found = iterate(&terms, blend)?;
         let mean = DualQuaternion::from(found.mean).normalize();
         match mean.filter(|&mean| is_finite(mean)) {
             Some(mean) => Ok(Mean { mean, ..found }),
-            None => Err(BlendError::OutOfRange.into()),
+            None => Err(FitError::OutOfRange),
         }
     }
 }
@@ -184,7 +122,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
     /// let (axis, _) = found.mean.to_axis_angle();
     /// assert!(axis.iter().all(|x| (x - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15));
     /// ```
-    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, MeanError<S>> {
+    pub fn mean(weighted: &[(S, Self)]) -> Result<Mean<Self, S>, FitError<S>> {
         let motors: Vec<_> = weighted
             .iter()
             .map(|&(weight, rotor)| (weight, Motor::from(rotor)))
@@ -201,7 +139,7 @@ impl<S: Real<Mask = bool>> Rotor<S> {
 fn iterate<S: Real<Mask = bool>>(
     terms: &[(S, Motor<S>)],
     start: Motor<S>,
-) -> Result<Mean<Motor<S>, S>, MeanError<S>> {
+) -> Result<Mean<Motor<S>, S>, FitError<S>> {
     let epsilon = |multiple| S::epsilon() * S::from_integer(multiple);
     // Displacements are not more accurate than the rounding of the largest of them.
     let reach = terms.iter().fold(S::zero(), |most, (_, motor)| {
@@ -218,7 +156,7 @@ fn iterate<S: Real<Mask = bool>>(
             S::zero()
         });
         if !level.is_finite() || !residual.displacement.is_finite() {
-            return Err(BlendError::OutOfRange.into());
+            return Err(FitError::OutOfRange);
         }
         // Converged, or as near to it as rounding allows.
         let is_stalled = before.is_some_and(|before: S| !(level + level).less_than(before));
@@ -230,7 +168,7 @@ fn iterate<S: Real<Mask = bool>>(
             });
         }
         if steps == MOST_STEPS {
-            return Err(MeanError::NotConverged { steps, residual });
+            return Err(FitError::MeanNotConverged { steps, residual });
         }
         steps += 1;
         before = Some(level);

@@ -1,8 +1,8 @@
 //! The rotation that takes vectors to vectors, by least squares.
 
-use super::fit_error::FitError;
 use super::moments::horn;
 use crate::cga3::{MotorGenerator, Point, Rotor};
+use crate::geometry::FitError;
 use crate::geometry::cga3::matrix::{Matrix, solve, symmetric_eigen};
 use crate::scalar::Real;
 use crate::vga3::Vector;
@@ -33,7 +33,7 @@ impl<S: Real<Mask = bool>> Sides<S> {
                 .reduce(|most, next| if most.1.less_than(next.1) { next } else { most });
             let Some((vector, extent)) = longest.filter(|(_, extent)| rounding.less_than(*extent))
             else {
-                return Err(FitError::Coincident);
+                return Err(FitError::PairsCoincident);
             };
             let along = vector.divided(extent);
             let width = pairs.iter().fold(S::zero(), |most, pair| {
@@ -42,7 +42,7 @@ impl<S: Real<Mask = bool>> Sides<S> {
             });
             let thinnest = S::epsilon().sqrt() * S::from_integer(8) + rounding / extent;
             if !thinnest.less_than(width) {
-                return Err(FitError::Collinear);
+                return Err(FitError::PairsCollinear);
             }
             Ok(extent)
         };
@@ -78,7 +78,7 @@ pub(super) fn fixed_rotation<S: Real<Mask = bool>>(
     let [(first, quaternion), (second, _), ..] = symmetric_eigen(horn(moments));
     let rounding = (squares[0] * squares[1]).sqrt() * S::epsilon() * S::from_integer(16);
     if !rounding.less_than(first - second) {
-        return Err(FitError::NotUnique);
+        return Err(FitError::RotationNotUnique);
     }
     let [w, x, y, z] = quaternion;
     let mut rotor = Rotor::from_quaternion([x, y, z], w).ok_or(FitError::OutOfRange)?;

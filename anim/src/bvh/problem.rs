@@ -1,14 +1,4 @@
-//! Why a BVH file cannot be read.
-
-/// What is wrong with a BVH file, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct BvhError {
-    /// The line, from 1; for what is missing, the last line.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: BvhProblem,
-}
+//! What can be wrong with a line of a BVH file.
 
 /// What can be wrong with a BVH file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,0 +1,90 @@
+//! What can go wrong with matching, and with files of disparity maps.
+
+use ga_files::WriteError;
+use ga_image::file::{DecodeError, EncodeError};
+
+/// Why views cannot be matched, or a file does not take or hold a disparity map.
+#[derive(Debug, thiserror::Error)]
+pub enum StereoError {
+    /// The disparities to be looked for are none, too many, or more than the columns.
+    #[error(
+        "the disparity range of {range} px must be from 1 to {greatest} px for views {width} \
+         pixels wide"
+    )]
+    Range {
+        /// The number of disparities.
+        range: usize,
+        /// The greatest possible number.
+        greatest: usize,
+        /// Columns.
+        width: usize,
+    },
+    /// The views have too few pixels.
+    #[error(
+        "views of {width} × {height} pixels are too small; at least {least} × {least} are needed"
+    )]
+    TooSmall {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The least number of columns and rows.
+        least: usize,
+    },
+    /// The views have too many pixels.
+    #[error("views of {width} × {height} pixels are too large; at most {most} pixels are possible")]
+    TooLarge {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The greatest number of pixels.
+        most: usize,
+    },
+    /// The views have different sizes.
+    #[error(
+        "the left view has {} × {} pixels and the right view {} × {}",
+        left[0], left[1], right[0], right[1]
+    )]
+    Views {
+        /// Columns and rows of the left view.
+        left: [usize; 2],
+        /// Columns and rows of the right view.
+        right: [usize; 2],
+    },
+    /// The views do not have the size that the matcher was built for.
+    #[error(
+        "the views have {} × {} pixels, and the matcher is for {} × {}",
+        found[0], found[1], expected[0], expected[1]
+    )]
+    Size {
+        /// Columns and rows of the views.
+        found: [usize; 2],
+        /// Columns and rows that the matcher was built for.
+        expected: [usize; 2],
+    },
+    /// The threads could not be started.
+    #[error("the threads of the matcher cannot be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// The bytes are not a picture.
+    #[error(transparent)]
+    Decode(#[from] DecodeError),
+    /// The picture has more than one number for each pixel.
+    #[error("a disparity map has one number for each pixel, and this picture is {kind}")]
+    Kind {
+        /// The kind of pixel.
+        kind: &'static str,
+    },
+    /// The scale by which the stored numbers are divided is 0, negative or not finite.
+    #[error("the scale {scale} of the disparities is not positive and finite")]
+    Scale {
+        /// The scale.
+        scale: f64,
+    },
+    /// The map has no pixels.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// The file could not be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
