@@ -1,4 +1,5 @@
-use ga_mesh::gltf::{Element, GltfError};
+use ga_mesh::FormatError;
+use ga_mesh::gltf::Element;
 
 use crate::skin::SkinError;
 use crate::weights::WeightsError;
@@ -8,7 +9,7 @@ use crate::weights::WeightsError;
 pub enum PlayError {
     /// The document is not valid.
     #[error(transparent)]
-    Document(#[from] GltfError),
+    Document(#[from] FormatError),
     /// There is no animation of this number.
     #[error("there is no animation {animation}: the file has {count}")]
     NoAnimation {

@@ -9,7 +9,7 @@ use ga_image::colour::LinearColour;
 use ga_image::file::EncodeError;
 use ga_image::plane::Plane;
 use ga_image::{png, y4m};
-use ga_mesh::format::{self, Loaded};
+use ga_mesh::format;
 use ga_mesh::gltf;
 use ga_render::model::Model;
 use ga_render::{Buffers, Camera, Ground, Polyline, Scene, Shading, Style, Visibility, render};
@@ -188,11 +188,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 /// `quiet`.
 fn read(path: &Path, quiet: bool) -> Result<Model> {
     let is_gltf = Format::of(path, &[Format::Glb, Format::Gltf]).is_some();
-    let Loaded { mesh, mut warnings } = if is_gltf {
-        Loaded {
-            mesh: gltf::read_mesh(path)?,
-            warnings: Vec::new(),
-        }
+    let (mesh, mut warnings) = if is_gltf {
+        (gltf::read_mesh(path)?, Vec::new())
     } else {
         format::read(path)?
     };

@@ -1,8 +1,6 @@
 //! Why a mesh cannot be textured from views.
 
-use ga_mesh::MeshError;
-use ga_mesh::atlas::AtlasError;
-use ga_mesh::bake::BakeError;
+use ga_mesh::{MeshError, TextureSpaceError};
 
 /// Why a mesh cannot be textured from views. Views are named as their [`View`](super::View) is.
 #[derive(Debug, thiserror::Error)]
@@ -73,12 +71,10 @@ pub enum TextureError {
         /// How many charts there are.
         charts: usize,
     },
-    /// There is no atlas, such as for a texture that is too small for its charts.
+    /// There is no atlas, such as for a texture that is too small for its charts, or the mesh's own
+    /// texture coordinates cannot be used.
     #[error(transparent)]
-    Atlas(#[from] AtlasError),
-    /// The mesh's own texture coordinates cannot be used.
-    #[error(transparent)]
-    Coordinates(#[from] BakeError),
+    TextureSpace(#[from] TextureSpaceError),
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_image::colour::{LinearColour, SrgbEncoder, linear_from_srgb};
 use ga_image::plane::Plane;
-use ga_mesh::atlas::AtlasError;
+use ga_mesh::TextureSpaceError;
 use ga_mesh::query::Bvh;
 use ga_mesh::{Faces, Mesh, obj};
 use ga_runtime::cga3::Point;
@@ -365,7 +365,9 @@ fn bad_input_is_named() {
     let too_small = texture_mesh(&mesh, &views[..1], &Options::with_size(8), |_| ());
     assert!(matches!(
         too_small,
-        Err(TextureError::Atlas(AtlasError::DoesNotFit { .. }))
+        Err(TextureError::TextureSpace(
+            TextureSpaceError::DoesNotFit { .. }
+        ))
     ));
     // Two squares whose own coordinates are less than a texel apart.
     let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\n\

@@ -2,6 +2,7 @@
 
 use ga_anim::gltf::{Placement, PlayError, Player};
 use ga_anim::skin::Method;
+use ga_mesh::FormatError;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Element, Interpolation, Keys, Mesh, Node, Primitive, Problem,
     Skin, Transform,
@@ -73,10 +74,14 @@ fn error(method: Method, change: impl FnOnce(&mut Document)) -> PlayError {
 
 #[track_caller]
 fn assert_document(error: PlayError, element: Element, problem: Problem) {
-    let PlayError::Document(error) = error else {
+    let PlayError::Document(FormatError::Gltf {
+        path,
+        problem: found,
+    }) = error
+    else {
         panic!("{error}");
     };
-    assert_eq!((error.element(), &error.problem), (&element, &problem));
+    assert_eq!((path.last(), &found), (Some(&element), &problem));
 }
 
 const CHANNEL: Element = Element::Channel {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, ensure};
-use ga_mesh::format::{self, Loaded, Options};
+use ga_mesh::format::{self, Options};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Node, Target, Transform, to_glb,
 };
@@ -58,7 +58,7 @@ impl Surface {
         rest: &[Point<f64>],
         quiet: bool,
     ) -> Result<Self> {
-        let Loaded { mesh, warnings } = format::read(path)?;
+        let (mesh, warnings) = format::read(path)?;
         if !quiet {
             for warning in warnings {
                 eprintln!("warning: {}: {warning}", path.display());

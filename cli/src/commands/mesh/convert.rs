@@ -47,8 +47,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     } = arguments;
     let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
     let format = Files::reading([input]).write("OUT", out, &formats)?;
-    let loaded = input::read(input, quiet)?;
-    let mesh = format::relocated(&loaded.mesh, input, out)?;
+    let (mesh, _) = input::read(input, quiet)?;
+    let mesh = format::relocated(&mesh, input, out)?;
     let options = Options {
         ply: if *ascii {
             Encoding::Ascii

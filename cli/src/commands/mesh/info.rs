@@ -33,8 +33,8 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let loaded = input::read(&arguments.file, quiet)?;
-    let info = Info::new(&loaded.mesh, loaded.warnings);
+    let (mesh, warnings) = input::read(&arguments.file, quiet)?;
+    let info = Info::new(&mesh, warnings);
     if arguments.json {
         output::print_json(&info)
     } else {

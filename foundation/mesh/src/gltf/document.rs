@@ -22,7 +22,7 @@ use super::{Animation, Extras, Image, Material, Mesh, Sampler, Skin, Texture};
 /// };
 /// let file = gltf::to_glb(&document)?;
 /// assert_eq!(gltf::parse(&file)?.meshes, document.meshes);
-/// # Ok::<(), gltf::GltfError>(())
+/// # Ok::<(), gltf::FormatError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {

@@ -44,16 +44,16 @@
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
 mod check;
-mod error;
 mod lines;
 pub mod mtl;
 mod parser;
+mod problem;
 mod read;
 mod statements;
 mod write;
 
-pub use error::{ObjError, ObjProblem};
-pub use read::{Loaded, Warning, parse, parse_with_libraries, read, read_with_warnings};
+pub use problem::ObjProblem;
+pub use read::{Warning, parse, parse_with_libraries, read, read_with_warnings};
 pub(crate) use write::files;
 pub use write::{to_files, to_text, write};
 

@@ -30,8 +30,8 @@
 //! Source: Turk, *The PLY Polygon File Format*, 1994.
 
 mod body;
-mod error;
 mod header;
+mod problem;
 mod read;
 mod write;
 
@@ -39,10 +39,10 @@ use std::path::Path;
 
 use ga_files::{ReadError, WriteError};
 
-use crate::Mesh;
+use crate::{FormatError, Mesh};
 
-pub use error::{Place, PlyError, PlyProblem};
 pub use header::Encoding;
+pub use problem::{Place, PlyProblem};
 pub use write::to_bytes;
 
 /// Reads the mesh in a file.
@@ -50,7 +50,7 @@ pub use write::to_bytes;
 /// # Errors
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
-pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
     ga_files::read(path, parse)
 }
 
@@ -58,7 +58,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
 ///
 /// # Errors
 ///
-/// [`PlyError`], for the first fault; indices out of range are found after all other errors.
+/// [`FormatError`], for the first fault; indices out of range are found after all other errors.
 ///
 /// # Examples
 ///
@@ -68,9 +68,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
 ///     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 /// let mesh = ga_mesh::ply::parse(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
-/// # Ok::<(), ga_mesh::ply::PlyError>(())
+/// # Ok::<(), ga_mesh::ply::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Mesh, PlyError> {
+pub fn parse(bytes: &[u8]) -> Result<Mesh, FormatError> {
     read::mesh(bytes)
 }
 

@@ -12,7 +12,7 @@ use ga_runtime::vga3::Vector;
 
 const TRIANGLES: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-fn load(text: &str, library: &str) -> obj::Loaded {
+fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
     let text = format!("{TRIANGLES}{text}");
     obj::parse_with_libraries(text.as_bytes(), |name| match name {
         "a.mtl" | "two words.mtl" => Ok(library.as_bytes().to_vec()),
@@ -165,17 +165,17 @@ fn faults_of_pictures_are_warnings() {
         ("map_Kd -x a.png", Some("a.png"), "map_Kd has no option -x"),
     ] {
         let library = format!("newmtl red\n{line}\nKd 1 0 0\n");
-        let loaded = load("mtllib a.mtl\nusemtl red\nf 1 2 3\n", &library);
-        let [red] = loaded.mesh.materials() else {
-            panic!("{:?}", loaded.mesh.materials())
+        let (mesh, warnings) = load("mtllib a.mtl\nusemtl red\nf 1 2 3\n", &library);
+        let [red] = mesh.materials() else {
+            panic!("{:?}", mesh.materials())
         };
         assert_eq!(red.base_colour, [1.0, 0.0, 0.0, 1.0]);
         let image = path.map(|path| Image::File(path.to_owned()));
         let texture = red.base_colour_texture.as_ref();
         assert_eq!(texture.map(|texture| texture.image.clone()), image);
-        let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+        let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
         let expected = format!("a.mtl: line 2: {message}; this is ignored");
-        assert_eq!(warnings, [expected]);
+        assert_eq!(sentences, [expected]);
     }
 }
 
@@ -184,35 +184,30 @@ fn faces_have_the_materials_of_the_libraries() {
     let library = "newmtl unused\nnewmtl red\nKd 1 0 0\n";
     let text =
         "mtllib a.mtl\nf 1 2 3\nusemtl red\nf 1 2 4\nusemtl (null)\nf 1 3 4\nusemtl red\nf 2 3 4\n";
-    let loaded = load(text, library);
-    assert_eq!(loaded.warnings, []);
-    let names: Vec<&str> = loaded
-        .mesh
-        .materials()
-        .iter()
-        .map(|m| &m.name[..])
-        .collect();
+    let (mesh, warnings) = load(text, library);
+    assert_eq!(warnings, []);
+    let names: Vec<&str> = mesh.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["unused", "red"]);
-    assert_eq!(loaded.mesh.face_materials(), [None, Some(1), None, Some(1)]);
-    let spaced = load("mtllib two words.mtl\nusemtl red\nf 1 2 3\n", library);
-    assert_eq!(spaced.warnings, []);
-    assert_eq!(spaced.mesh.material(0).unwrap().base_colour[1], 0.0);
-    let several = load("mtllib a.mtl missing.mtl\nusemtl red\nf 1 2 3\n", library);
+    assert_eq!(mesh.face_materials(), [None, Some(1), None, Some(1)]);
+    let (spaced, warnings) = load("mtllib two words.mtl\nusemtl red\nf 1 2 3\n", library);
+    assert_eq!(warnings, []);
+    assert_eq!(spaced.material(0).unwrap().base_colour[1], 0.0);
+    let (several, warnings) = load("mtllib a.mtl missing.mtl\nusemtl red\nf 1 2 3\n", library);
     assert_eq!(
-        several.warnings,
+        warnings,
         [Warning::MissingLibrary {
             line: 5,
             library: "missing.mtl".into()
         }]
     );
-    assert_eq!(several.mesh.material(0).unwrap().base_colour[1], 0.0);
+    assert_eq!(several.material(0).unwrap().base_colour[1], 0.0);
 }
 
 #[test]
 fn what_is_missing_is_the_default_and_said() {
-    let loaded = load("mtllib no.mtl\nusemtl red\nf 1 2 3\n", "");
-    assert_eq!(loaded.mesh.materials(), [Material::named("red")]);
-    let sentences: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+    let (mesh, warnings) = load("mtllib no.mtl\nusemtl red\nf 1 2 3\n", "");
+    assert_eq!(mesh.materials(), [Material::named("red")]);
+    let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         sentences,
         [
@@ -220,16 +215,16 @@ fn what_is_missing_is_the_default_and_said() {
             "line 6: no library defines the material \"red\"; it has the default appearance",
         ]
     );
-    let zero = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
-    assert_eq!(zero.warnings, [Warning::ZeroNormals { count: 1 }]);
-    let normals = zero.mesh.normals().unwrap();
+    let (zero, warnings) = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
+    assert_eq!(warnings, [Warning::ZeroNormals { count: 1 }]);
+    let normals = zero.normals().unwrap();
     assert_eq!(normals.get(0), None);
     assert_eq!(normals.get(1), Some(&Vector::new(0.0, 0.0, 1.0)));
 }
 
 #[test]
 fn lines_and_points_are_read_and_checked() {
-    let mesh = load("l 1 2/1 -1\np 2 3\nvt 0 0\np 4\n", "").mesh;
+    let (mesh, _) = load("l 1 2/1 -1\np 2 3\nvt 0 0\np 4\n", "");
     assert!(mesh.polylines().iter().eq([&[0, 1, 3][..]]));
     assert_eq!(mesh.points(), [1, 2, 3]);
     assert!(mesh.faces().is_empty());
@@ -340,9 +335,8 @@ fn a_mesh_with_everything_comes_back_the_same() {
         std::fs::create_dir_all(folder.path().join("maps")).unwrap();
         std::fs::write(folder.path().join(picture), b"").unwrap();
     }
-    let loaded = obj::read_with_warnings(&path).unwrap();
-    assert_eq!(loaded.warnings, []);
-    let back = loaded.mesh;
+    let (back, warnings) = obj::read_with_warnings(&path).unwrap();
+    assert_eq!(warnings, []);
 
     let embedded = std::fs::read(folder.path().join("full-1.jpg")).unwrap();
     assert_eq!(embedded, b"not really a picture");
@@ -366,7 +360,7 @@ fn a_mesh_with_everything_comes_back_the_same() {
 #[test]
 fn names_become_different_words() {
     let named = |names: [&str; 4]| names.map(Material::named).to_vec();
-    let mesh = load("f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", "").mesh;
+    let (mesh, _) = load("f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", "");
     let of_faces = || (0..4).map(Some).collect();
     let mesh = mesh
         .with_materials(named(["a b", "a_b", "(null)", ""]), of_faces())
@@ -406,14 +400,14 @@ fn files_beside_the_mesh_have_names_that_lines_can_hold() {
         base_colour_texture: Some(Texture::new(image)),
         ..Material::named("paint")
     };
-    let mesh = load("f 1 2 3\n", "").mesh;
+    let (mesh, _) = load("f 1 2 3\n", "");
     let mesh = mesh.with_materials(vec![paint], vec![Some(0)]).unwrap();
     for name in ["a #1.obj", "-s 1.obj", "two  words.obj", " x.obj"] {
         let path = folder.path().join(name);
         obj::write(&path, &mesh).unwrap();
-        let loaded = obj::read_with_warnings(&path).unwrap();
-        assert_eq!(loaded.warnings, [], "{name}");
-        let paint = loaded.mesh.material(0).unwrap();
+        let (mesh, warnings) = obj::read_with_warnings(&path).unwrap();
+        assert_eq!(warnings, [], "{name}");
+        let paint = mesh.material(0).unwrap();
         assert_eq!(paint.base_colour, [1.0, 0.0, 0.0, 1.0], "{name}");
         assert!(paint.base_colour_texture.is_some(), "{name}");
     }
@@ -459,8 +453,8 @@ fn a_missing_picture_is_said() {
         "newmtl m\nmap_Kd no.png\nmap_Ke no.png\n",
     )
     .unwrap();
-    let loaded = obj::read_with_warnings(&path).unwrap();
-    let sentences: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+    let (_, warnings) = obj::read_with_warnings(&path).unwrap();
+    let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         sentences,
         ["material \"m\": there is no picture no.png; the surface is shown without it"]

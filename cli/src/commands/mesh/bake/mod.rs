@@ -142,9 +142,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut steps = Steps::new(&progress);
 
     steps.begin("read");
-    let fine = input::read(&arguments.fine, quiet)?;
-    let (fine_mesh, known) = (fine.mesh, fine.warnings);
-    let coarse_mesh = input::read(&arguments.coarse, quiet)?.mesh;
+    let (fine_mesh, known) = input::read(&arguments.fine, quiet)?;
+    let (coarse_mesh, _) = input::read(&arguments.coarse, quiet)?;
     let mut warnings = Vec::new();
     let colours = match maps.contains(&Map::Colour) {
         true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut warnings)?),

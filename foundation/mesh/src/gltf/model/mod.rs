@@ -24,20 +24,21 @@
 //! };
 //! let file = to_glb(&model)?;
 //! assert_eq!(&file[..8], b"glTF\x02\0\0\0");
-//! # Ok::<(), ga_mesh::gltf::model::ModelError>(())
+//! # Ok::<(), ga_mesh::FormatError>(())
 //! ```
 
 mod animation;
-mod error;
 mod parts;
 mod precision;
 mod primitive;
+mod problem;
 mod rigid;
 mod skin;
 
 use super::{self as gltf, Asset, Document, Mesh, Node, Scene};
-pub use error::ModelError;
+use crate::FormatError;
 pub use parts::{Animation, JointNode, Material, Model, Skin, Track};
+pub use problem::ModelProblem;
 
 /// The model as a document.
 ///
@@ -49,8 +50,8 @@ pub use parts::{Animation, JointNode, Material, Model, Skin, Track};
 ///
 /// # Errors
 ///
-/// [`ModelError`] names the faulty element.
-pub fn to_document(model: &Model) -> Result<Document, ModelError> {
+/// [`FormatError`] names the faulty element.
+pub fn to_document(model: &Model) -> Result<Document, FormatError> {
     let mut document = Document {
         asset: Asset::of_this_crate(),
         materials: vec![material(&model.material)?],
@@ -91,15 +92,15 @@ pub fn to_document(model: &Model) -> Result<Document, ModelError> {
 /// # Errors
 ///
 /// As [`to_document`].
-pub fn to_glb(model: &Model) -> Result<Vec<u8>, ModelError> {
-    Ok(gltf::to_glb(&to_document(model)?)?)
+pub fn to_glb(model: &Model) -> Result<Vec<u8>, FormatError> {
+    gltf::to_glb(&to_document(model)?)
 }
 
-fn material(material: &Material) -> Result<gltf::Material, ModelError> {
+fn material(material: &Material) -> Result<gltf::Material, ModelProblem> {
     let [red, green, blue] = material.base_colour;
     let fractions = [red, green, blue, material.roughness];
     if !fractions.iter().all(|f| (0.0..=1.0).contains(f)) {
-        return Err(ModelError::Material);
+        return Err(ModelProblem::Material);
     }
     Ok(gltf::Material {
         name: Some(material.name.to_owned()),

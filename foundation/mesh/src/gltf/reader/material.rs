@@ -1,10 +1,10 @@
 //! Materials, textures and samplers.
 
-use super::super::error::{Element, Problem};
-use super::super::{GltfError, Material, Sampler, Texture, TextureInfo, TextureTransform, json};
-use crate::{AlphaMode, Filter, Minification, Wrap};
+use super::super::problem::{Element, Problem};
+use super::super::{Material, Sampler, Texture, TextureInfo, TextureTransform, json};
+use crate::{AlphaMode, Filter, FormatError, Minification, Wrap};
 
-pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, GltfError> {
+pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, FormatError> {
     let default = Material::default();
     let pbr = json.pbr_metallic_roughness.as_ref();
     let info = |info: &Option<json::TextureInfo>| info.as_ref().map(texture_info);
@@ -48,7 +48,7 @@ pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, 
             Some(other) => {
                 let (property, value) = ("alphaMode", other.to_owned());
                 let problem = Problem::Value { property, value };
-                return Err(GltfError::new(Element::Material(index), problem));
+                return Err(FormatError::gltf(Element::Material(index), problem));
             }
         },
         double_sided: json.double_sided,
@@ -83,10 +83,10 @@ pub(super) fn texture(json: &json::Texture) -> Texture {
     }
 }
 
-pub(super) fn sampler(index: usize, json: &json::Sampler) -> Result<Sampler, GltfError> {
+pub(super) fn sampler(index: usize, json: &json::Sampler) -> Result<Sampler, FormatError> {
     let code = |property, code: u64| {
         let value = code.to_string();
-        GltfError::new(Element::Sampler(index), Problem::Value { property, value })
+        FormatError::gltf(Element::Sampler(index), Problem::Value { property, value })
     };
     let wrap = |property, wrap: Option<u64>| match wrap {
         None => Ok(Wrap::Repeat),

@@ -6,29 +6,12 @@ mod material;
 mod node;
 mod primitive;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use ga_files::WriteError;
-
-use super::error::{Element, Problem};
-use super::{Document, GltfError, ImageSource, glb, json, uri};
+use super::problem::{Element, Problem};
+use super::{Document, ImageSource, glb, json, uri};
+use crate::{FileError, FormatError};
 use buffer::{Buffer, Use};
-
-/// Why a document was not written. Files that were there before are unchanged.
-#[derive(Debug, thiserror::Error)]
-pub enum WriteGltfError {
-    /// The document is not valid.
-    #[error("cannot write {}: {problem}", path.display())]
-    Document {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with the document.
-        problem: GltfError,
-    },
-    /// The operating system could not write a file.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
 
 /// The files of a document in JSON.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,7 +32,7 @@ pub struct GltfFiles {
 /// # Errors
 ///
 /// As [`Document::validate`]; [`Problem::TooLarge`] past 4 GiB.
-pub fn to_glb(document: &Document) -> Result<Vec<u8>, GltfError> {
+pub fn to_glb(document: &Document) -> Result<Vec<u8>, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     for image in &document.images {
@@ -69,7 +52,7 @@ pub fn to_glb(document: &Document) -> Result<Vec<u8>, GltfError> {
 /// # Errors
 ///
 /// As [`Document::validate`].
-pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, GltfError> {
+pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     let mut others = Vec::new();
@@ -103,8 +86,8 @@ pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, GltfError> 
 ///
 /// # Errors
 ///
-/// [`WriteGltfError`].
-pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), WriteGltfError> {
+/// [`FileError`].
+pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileError> {
     let path = path.as_ref();
     let files = files(path, document)?;
     if let [(_, contents)] = &files[..] {
@@ -123,11 +106,8 @@ pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), WriteGlt
 }
 
 /// The names and contents of the files that [`write`] writes, that of the path first.
-pub(crate) fn files(
-    path: &Path,
-    document: &Document,
-) -> Result<Vec<(String, Vec<u8>)>, WriteGltfError> {
-    let fault = |problem| WriteGltfError::Document {
+pub(crate) fn files(path: &Path, document: &Document) -> Result<Vec<(String, Vec<u8>)>, FileError> {
+    let fault = |problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,
     };
@@ -187,7 +167,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The JSON, and the bytes of the buffer, which is the file of this URI, if any.
-    fn finish(mut self, uri: Option<String>) -> Result<(Vec<u8>, Vec<u8>), GltfError> {
+    fn finish(mut self, uri: Option<String>) -> Result<(Vec<u8>, Vec<u8>), FormatError> {
         let document = self.document;
         let buffer = &mut self.buffer;
         let meshes = document
@@ -240,7 +220,7 @@ impl<'a> Writer<'a> {
             extras: document.extras.clone(),
         };
         let text = serde_json::to_vec(&root)
-            .map_err(|error| GltfError::new(Element::Json, Problem::Json(error.to_string())))?;
+            .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
         Ok((text, self.buffer.bytes))
     }
 }

@@ -1,8 +1,7 @@
 //! Models to write, and where their vertices belong.
 
-use ga_mesh::gltf::model::{
-    Animation, JointNode, Material, Model, ModelError, Skin, Track, to_glb,
-};
+use ga_mesh::FormatError;
+use ga_mesh::gltf::model::{Animation, JointNode, Material, Model, Skin, Track, to_glb};
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -126,7 +125,7 @@ impl Source {
         }
     }
 
-    pub(crate) fn write(&self) -> Result<Vec<u8>, ModelError> {
+    pub(crate) fn write(&self) -> Result<Vec<u8>, FormatError> {
         to_glb(&self.build().model())
     }
 

@@ -3,6 +3,7 @@
 use ga_mesh::obj::{self, ObjProblem};
 
 use super::TRIANGLE;
+use ga_mesh::FormatError;
 
 #[test]
 fn every_fault_is_named_with_its_line() {
@@ -108,7 +109,11 @@ fn every_fault_is_named_with_its_line() {
         "line 1: the file ends without a vertex"
     );
     let not_text = obj::parse(b"v 0 0 0\ng \xff\n").unwrap_err();
-    assert_eq!((not_text.line, not_text.problem), (2, ObjProblem::NotText));
+    let expected = FormatError::Obj {
+        line: 2,
+        problem: ObjProblem::NotText,
+    };
+    assert_eq!(not_text, expected);
 }
 
 #[test]

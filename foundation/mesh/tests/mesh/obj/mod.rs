@@ -4,8 +4,8 @@
 mod faults;
 mod properties;
 
-use ga_mesh::Mesh;
 use ga_mesh::obj::{self, ObjProblem};
+use ga_mesh::{FormatError, Mesh};
 use ga_runtime::vga3::Vector;
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -256,9 +256,12 @@ fn groups_take_memory_in_proportion_to_the_file() {
     assert!(mesh.groups().iter().all(|group| group.faces.len() == 2000));
     let text = file(30_000, 15_000);
     let error = obj::parse(text.as_bytes()).unwrap_err();
-    assert_eq!(error.problem, ObjProblem::TooManyGroups);
-    // 30,000 names for a face; the faces begin at line 5.
-    assert_eq!(error.line, 5 + 8 * text.len() / 30_000);
+    let expected = FormatError::Obj {
+        // 30,000 names for a face; the faces begin at line 5.
+        line: 5 + 8 * text.len() / 30_000,
+        problem: ObjProblem::TooManyGroups,
+    };
+    assert_eq!(error, expected);
     // A name may be given again and again.
     let text = format!("{TRIANGLE}g{}\nf 1 2 3\n", " a".repeat(100_000));
     let mesh = obj::parse(text.as_bytes()).unwrap();

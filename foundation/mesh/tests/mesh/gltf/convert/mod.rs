@@ -224,7 +224,7 @@ fn a_cube_is_one_component() {
     for name in ["cube.glb", "cube.gltf", "cube.obj"] {
         let path = folder.path().join(name);
         format::write(&path, &cube, &format::Options::default()).unwrap();
-        let again = format::read(&path).unwrap().mesh;
+        let (again, _) = format::read(&path).unwrap();
         let report = Report::of_mesh(&again);
         assert_eq!((report.vertices, report.components), (8, 1), "{name}");
         assert!(report.is_closed(), "{name}");
