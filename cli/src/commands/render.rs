@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_image::colour::LinearColour;
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::{png, y4m};
 use ga_mesh::format;
@@ -245,7 +245,7 @@ fn check_files(arguments: &Arguments) -> Result<Format> {
 fn encode(
     format: Format,
     mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     match format {
         Format::Y4m => y4m::encode(pictures, y4m::Film::default()),
         _ if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),

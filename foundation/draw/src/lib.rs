@@ -100,7 +100,7 @@ mod svg;
 mod view;
 
 pub use colour::{Colour, NotAColour, PALETTE};
-pub use file::{ElementError, SceneError};
+pub use file::{ElementProblem, SceneError};
 pub use scene::Scene;
 pub use shape::{Drawable, NotDrawable, Shape, Trajectory};
 pub use style::Style;

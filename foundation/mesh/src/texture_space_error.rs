@@ -1,7 +1,9 @@
 //! Why a mesh has no atlas, or maps cannot be baked.
 
 use crate::MeshError;
-use crate::atlas::MAX_SIZE;
+
+/// The longest side of a texture, in texels.
+pub const MAX_SIZE: u32 = 16_384;
 
 /// A mesh, or options, from which no atlas can be made or no maps baked. Vertices and faces are counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -32,7 +34,7 @@ pub enum TextureSpaceError {
         /// The vertex.
         vertex: usize,
     },
-    /// The side of the texture is not between 1 and [`MAX_SIZE`](MAX_SIZE) texels.
+    /// The side of the texture is not between 1 and [`MAX_SIZE`] texels.
     #[error("a texture of {size} texels a side; it must be from 1 to {max}", max = MAX_SIZE)]
     Size {
         /// The side, in texels.
@@ -79,7 +81,7 @@ pub enum TextureSpaceError {
         /// Which surface, "coarse" or "fine".
         surface: &'static str,
     },
-    /// The side of the maps is not from 1 to [`MAX_SIZE`](crate::atlas::MAX_SIZE) texels.
+    /// The side of the maps is not from 1 to [`MAX_SIZE`] texels.
     #[error("maps of {size} × {size} texels; the side is from 1 to 16384 texels")]
     MapSize {
         /// The side.

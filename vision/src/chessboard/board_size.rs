@@ -1,6 +1,6 @@
 //! Sizes of chessboards, and why none was found.
 
-use ga_image::filter::SigmaError;
+use ga_image::plane::PlaneError;
 use ga_runtime::cga3::Point;
 use std::fmt;
 use std::str::FromStr;
@@ -42,7 +42,7 @@ pub enum ChessboardError {
     },
     /// The blur of a picture failed.
     #[error(transparent)]
-    Blur(#[from] SigmaError),
+    Blur(#[from] PlaneError),
 }
 
 impl BoardSize {

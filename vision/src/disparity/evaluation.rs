@@ -2,16 +2,16 @@
 //! evaluation (D. Scharstein and R. Szeliski, "A taxonomy and evaluation of dense two-frame stereo
 //! correspondence algorithms", International Journal of Computer Vision 47, 2002).
 
-use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
 
 use super::DisparityMap;
 
 /// Two maps that cannot be compared.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EvaluationError {
     /// The map and the truth have different sizes.
     #[error("the map and the truth cannot be compared: {0}")]
-    Size(#[from] SizeError),
+    Size(#[from] PlaneError),
     /// No pixel of the truth has a disparity that is finite and not 0.
     #[error("the truth has no pixel whose disparity is finite and not 0")]
     NoTruth,

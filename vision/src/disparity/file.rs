@@ -9,7 +9,7 @@
 use std::path::Path;
 
 use ga_files::{ReadError, WriteError};
-use ga_image::file::{self, DecodeError, EncodeError};
+use ga_image::file::{self, FormatError};
 use ga_image::pfm::{self, ByteOrder};
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
@@ -21,7 +21,7 @@ use super::DisparityMap;
 pub enum DisparityFileError {
     /// The bytes are not a picture.
     #[error(transparent)]
-    Decode(#[from] DecodeError),
+    Decode(#[from] FormatError),
     /// The picture has more than one number for each pixel.
     #[error("a disparity map has one number for each pixel, and this picture is {kind}")]
     Kind {
@@ -41,7 +41,7 @@ pub enum DisparityFileError {
 pub enum DisparitySaveError {
     /// The map has no pixels.
     #[error(transparent)]
-    Encode(#[from] EncodeError),
+    Encode(#[from] FormatError),
     /// The file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -79,8 +79,8 @@ pub fn decode(bytes: &[u8]) -> Result<DisparityMap, DisparityFileError> {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Size`] when the map has no pixels.
-pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, EncodeError> {
+/// [`FormatError::Size`] when the map has no pixels.
+pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, FormatError> {
     if map.known() == map.plane().values().len() {
         return pfm::encode(map.plane(), ByteOrder::Little);
     }

@@ -38,7 +38,7 @@
 mod fit;
 mod predicted_distance;
 
-use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
 use ga_runtime::cga3::{self, Point};
 
 use crate::disparity::DisparityMap;
@@ -54,7 +54,7 @@ const GRADIENT_LIMIT: f64 = 1.0;
 pub enum ModellingError {
     /// The map and the weights have different sizes.
     #[error("the disparities and their weights do not fit together: {0}")]
-    Size(#[from] SizeError),
+    Size(#[from] PlaneError),
     /// A weight is negative or not finite.
     #[error(
         "the weight {weight} of the pixel in column {column} and row {row} is negative or not finite"

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::{Image, Material, Mesh, MeshError, Texture, Wrap};
@@ -65,7 +65,7 @@ pub struct ViewReport {
 pub enum ModelError {
     /// The texture has no form in PNG.
     #[error(transparent)]
-    Encode(#[from] EncodeError),
+    Encode(#[from] FormatError),
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -8,7 +8,7 @@ mod made;
 mod relation;
 mod trajectory;
 
-pub use error::{ElementError, SceneError};
+pub use error::{ElementProblem, SceneError};
 
 use crate::scene::Scene;
 

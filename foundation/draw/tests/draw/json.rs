@@ -1,6 +1,6 @@
 //! Scenes read from JSON, and the errors of those that cannot be read.
 
-use ga_draw::{ElementError, Scene, SceneError, Shape};
+use ga_draw::{ElementProblem, Scene, SceneError, Shape};
 use ga_runtime::cga3::Point;
 
 use crate::{assert_well_formed, close, parsed};
@@ -198,7 +198,7 @@ fn errors_name_the_place_and_the_value() {
         parsed(r#"{"name": "m", "motor": {}}, {"meet": ["m", "m"]}"#),
         Err(SceneError::Element {
             index: 1,
-            problem: ElementError::NotABlade(_),
+            problem: ElementProblem::NotABlade(_),
             ..
         })
     ));

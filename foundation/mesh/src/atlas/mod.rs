@@ -33,6 +33,7 @@ mod reduce;
 mod relax;
 mod surface;
 
+pub use crate::texture_space_error::MAX_SIZE;
 pub use measure::Report;
 
 use crate::{TextureCoordinates, TextureSpaceError};
@@ -40,9 +41,6 @@ use chart::Flat;
 use flatten::Flattened;
 use pack::Effort;
 use surface::{NONE, Surface, Vector};
-
-/// The longest side of a texture, in texels.
-pub const MAX_SIZE: u32 = 16_384;
 
 /// What an atlas is made for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ga_files::ReadError;
 use ga_image::colour::LinearColour;
-use ga_image::file::DecodeError;
+use ga_image::file::FormatError;
 use ga_mesh::obj::Warning;
 use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture as Reference};
 
@@ -22,7 +22,7 @@ pub enum TextureFileError {
         /// The name of the material.
         material: String,
         /// What is wrong; it names the file.
-        problem: ReadError<DecodeError>,
+        problem: ReadError<FormatError>,
     },
     /// A picture within the file of the model is not a picture.
     #[error("the picture of material {material:?}: {problem}")]
@@ -30,7 +30,7 @@ pub enum TextureFileError {
         /// The name of the material.
         material: String,
         /// What is wrong.
-        problem: DecodeError,
+        problem: FormatError,
     },
     /// The picture has no pixels.
     #[error("the picture of material {material:?}: {problem}")]

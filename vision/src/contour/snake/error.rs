@@ -1,6 +1,6 @@
 //! What a snake cannot work with.
 
-use ga_image::filter::SigmaError;
+use ga_image::plane::PlaneError;
 
 /// Why a snake does not move.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -78,5 +78,5 @@ pub enum SnakeError {
     },
     /// The picture cannot be blurred so.
     #[error(transparent)]
-    Sigma(#[from] SigmaError),
+    Sigma(#[from] PlaneError),
 }
