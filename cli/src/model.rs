@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
 use ga_anim::gltf;
-use ga_mesh::gltf::model::{Material, Model, Skin, to_document};
-use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, Texture, TextureInfo, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
+use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, TextureElement, TextureInfo, to_glb};
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::{Filter, Minification, Wrap, obj};
 
@@ -76,12 +76,12 @@ pub(crate) fn glb(
         .map(|v| weights[at(v)].clone())
         .collect();
     let material = match png {
-        Some(_) => Material {
+        Some(_) => Dielectric {
             name: MATERIAL,
             base_colour: [1.0; 3],
             roughness: ROUGHNESS,
         },
-        None => Material::default(),
+        None => Dielectric::default(),
     };
     let animation = gltf::animation(clip_name, &figure.skeleton, clip)?;
     let model = Model {
@@ -123,10 +123,10 @@ fn paint(document: &mut Document, coordinates: &[[f64; 2]], png: &[u8]) {
         wrap_v: Wrap::ClampToEdge,
         ..Sampler::default()
     });
-    document.textures.push(Texture {
+    document.textures.push(TextureElement {
         sampler: Some(document.samplers.len() - 1),
         image: Some(document.images.len() - 1),
-        ..Texture::default()
+        ..TextureElement::default()
     });
     let texture = document.textures.len() - 1;
     for material in &mut document.materials {

@@ -1,6 +1,6 @@
 //! Documents: nodes, scenes and cameras, and the lists of everything that they refer to.
 
-use super::{Animation, Extras, Image, Material, Mesh, Sampler, Skin, Texture};
+use super::{Animation, Extras, Image, MaterialElement, Mesh, Sampler, Skin, TextureElement};
 
 /// The contents of a glTF file. Elements refer to each other by their index in these lists.
 ///
@@ -41,9 +41,9 @@ pub struct Document {
     /// The animations.
     pub animations: Vec<Animation>,
     /// The materials.
-    pub materials: Vec<Material>,
+    pub materials: Vec<MaterialElement>,
     /// The textures.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<TextureElement>,
     /// How textures are sampled.
     pub samplers: Vec<Sampler>,
     /// The images.

@@ -9,7 +9,7 @@
 //! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`Camera`] |
 //! | geometry | [`Mesh`], [`Primitive`], [`MorphTarget`], [`CustomAttribute`] |
 //! | motion | [`Skin`], [`Animation`], [`Channel`], [`Keys`] |
-//! | appearance | [`Material`], [`Texture`], [`Sampler`], [`Image`] |
+//! | appearance | [`MaterialElement`], [`TextureElement`], [`Sampler`], [`Image`] |
 //! | one skinned mesh | [`model`] |
 //! | a [`Mesh`](crate::Mesh) | [`read_mesh`], [`write_mesh`], [`Document::to_mesh`] |
 //!
@@ -51,7 +51,9 @@ pub(crate) use convert::mesh_files;
 pub use convert::{Target, Vertices, read_mesh, write_mesh};
 pub use document::{Asset, Camera, Document, Node, Projection, Scene, Transform};
 pub use extras::Extras;
-pub use material::{Image, ImageSource, Material, Sampler, Texture, TextureInfo, TextureTransform};
+pub use material::{
+    Image, ImageSource, MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform,
+};
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
 pub use problem::{Element, Problem};
 pub use reader::{SUPPORTED_EXTENSIONS, parse, read};

@@ -11,7 +11,7 @@
 //! is *(n sin(α/2), cos(α/2))*.
 //!
 //! ```
-//! use ga_mesh::gltf::model::{Material, Model, to_glb};
+//! use ga_mesh::gltf::model::{Dielectric, Model, to_glb};
 //!
 //! let model = Model {
 //!     name: "triangle",
@@ -37,7 +37,7 @@ mod skin;
 
 use super::{self as gltf, Asset, Document, Mesh, Node, Scene};
 use crate::FormatError;
-pub use parts::{Animation, JointNode, Material, Model, Skin, Track};
+pub use parts::{Animation, Dielectric, JointNode, Model, Skin, Track};
 pub use problem::ModelProblem;
 
 /// The model as a document.
@@ -96,17 +96,17 @@ pub fn to_glb(model: &Model) -> Result<Vec<u8>, FormatError> {
     gltf::to_glb(&to_document(model)?)
 }
 
-fn material(material: &Material) -> Result<gltf::Material, ModelProblem> {
+fn material(material: &Dielectric) -> Result<gltf::MaterialElement, ModelProblem> {
     let [red, green, blue] = material.base_colour;
     let fractions = [red, green, blue, material.roughness];
     if !fractions.iter().all(|f| (0.0..=1.0).contains(f)) {
         return Err(ModelProblem::Material);
     }
-    Ok(gltf::Material {
+    Ok(gltf::MaterialElement {
         name: Some(material.name.to_owned()),
         base_colour: [red, green, blue, 1.0].map(|c| c as f32),
         metallic: 0.0,
         roughness: material.roughness as f32,
-        ..gltf::Material::default()
+        ..gltf::MaterialElement::default()
     })
 }

@@ -1,15 +1,18 @@
 //! Materials, textures and samplers.
 
 use super::super::problem::{Element, Problem};
-use super::super::{Material, Sampler, Texture, TextureInfo, TextureTransform, json};
+use super::super::{MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform, json};
 use crate::{AlphaMode, Filter, FormatError, Minification, Wrap};
 
-pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, FormatError> {
-    let default = Material::default();
+pub(super) fn material(
+    index: usize,
+    json: &json::Material,
+) -> Result<MaterialElement, FormatError> {
+    let default = MaterialElement::default();
     let pbr = json.pbr_metallic_roughness.as_ref();
     let info = |info: &Option<json::TextureInfo>| info.as_ref().map(texture_info);
     let strength = json.extensions.emissive_strength.as_ref();
-    Ok(Material {
+    Ok(MaterialElement {
         name: json.name.clone(),
         base_colour: pbr
             .and_then(|pbr| pbr.base_color_factor)
@@ -74,8 +77,8 @@ fn texture_info(json: &json::TextureInfo) -> TextureInfo {
     }
 }
 
-pub(super) fn texture(json: &json::Texture) -> Texture {
-    Texture {
+pub(super) fn texture(json: &json::Texture) -> TextureElement {
+    TextureElement {
         name: json.name.clone(),
         sampler: json.sampler,
         image: json.source,

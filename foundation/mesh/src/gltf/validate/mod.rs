@@ -7,7 +7,7 @@ mod primitive;
 use std::collections::HashSet;
 
 use super::problem::{Element, Problem};
-use super::{Camera, Document, Material, Node, Projection, Skin, Transform};
+use super::{Camera, Document, MaterialElement, Node, Projection, Skin, Transform};
 use crate::{AlphaMode, FormatError};
 use check::{Checked, count, distinct, exists, fault, finite, in_range, targets_of};
 
@@ -154,7 +154,7 @@ fn skin(skin: &Skin, document: &Document) -> Checked {
     finite(matrices)
 }
 
-fn material(material: &Material, textures: usize) -> Checked {
+fn material(material: &MaterialElement, textures: usize) -> Checked {
     for info in material.textures() {
         exists("texture", info.texture, textures)?;
         if let Some(transform) = info.transform {

@@ -1,6 +1,6 @@
 //! Models that cannot be written.
 
-use ga_mesh::gltf::model::{Material, Model, ModelProblem, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, ModelProblem, to_glb};
 
 use super::source::{Source, strip};
 use ga_mesh::FormatError;
@@ -150,9 +150,9 @@ fn what_cannot_be_written_is_named() {
         };
         assert_eq!(fails(change), key);
     }
-    let glass = Material {
+    let glass = Dielectric {
         roughness: 1.5,
-        ..Material::default()
+        ..Dielectric::default()
     };
     assert_eq!(
         to_glb(&Model {

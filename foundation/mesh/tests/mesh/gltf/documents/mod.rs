@@ -77,15 +77,15 @@ fn document(choices: &[u32]) -> Document {
         animations,
         materials: c.list(materials, material),
         textures: vec![
-            Texture {
+            TextureElement {
                 name: c.name(),
                 sampler: c.yes().then_some(0),
                 image: Some(0),
                 extras: c.extras(),
             },
-            Texture {
+            TextureElement {
                 image: Some(1),
-                ..Texture::default()
+                ..TextureElement::default()
             },
         ],
         samplers: vec![sampler(c)],
@@ -331,7 +331,7 @@ fn channel(c: &mut Choices, node: usize, kind: usize, width: usize) -> Channel {
     }
 }
 
-fn material(c: &mut Choices) -> Material {
+fn material(c: &mut Choices) -> MaterialElement {
     let texture = |c: &mut Choices| {
         c.yes().then(|| TextureInfo {
             texture: c.below(2),
@@ -347,7 +347,7 @@ fn material(c: &mut Choices) -> Material {
     let (normal_texture, occlusion_texture) = (texture(c), texture(c));
     // The validator warns of an unlit surface with a strength of its light.
     let unlit = c.yes();
-    Material {
+    MaterialElement {
         name: c.name(),
         base_colour: std::array::from_fn(|_| c.fraction()),
         base_colour_texture: texture(c),
