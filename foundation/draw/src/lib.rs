@@ -33,7 +33,7 @@
 //!
 //! # Scenes in JSON
 //!
-//! [`Scene::from_json`] and `nullcone draw` read an object with the following members. Only
+//! [`Scene::decode`] and `nullcone draw` read an object with the following members. Only
 //! `elements` is required; a member that is not listed is an error.
 //!
 //! - `title`, `description`: texts. The description is for readers who cannot see the picture.

@@ -116,12 +116,12 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
 /// let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let mesh = Mesh::new(corners, Faces::from_polygons([[0, 1, 2]])?)?
 ///     .with_materials(vec![Material::named("red")], vec![Some(0)])?;
-/// let files = format::to_files("out/a.obj", &mesh, &format::Options::default())?;
+/// let files = format::encode_files("out/a.obj", &mesh, &format::Options::default())?;
 /// assert_eq!(files[0].0.to_str(), Some("out/a.obj"));
 /// assert!(files[1].0.ends_with("a.mtl"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn to_files(
+pub fn encode_files(
     path: impl AsRef<Path>,
     mesh: &Mesh,
     options: &Options,
@@ -129,7 +129,7 @@ pub fn to_files(
     let path = path.as_ref();
     let files = match Format::of_path(path)? {
         Format::Obj => obj::files(path, mesh),
-        Format::Ply => vec![(String::new(), ply::to_bytes(mesh, options.ply))],
+        Format::Ply => vec![(String::new(), ply::encode(mesh, options.ply))],
         Format::Gltf => gltf::mesh_files(path, mesh)?,
     };
     let files = files.into_iter().enumerate();

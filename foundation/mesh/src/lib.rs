@@ -30,7 +30,7 @@
 //! Indices count from 0. Seen from outside, the corners of a face run counter-clockwise.
 //!
 //! ```
-//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
+//! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
 //! let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
 //! let normals = ga_mesh::normals::vertex_normals(&positions, &mesh.triangles());
 //! assert_eq!(normals, [[0.0, 0.0, 1.0]; 4]);

@@ -29,7 +29,7 @@ use crate::{CornerAttribute, Faces, Mesh, MeshError, Tangent, Tangents};
 /// ```
 /// use ga_mesh::{obj, tangents};
 ///
-/// let square = obj::parse(
+/// let square = obj::decode(
 ///     b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
 /// )?;
 /// let tangents = tangents::mikktspace(&square, 0)?;

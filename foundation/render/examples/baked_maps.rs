@@ -116,7 +116,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn read(file: &str) -> Result<Mesh, Box<dyn Error>> {
-    Ok(obj::parse(&std::fs::read(file)?)?)
+    Ok(obj::decode(&std::fs::read(file)?)?)
 }
 
 /// A torus of 13,824 triangles, and its refinement with bumps and colours.

@@ -27,7 +27,7 @@ impl CompressedClip {
     /// # Errors
     ///
     /// Any [`FileError`].
-    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, FileError> {
+    pub fn decode(bytes: Vec<u8>) -> Result<Self, FileError> {
         let (header, segments) = file::parse(&bytes)?;
         let tracks: Vec<(bool, f64)> = header
             .tracks
@@ -48,7 +48,7 @@ impl CompressedClip {
     ///
     /// [`ReadError::Io`], or [`ReadError::Contents`] with any [`FileError`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<FileError>> {
-        ga_files::read(path, |bytes| Self::from_bytes(bytes.to_vec()))
+        ga_files::read(path, |bytes| Self::decode(bytes.to_vec()))
     }
 
     /// Writes the clip to a file, whole or not at all.

@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     progress.step("reading");
     let (mesh, _) = input::read(input, quiet)?;
     let tags = match &arguments.creases {
-        Some(path) => ga_files::read(path, TagText::parse)?,
+        Some(path) => ga_files::read(path, TagText::decode)?,
         None => TagText::default(),
     };
 

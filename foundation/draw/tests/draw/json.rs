@@ -220,7 +220,7 @@ fn errors_of_the_text_name_the_line_or_the_member() {
         ("{\"elements\": [], \"size\": [1, 1]}", "`size` is [1, 1]"),
         ("{\"elements\": [], \"view\": {\"zoom\": 0}}", "`zoom` is 0"),
     ] {
-        let message = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        let message = Scene::decode(text.as_bytes()).unwrap_err().to_string();
         assert!(message.contains(part), "{message}");
     }
 }
@@ -262,7 +262,7 @@ fn errors_of_the_text_name_the_unknown_member_and_no_type() {
         (r#"{"view": {"up": "x"}, "elements": []}"#.to_owned(), "`x`"),
     ];
     for (text, part) in cases {
-        let message = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        let message = Scene::decode(text.as_bytes()).unwrap_err().to_string();
         assert!(message.contains(part), "{text}: {message}");
         for word in ["Text", "Members", "struct", "enum", "Projection", "Up"] {
             assert!(!message.contains(word), "{text}: {message}");

@@ -28,9 +28,9 @@
 //!
 //! let corners = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 //! let square = b"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-//! let coarse = Coarse::from_mesh(&obj::parse(&[&corners[..], square].concat())?, 0)?;
+//! let coarse = Coarse::from_mesh(&obj::decode(&[&corners[..], square].concat())?, 0)?;
 //! // A slope that rises by 0.01 along x.
-//! let fine = obj::parse(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
+//! let fine = obj::decode(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
 //! let fine = Fine::from_mesh(&fine)?;
 //! let bake = Bake::new(&coarse, &fine, &Options::with_size(16))?;
 //!

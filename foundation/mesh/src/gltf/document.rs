@@ -20,8 +20,8 @@ use super::{Animation, Extras, Image, MaterialElement, Mesh, Sampler, Skin, Text
 ///     scene: Some(0),
 ///     ..Document::default()
 /// };
-/// let file = gltf::to_glb(&document)?;
-/// assert_eq!(gltf::parse(&file)?.meshes, document.meshes);
+/// let file = gltf::encode(&document)?;
+/// assert_eq!(gltf::decode(&file)?.meshes, document.meshes);
 /// # Ok::<(), gltf::FormatError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]

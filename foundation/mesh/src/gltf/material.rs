@@ -113,7 +113,7 @@ pub struct Image {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImageSource {
     /// In a file, named by a URI relative to the glTF file. The reader does not open it; see
-    /// [`Document::load_images`](super::Document::load_images).
+    /// [`Document::read_images`](super::Document::read_images).
     Uri(String),
     /// Here, as a file of the named media type, `image/png` or `image/jpeg`.
     Bytes {

@@ -2,7 +2,7 @@
 //!
 //! A [`Document`] holds what a `.gltf` or `.glb` file holds, as plain data: lists of numbers in
 //! single precision in place of accessors and buffers, and references by index. [`read`] and
-//! [`write`](write()) take either form of file, [`parse`] and [`to_glb`] bytes in memory.
+//! [`write`](write()) take either form of file, [`decode`] and [`encode`] bytes in memory.
 //!
 //! | what | types |
 //! | --- | --- |
@@ -23,7 +23,7 @@
 //! use ga_mesh::gltf::{self, Problem};
 //!
 //! let file = br#"{"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]}"#;
-//! let error = gltf::parse(file).unwrap_err();
+//! let error = gltf::decode(file).unwrap_err();
 //! assert!(matches!(&error, FormatError::Gltf { problem: Problem::Cycle, .. }));
 //! assert_eq!(error.to_string(), "node 0: is an ancestor of itself");
 //! ```
@@ -56,5 +56,5 @@ pub use material::{
 };
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
 pub use problem::{Element, Problem};
-pub use reader::{SUPPORTED_EXTENSIONS, parse, read};
-pub use writer::{GltfFiles, to_glb, to_gltf, write};
+pub use reader::{SUPPORTED_EXTENSIONS, decode, read};
+pub use writer::{GltfFiles, encode, encode_files, write};

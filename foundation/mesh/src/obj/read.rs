@@ -88,7 +88,7 @@ impl fmt::Display for Warning {
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse_with_libraries`] gives.
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode_with_libraries`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
     read_with_warnings(path).map(|(mesh, _)| mesh)
 }
@@ -104,7 +104,7 @@ pub fn read_with_warnings(
     let path = path.as_ref();
     let folder = path.parent().unwrap_or(Path::new(""));
     let (mesh, mut warnings) = ga_files::read(path, |bytes| {
-        parse_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
+        decode_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
     })?;
     for material in mesh.materials() {
         for texture in material.textures() {
@@ -134,16 +134,16 @@ pub fn read_with_warnings(
 /// # Examples
 ///
 /// ```
-/// let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng corner\nf 1 2 -1\n")?;
+/// let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng corner\nf 1 2 -1\n")?;
 /// assert_eq!(mesh.faces().get(0), Some(&[0, 1, 2][..]));
 /// assert_eq!(mesh.group("corner").map(|group| group.faces.len()), Some(1));
 ///
-/// let error = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0\n").unwrap_err();
+/// let error = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0\n").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: a v line has 3, 4, 6 or 7 numbers, but this one has 2");
 /// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Mesh, FormatError> {
-    parse_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|(mesh, _)| mesh)
+pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
+    decode_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|(mesh, _)| mesh)
 }
 
 /// Reads a mesh from the bytes of a file; `open` gives the bytes of a material library by its name.
@@ -154,21 +154,21 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, FormatError> {
 ///
 /// # Errors
 ///
-/// As [`parse`]; [`ObjProblem::LibraryUnreadable`] where `open` fails otherwise than with
+/// As [`decode`]; [`ObjProblem::LibraryUnreadable`] where `open` fails otherwise than with
 /// [`NotFound`](io::ErrorKind::NotFound), and [`ObjProblem::Library`] for a fault in a library.
 ///
 /// # Examples
 ///
 /// ```
-/// use ga_mesh::obj::parse_with_libraries;
+/// use ga_mesh::obj::decode_with_libraries;
 ///
 /// let text = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-/// let loaded = parse_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
+/// let loaded = decode_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
 /// let red = loaded.mesh.material(0).map(|material| material.base_colour);
 /// assert_eq!(red, Some([1.0, 0.0, 0.0, 1.0]));
 /// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
-pub fn parse_with_libraries(
+pub fn decode_with_libraries(
     bytes: &[u8],
     mut open: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<(Mesh, Vec<Warning>), FormatError> {

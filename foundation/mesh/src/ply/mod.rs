@@ -43,15 +43,15 @@ use crate::{FormatError, Mesh};
 
 pub use header::Encoding;
 pub use problem::{Place, PlyProblem};
-pub use write::to_bytes;
+pub use write::encode;
 
 /// Reads the mesh in a file.
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
-    ga_files::read(path, parse)
+    ga_files::read(path, decode)
 }
 
 /// Reads a mesh from the bytes of a file.
@@ -66,11 +66,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
 /// let text = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
 ///     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
 ///     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-/// let mesh = ga_mesh::ply::parse(text)?;
+/// let mesh = ga_mesh::ply::decode(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 /// # Ok::<(), ga_mesh::ply::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Mesh, FormatError> {
+pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
     read::mesh(bytes)
 }
 
@@ -80,5 +80,5 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, FormatError> {
 ///
 /// [`WriteError`]; an earlier file of that name then stays as it was.
 pub fn write(path: impl AsRef<Path>, mesh: &Mesh, encoding: Encoding) -> Result<(), WriteError> {
-    ga_files::write(path, &to_bytes(mesh, encoding))
+    ga_files::write(path, &encode(mesh, encoding))
 }

@@ -15,7 +15,7 @@ use crate::{CornerAttribute, Group, Mesh, MeshError, Position, Rgba};
 /// ```
 /// use ga_mesh::subdivision::{Rules, Tags, subdivide};
 ///
-/// let square = ga_mesh::obj::parse(b"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n")?;
+/// let square = ga_mesh::obj::decode(b"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n")?;
 /// let fine = subdivide(&square, 2, Rules::CATMULL_CLARK, &Tags::default())?;
 /// assert_eq!(fine.faces().len(), 16);
 /// assert_eq!(fine.positions()[0].coordinates(), [0.625, 0.625, 0.0]);

@@ -66,19 +66,19 @@ impl TagText {
     /// ```
     /// use ga_mesh::subdivision::TagText;
     ///
-    /// let text = TagText::parse(b"# the lid\ncrease 0 1 2.5\ncorner 3 inf\n")?;
+    /// let text = TagText::decode(b"# the lid\ncrease 0 1 2.5\ncorner 3 inf\n")?;
     /// assert_eq!(text.tags.creases[0].vertices, [0, 1]);
     /// assert_eq!(text.tags.corners[0].sharpness, f64::INFINITY);
     /// assert_eq!(text.corner_lines, [3]);
     ///
-    /// let error = TagText::parse(b"crease 0 1 -1\n").unwrap_err();
+    /// let error = TagText::decode(b"crease 0 1 -1\n").unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
     ///     "line 1: \"-1\" is not a sharpness: a number that is at least 0, or inf"
     /// );
     /// # Ok::<(), ga_mesh::MeshError>(())
     /// ```
-    pub fn parse(bytes: &[u8]) -> Result<Self, MeshError> {
+    pub fn decode(bytes: &[u8]) -> Result<Self, MeshError> {
         let mut text = Self::default();
         for (line, bytes) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
             text.push_line(line, bytes)

@@ -78,7 +78,7 @@ fn assert_line(line: usize, text: &[u8]) {
 fn damaged_obj_files() {
     let (mut readable, mut faults) = (0, 0);
     damaged(OBJ, |text| {
-        match obj::parse_with_libraries(text, |_| Ok(MTL.to_vec())) {
+        match obj::decode_with_libraries(text, |_| Ok(MTL.to_vec())) {
             Ok((mesh, _)) => {
                 assert_sound(&mesh);
                 readable += 1;
@@ -102,13 +102,13 @@ fn damaged_mtl_files() {
     const NAMED_AT: usize = 2;
     let (mut readable, mut faults) = (0, 0);
     damaged(MTL, |text| {
-        let alone = mtl::parse(text);
+        let alone = mtl::decode(text);
         match &alone {
             Ok(_) => {}
             Err(FormatError::Mtl { line, .. }) => assert_line(*line, text),
             Err(error) => panic!("{error:?}"),
         }
-        match obj::parse_with_libraries(OBJ, |_| Ok(text.to_vec())) {
+        match obj::decode_with_libraries(OBJ, |_| Ok(text.to_vec())) {
             Ok((mesh, _)) => {
                 assert_sound(&mesh);
                 assert!(alone.is_ok());
@@ -127,11 +127,11 @@ fn damaged_mtl_files() {
 
 #[test]
 fn damaged_ply_files() {
-    let mesh = obj::parse(OBJ).unwrap();
+    let mesh = obj::decode(OBJ).unwrap();
     for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
-        let sample = ply::to_bytes(&mesh, encoding);
-        assert!(ply::parse(&sample).is_ok());
-        damaged(&sample, |file| match ply::parse(file) {
+        let sample = ply::encode(&mesh, encoding);
+        assert!(ply::decode(&sample).is_ok());
+        damaged(&sample, |file| match ply::decode(file) {
             Ok(mesh) => assert_sound(&mesh),
             Err(FormatError::Ply { place, problem }) => match place {
                 Place::Line(line) => assert_line(line, file),

@@ -14,7 +14,7 @@ const TRIANGLES: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
     let text = format!("{TRIANGLES}{text}");
-    obj::parse_with_libraries(text.as_bytes(), |name| match name {
+    obj::decode_with_libraries(text.as_bytes(), |name| match name {
         "a.mtl" | "two words.mtl" => Ok(library.as_bytes().to_vec()),
         _ => Err(io::ErrorKind::NotFound.into()),
     })
@@ -23,7 +23,7 @@ fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
 
 #[test]
 fn all_forms_of_lines_are_read() {
-    let materials = mtl::parse(
+    let materials = mtl::decode(
         b"# caf\xe9
 newmtl old paint
 Ka 0.1 0.1 0.1
@@ -127,10 +127,10 @@ fn every_fault_names_both_files_and_lines() {
             "line 2: the file is not UTF-8 text",
         ),
     ] {
-        let error = mtl::parse(library.as_bytes()).unwrap_err().to_string();
+        let error = mtl::decode(library.as_bytes()).unwrap_err().to_string();
         assert_eq!(error, message);
         let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
-        let error = obj::parse_with_libraries(text.as_bytes(), |_| Ok(library.into()));
+        let error = obj::decode_with_libraries(text.as_bytes(), |_| Ok(library.into()));
         assert_eq!(
             error.unwrap_err().to_string(),
             format!("line 5: a.mtl: {message}")
@@ -138,7 +138,7 @@ fn every_fault_names_both_files_and_lines() {
     }
     let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
     let denied = |_: &str| Err(io::ErrorKind::PermissionDenied.into());
-    let error = obj::parse_with_libraries(text.as_bytes(), denied).unwrap_err();
+    let error = obj::decode_with_libraries(text.as_bytes(), denied).unwrap_err();
     assert_eq!(
         error.to_string(),
         "line 5: cannot read a.mtl: permission denied"
@@ -248,7 +248,7 @@ fn lines_and_points_are_read_and_checked() {
         ),
         ("p 0", "line 5: \"0\" refers to v 0, but there are 4"),
     ] {
-        let error = obj::parse(format!("{TRIANGLES}{line}\n").as_bytes()).unwrap_err();
+        let error = obj::decode(format!("{TRIANGLES}{line}\n").as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message);
     }
 }
@@ -365,13 +365,13 @@ fn names_become_different_words() {
     let mesh = mesh
         .with_materials(named(["a b", "a_b", "(null)", ""]), of_faces())
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["a b", "a_b", "(null)_2", "_"]);
     let mesh = mesh
         .with_materials(named(["a  b", "a #b ", "a #b ", "a\tb"]), of_faces())
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["a _ b", "a _b _", "a _b __2", "a_b"]);
     // `g` takes several names, `o` one.
@@ -383,7 +383,7 @@ fn names_become_different_words() {
         .with_objects(vec![set("left hand")])
         .and_then(|mesh| mesh.with_groups(vec![set("left hand")]))
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     assert_eq!(back.objects()[0].name, "left hand");
     assert_eq!(back.groups()[0].name, "left_hand");
 }
@@ -429,11 +429,11 @@ fn textures_that_mtl_cannot_place_are_left_out() {
         normal_texture: Some(Texture::file("plain.png")),
         ..Material::default()
     };
-    let text = mtl::to_text([("a", &material)], |image| match image {
+    let text = mtl::encode([("a", &material)], |image| match image {
         Image::File(path) => path.clone(),
         Image::Embedded { .. } => String::new(),
     });
-    let back = mtl::parse(text.as_bytes()).unwrap();
+    let back = mtl::decode(text.as_bytes()).unwrap();
     let images: Vec<_> = back[0].textures().map(|texture| &texture.image).collect();
     let plain = Image::File("plain.png".into());
     assert_eq!(images, [&plain], "{text}");

@@ -143,7 +143,7 @@ fn wrong_lengths_are_named() {
 
 #[test]
 fn texts_that_are_not_tags_are_errors() {
-    let problem = |text: &[u8]| match TagText::parse(text) {
+    let problem = |text: &[u8]| match TagText::decode(text) {
         Err(MeshError::Tag { line: 2, problem }) => problem,
         other => panic!("{other:?}"),
     };
@@ -177,7 +177,7 @@ fn texts_that_are_not_tags_are_errors() {
         assert_eq!(problem(text.as_bytes()), expected);
     }
     assert_eq!(problem(b"\ncorner \xff 1"), TagProblem::NotText);
-    let text = TagText::parse(b"  crease 3 4 1e1 # \xff\r\n\tcorner 0 infinity").unwrap();
+    let text = TagText::decode(b"  crease 3 4 1e1 # \xff\r\n\tcorner 0 infinity").unwrap();
     assert_eq!(text.tags.creases, [crease(3, 4, 10.0)]);
     assert_eq!(text.tags.corners, [corner(0, f64::INFINITY)]);
     assert_eq!((text.crease_lines, text.corner_lines), (vec![1], vec![2]));

@@ -6,7 +6,7 @@
 //! use ga_render::model::Model;
 //! use ga_render::{Camera, Style, ViewDirection, render};
 //!
-//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+//! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
 //! let model = Model::from_mesh(&mesh, None)?;
 //! let style = Style::default();
 //! let view = ViewDirection::default();

@@ -1,7 +1,7 @@
 //! One mesh with normals and one material, a skin with any number of joints and of influences on a
 //! vertex, and animations that rotate and translate the joints.
 //!
-//! [`to_document`] makes a [`Document`] of them and [`to_glb`] a file, which passes the Khronos
+//! [`to_document`] makes a [`Document`] of them and [`encode`] a file, which passes the Khronos
 //! validator without errors or warnings. Skin and animations are plain data here: joints with
 //! names, parents and motors at rest, weights as lists, tracks of times and motors. The crate
 //! ga-anim makes them from its skeletons and clips.
@@ -11,7 +11,7 @@
 //! is *(n sin(α/2), cos(α/2))*.
 //!
 //! ```
-//! use ga_mesh::gltf::model::{Dielectric, Model, to_glb};
+//! use ga_mesh::gltf::model::{Dielectric, Model, encode};
 //!
 //! let model = Model {
 //!     name: "triangle",
@@ -22,7 +22,7 @@
 //!     skin: None,
 //!     animations: &[],
 //! };
-//! let file = to_glb(&model)?;
+//! let file = encode(&model)?;
 //! assert_eq!(&file[..8], b"glTF\x02\0\0\0");
 //! # Ok::<(), ga_mesh::FormatError>(())
 //! ```
@@ -92,8 +92,8 @@ pub fn to_document(model: &Model) -> Result<Document, FormatError> {
 /// # Errors
 ///
 /// As [`to_document`].
-pub fn to_glb(model: &Model) -> Result<Vec<u8>, FormatError> {
-    gltf::to_glb(&to_document(model)?)
+pub fn encode(model: &Model) -> Result<Vec<u8>, FormatError> {
+    gltf::encode(&to_document(model)?)
 }
 
 fn material(material: &Dielectric) -> Result<gltf::MaterialElement, ModelProblem> {

@@ -32,12 +32,12 @@ pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
 const QUANTIZATION: &str = "KHR_mesh_quantization";
 
 /// Reads a `.glb` or `.gltf` file and the files of its buffers. Its first bytes decide which it is,
-/// not its name. Files of images are not opened; see [`Document::load_images`].
+/// not its name. Files of images are not opened; see [`Document::read_images`].
 ///
 /// # Errors
 ///
 /// [`ReadError::Io`] when the file cannot be read, else [`ReadError::Contents`] with what
-/// [`parse`] reports, and [`Problem::Io`] for a buffer whose file cannot be read.
+/// [`decode`] reports, and [`Problem::Io`] for a buffer whose file cannot be read.
 pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<FormatError>> {
     let path = path.as_ref();
     let folder = folder_of(path);
@@ -60,7 +60,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<FormatError>> 
 /// extension that is not supported, an accessor beyond its buffer, and whatever
 /// [`Document::validate`] reports. A document may take up 64 MiB and 64 bytes for each byte of the
 /// file; past that the error is [`Problem::TooLarge`].
-pub fn parse(file: &[u8]) -> Result<Document, FormatError> {
+pub fn decode(file: &[u8]) -> Result<Document, FormatError> {
     document(file, &mut |path, _| {
         let (path, kind) = (path.to_path_buf(), io::ErrorKind::Unsupported);
         Err(Problem::Io { path, kind })
@@ -74,7 +74,7 @@ impl Document {
     /// # Errors
     ///
     /// [`Problem::Io`] for the first image whose file cannot be read; images before it are loaded.
-    pub fn load_images(&mut self, folder: impl AsRef<Path>) -> Result<(), FormatError> {
+    pub fn read_images(&mut self, folder: impl AsRef<Path>) -> Result<(), FormatError> {
         for (index, image) in self.images.iter_mut().enumerate() {
             if let ImageSource::Uri(uri) = &image.source {
                 image.source = image::load(uri, folder.as_ref())
@@ -106,7 +106,7 @@ fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
     }
     let buffers = Buffers::load(&root, binary, files)?;
     let accessors = Accessors::new(&root, &buffers, file.len());
-    let document = decode(&root, &buffers, &accessors)?;
+    let document = elements(&root, &buffers, &accessors)?;
     document.validate()?;
     Ok(document)
 }
@@ -124,7 +124,7 @@ fn check_version(asset: &json::Asset) -> Result<(), FormatError> {
     Err(FormatError::gltf(Element::File, problem))
 }
 
-fn decode(
+fn elements(
     root: &json::Root,
     buffers: &Buffers,
     accessors: &Accessors,

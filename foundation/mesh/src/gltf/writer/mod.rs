@@ -25,14 +25,14 @@ pub struct GltfFiles {
 /// The bytes of a GLB file of the document. Images whose bytes are in the document are in the file;
 /// those named by a URI stay files of their own, which this does not write.
 ///
-/// Numbers are written in single precision as they are, so that [`parse`](super::parse) returns the
+/// Numbers are written in single precision as they are, so that [`decode`](super::decode) returns the
 /// same vertices, weights and keys. Lists that are equal are written once. What the Khronos
 /// validator reports of such a file is in the document; [`Document::conformed`] mends most of it.
 ///
 /// # Errors
 ///
 /// As [`Document::validate`]; [`Problem::TooLarge`] past 4 GiB.
-pub fn to_glb(document: &Document) -> Result<Vec<u8>, FormatError> {
+pub fn encode(document: &Document) -> Result<Vec<u8>, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     for image in &document.images {
@@ -52,7 +52,7 @@ pub fn to_glb(document: &Document) -> Result<Vec<u8>, FormatError> {
 /// # Errors
 ///
 /// As [`Document::validate`].
-pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, FormatError> {
+pub fn encode_files(document: &Document, name: &str) -> Result<GltfFiles, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     let mut others = Vec::new();
@@ -82,7 +82,7 @@ pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, FormatError
 }
 
 /// Writes a document to a file: JSON with other files beside it where the name ends in `.gltf`, see
-/// [`to_gltf`], else GLB. All files are written, or none.
+/// [`encode_files`], else GLB. All files are written, or none.
 ///
 /// # Errors
 ///
@@ -117,10 +117,10 @@ pub(crate) fn files(path: &Path, document: &Document) -> Result<Vec<(String, Vec
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (true, Some(stem)) = (is_json, stem) else {
-        let contents = to_glb(document).map_err(fault)?;
+        let contents = encode(document).map_err(fault)?;
         return Ok(vec![(name.into_owned(), contents)]);
     };
-    let GltfFiles { json, others } = to_gltf(document, stem).map_err(fault)?;
+    let GltfFiles { json, others } = encode_files(document, stem).map_err(fault)?;
     let mut files = vec![(name.into_owned(), json)];
     files.extend(others);
     Ok(files)

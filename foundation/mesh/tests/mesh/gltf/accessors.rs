@@ -1,7 +1,7 @@
 //! Accessors of every kind, beside values worked out from the specification.
 
 use ga_mesh::FormatError;
-use ga_mesh::gltf::{Components, Document, Keys, Shape, parse};
+use ga_mesh::gltf::{Components, Document, Keys, Shape, decode};
 use serde_json::{Value, json};
 
 /// A document from JSON and the bytes of its only buffer, in which every accessor begins.
@@ -10,7 +10,7 @@ fn document(json: Value, bytes: &[u8]) -> Result<Document, FormatError> {
     let mut json = json;
     json["asset"] = json!({"version": "2.0"});
     json["buffers"] = json!([{"byteLength": bytes.len(), "uri": format!("data:,{digits}")}]);
-    parse(&serde_json::to_vec(&json).unwrap())
+    decode(&serde_json::to_vec(&json).unwrap())
 }
 
 fn floats(numbers: &[f32]) -> Vec<u8> {

@@ -1,6 +1,6 @@
 //! Models that cannot be written.
 
-use ga_mesh::gltf::model::{Dielectric, Model, ModelProblem, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, ModelProblem, encode};
 
 use super::source::{Source, strip};
 use ga_mesh::FormatError;
@@ -155,7 +155,7 @@ fn what_cannot_be_written_is_named() {
         ..Dielectric::default()
     };
     assert_eq!(
-        to_glb(&Model {
+        encode(&Model {
             material: glass,
             ..good.build().model()
         }),

@@ -13,7 +13,7 @@ mod samples;
 mod source;
 mod validator;
 
-use ga_mesh::gltf::model::{Dielectric, Model, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, encode};
 use gltf::animation::util::ReadOutputs;
 use proptest::prelude::*;
 
@@ -211,7 +211,7 @@ fn a_mesh_without_a_skin_is_written_alone() {
         animations: &[],
         ..built.model()
     };
-    let read = Read::new(&to_glb(&model).unwrap());
+    let read = Read::new(&encode(&model).unwrap());
     assert_eq!(
         read.document.skins().len() + read.document.animations().len(),
         0

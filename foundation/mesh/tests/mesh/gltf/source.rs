@@ -1,7 +1,7 @@
 //! Models to write, and where their vertices belong.
 
 use ga_mesh::FormatError;
-use ga_mesh::gltf::model::{Animation, Dielectric, JointNode, Model, Skin, Track, to_glb};
+use ga_mesh::gltf::model::{Animation, Dielectric, JointNode, Model, Skin, Track, encode};
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -126,7 +126,7 @@ impl Source {
     }
 
     pub(crate) fn write(&self) -> Result<Vec<u8>, FormatError> {
-        to_glb(&self.build().model())
+        encode(&self.build().model())
     }
 
     /// Skinned positions with the joints at the given local transforms: Σ w G(pose) G(rest)⁻¹ v.

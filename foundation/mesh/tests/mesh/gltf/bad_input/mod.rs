@@ -3,7 +3,7 @@
 mod references;
 
 use ga_files::ReadError;
-use ga_mesh::gltf::{Element, Problem, parse, read, write};
+use ga_mesh::gltf::{Element, Problem, decode, read, write};
 use serde_json::{Value, json};
 
 use super::documents::example;
@@ -98,7 +98,7 @@ fn message(pointer: &str, value: Value) -> String {
         }
         _ => panic!("{pointer} is not in the JSON"),
     }
-    match parse(&glb(&json, &bytes)) {
+    match decode(&glb(&json, &bytes)) {
         Ok(_) => "none".to_owned(),
         Err(error) => error.to_string(),
     }
@@ -108,7 +108,7 @@ fn message(pointer: &str, value: Value) -> String {
 fn message_of_bytes(at: usize, replaced: &[u8]) -> String {
     let (json, mut bytes) = model();
     bytes[at..at + replaced.len()].copy_from_slice(replaced);
-    parse(&glb(&json, &bytes)).unwrap_err().to_string()
+    decode(&glb(&json, &bytes)).unwrap_err().to_string()
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn zeros_from_nothing_are_limited() {
 fn the_container_is_checked() {
     let (json, bytes) = model();
     let file = glb(&json, &bytes);
-    let message = |file: &[u8]| parse(file).unwrap_err().to_string();
+    let message = |file: &[u8]| decode(file).unwrap_err().to_string();
     assert_eq!(message(b"glTF"), "file: needs 12 bytes, but has 4");
     assert_eq!(
         message(&file[..100]),
@@ -214,7 +214,7 @@ fn the_container_is_checked() {
     let length = longer.len() as u32;
     longer[8..12].copy_from_slice(&length.to_le_bytes());
     longer.extend(b"trailing");
-    assert_eq!(parse(&longer).unwrap(), parse(&file).unwrap());
+    assert_eq!(decode(&longer).unwrap(), decode(&file).unwrap());
 }
 
 #[test]
