@@ -1,7 +1,8 @@
 //! What can be wrong with files of rigs and of motion.
 
 use ga_mesh::MeshError;
-use ga_mesh::gltf::{Element, GltfError};
+use ga_mesh::FormatError;
+use ga_mesh::gltf::Element;
 
 use crate::bvh::BvhProblem;
 use crate::recording::RecordingError;
@@ -62,7 +63,7 @@ pub enum MotionFileError {
     Skin(#[from] SkinError),
     /// The document is not valid.
     #[error(transparent)]
-    Document(#[from] GltfError),
+    Document(#[from] FormatError),
     /// There is no animation of this number.
     #[error("there is no animation {animation}: the file has {count}")]
     NoAnimation {

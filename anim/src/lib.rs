@@ -43,7 +43,7 @@
 //! use ga_anim::weights::SkinWeights;
 //! use ga_runtime::cga3::{Motor, Rotor};
 //!
-//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
+//! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")?;
 //! let joint = |name: &str, parent, x| Joint {
 //!     name: name.into(),
 //!     parent,

@@ -61,7 +61,7 @@ pub struct LikelyUnit {
 /// Frame Time: 0.04
 /// 0 0 0 0 0 0 0 0 0 0 0 0
 /// ";
-/// let unit = likely_unit(&Recording::from_bvh(&bvh::parse(text)?, 1.0)?).ok_or("no bones")?;
+/// let unit = likely_unit(&Recording::from_bvh(&bvh::decode(text)?, 1.0)?).ok_or("no bones")?;
 /// assert_eq!((unit.metres, unit.is_clear), (0.01, true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

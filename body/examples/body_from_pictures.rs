@@ -19,7 +19,7 @@ use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mannequin::walk;
-use ga_render::{Material, Shading};
+use ga_render::{Appearance, Shading};
 
 use studio::{Result, Studio};
 
@@ -188,10 +188,10 @@ fn overlay(
     pose: &Pose,
     camera: &Camera,
 ) -> Result<Plane<[u8; 3]>> {
-    let orange = Material {
+    let orange = Appearance {
         base_colour: LinearColour::new(0.9, 0.35, 0.05),
         roughness: 0.9,
-        ..Material::default()
+        ..Appearance::default()
     };
     let body = studio.draw(pose, camera, &orange, Shading::Lit)?;
     let colours: &Plane<[u8; 3]> = &body.colour;

@@ -13,9 +13,9 @@ use ga_anim::skin::{self, Method};
 use ga_anim::weights::SkinWeights;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_render::texture::{Sampler, Texture};
+use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Attribute, Camera, Material, MaterialChoice, Object, Scene, Style, ViewDirection, render,
+    Appearance, Attribute, Camera, MaterialChoice, Object, Scene, Style, ViewDirection, render,
 };
 use ga_runtime::cga3::{Motor, Point, Rotor};
 
@@ -125,11 +125,11 @@ fn picture(
             _ => [240, 226, 200],
         }
     });
-    let stripes = Texture::colour(&stripes, Sampler::default())?;
-    let materials = [Material {
+    let stripes = Mipmap::colour(&stripes, Sampler::default())?;
+    let materials = [Appearance {
         base_colour_map: Some(&stripes),
         roughness: 0.7,
-        ..Material::default()
+        ..Appearance::default()
     }];
     let objects = meshes.iter().map(|positions| Object {
         texture_coordinates: Some(Attribute::of_vertices(&cylinder.coordinates)),

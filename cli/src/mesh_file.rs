@@ -22,10 +22,10 @@ pub(crate) fn files(
     options: &Options,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     if !is_standard_output(out) && !ga_files::is_stream(out) {
-        return Ok(format::to_files(out, mesh, options)?);
+        return Ok(format::encode_files(out, mesh, options)?);
     }
     let ending = format.endings().first().copied().unwrap_or_default();
-    let mut files = format::to_files(format!("model.{ending}"), mesh, options)?;
+    let mut files = format::encode_files(format!("model.{ending}"), mesh, options)?;
     if let Some((path, _)) = files.get(1) {
         bail!(
             "{}: the mesh needs several files, such as {}, and they need a folder",

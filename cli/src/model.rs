@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use anyhow::{Context, Result};
 use ga_anim::clip::Clip;
 use ga_anim::gltf;
-use ga_mesh::gltf::model::{Material, Model, Skin, to_document};
-use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, Texture, TextureInfo, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
+use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, TextureElement, TextureInfo, encode};
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::{Filter, Minification, Wrap, obj};
 
@@ -36,7 +36,7 @@ pub(crate) fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec
     };
     let file = |name, contents| File { name, contents };
     let Some(png) = png else {
-        let text = obj::to_text(&figure.mesh);
+        let text = obj::encode(&figure.mesh);
         return Ok(vec![file(OBJ, text.into_bytes()), glb]);
     };
     let material = ga_mesh::Material {
@@ -46,7 +46,7 @@ pub(crate) fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec
     };
     let faces = vec![Some(0); figure.mesh.faces().len()];
     let mesh = figure.mesh.clone().with_materials(vec![material], faces)?;
-    let mut written = obj::to_files(&mesh, "model").into_iter();
+    let mut written = obj::encode_files(&mesh, "model").into_iter();
     let mut next = || written.next().map(|(_, contents)| contents);
     let (obj, mtl) = next().zip(next()).context("the material is not written")?;
     Ok(vec![file(OBJ, obj), glb, file(MTL, mtl), file(SKIN, png)])
@@ -76,12 +76,12 @@ pub(crate) fn glb(
         .map(|v| weights[at(v)].clone())
         .collect();
     let material = match png {
-        Some(_) => Material {
+        Some(_) => Dielectric {
             name: MATERIAL,
             base_colour: [1.0; 3],
             roughness: ROUGHNESS,
         },
-        None => Material::default(),
+        None => Dielectric::default(),
     };
     let animation = gltf::animation(clip_name, &figure.skeleton, clip)?;
     let model = Model {
@@ -100,7 +100,7 @@ pub(crate) fn glb(
     if let Some(png) = png {
         paint(&mut document, &split.coordinates, png);
     }
-    to_glb(&document).context("the model cannot be written as glTF")
+    encode(&document).context("the model cannot be written as glTF")
 }
 
 /// Gives the mesh of a document texture coordinates and its material the picture.
@@ -123,10 +123,10 @@ fn paint(document: &mut Document, coordinates: &[[f64; 2]], png: &[u8]) {
         wrap_v: Wrap::ClampToEdge,
         ..Sampler::default()
     });
-    document.textures.push(Texture {
+    document.textures.push(TextureElement {
         sampler: Some(document.samplers.len() - 1),
         image: Some(document.images.len() - 1),
-        ..Texture::default()
+        ..TextureElement::default()
     });
     let texture = document.textures.len() - 1;
     for material in &mut document.materials {

@@ -43,7 +43,7 @@ mod tests {
         for angle in degrees {
             text += &format!("{angle} 0\n");
         }
-        ga_anim::bvh::parse(text.as_bytes()).unwrap()
+        ga_anim::bvh::decode(text.as_bytes()).unwrap()
     }
 
     #[test]

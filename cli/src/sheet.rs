@@ -1,4 +1,4 @@
-//! The pictures of a motion: the contact sheet and the film.
+//! The pictures of a motion: the contact sheet and the sequence.
 
 use anyhow::{Context, Result, ensure};
 use ga_anim::clip::Clip;
@@ -6,10 +6,10 @@ use ga_anim::skin::Method;
 use ga_image::picture::PictureView;
 use ga_image::plane::Plane;
 use ga_image::png::{self, Animation};
-use ga_render::sheet::{Film, Frame, Layout, Options, Shooting, Subject, contact_sheet_of};
-use ga_render::texture::{Sampler, Texture, Wrap};
+use ga_render::sheet::{Frame, Layout, Options, Sequence, Shooting, Subject, contact_sheet_of};
+use ga_render::texture::{Mipmap, Sampler, Wrap};
 use ga_render::{
-    Attribute, Light, Lighting, Material, MaterialChoice, Object, Polyline, Style, ViewDirection,
+    Appearance, Attribute, Light, Lighting, MaterialChoice, Object, Polyline, Style, ViewDirection,
 };
 
 use crate::figure::Figure;
@@ -24,10 +24,10 @@ const ASIDE: f64 = 0.9;
 /// The angle of the camera above the horizon, in radians.
 const ABOVE: f64 = 0.2;
 
-/// Columns and rows of a picture of the film.
+/// Columns and rows of a picture of the sequence.
 const FILM_SIZE: [u32; 2] = [360, 480];
 
-/// The most pictures of a film.
+/// The most pictures of a sequence.
 pub(crate) const MOST_PICTURES: usize = 1000;
 
 /// A contact sheet as a file.
@@ -103,13 +103,13 @@ pub(crate) fn film(
         },
         ..usual
     };
-    let mut film = Film::new(options);
+    let mut sequence = Sequence::new(options);
     for (number, pose) in clip.frames().iter().enumerate() {
         let positions = figure.skinned(pose, Method::Motor)?;
-        film.add(&Frame::new(number, &positions))?;
+        sequence.add(&Frame::new(number, &positions))?;
     }
     with_subject(figure, |subject| {
-        let shooting = film.shoot(subject).context("cannot draw the film")?;
+        let shooting = sequence.shoot(subject).context("cannot draw the film")?;
         let mut failure = None;
         let pictures = (0..count).map(|number| {
             // An encoder asks for pictures, not for errors: those after an error have no pixels.
@@ -175,11 +175,11 @@ fn with_subject<T>(figure: &Figure, draw: impl FnOnce(Subject) -> Result<T>) -> 
         wrap: [Wrap::ClampToEdge; 2],
         ..Sampler::default()
     };
-    let map = Texture::colour(paint, sampler).context("the painted skin has no pixels")?;
-    let materials = [Material {
+    let map = Mipmap::colour(paint, sampler).context("the painted skin has no pixels")?;
+    let materials = [Appearance {
         base_colour_map: Some(&map),
         roughness: ROUGHNESS,
-        ..Material::default()
+        ..Appearance::default()
     }];
     let corners: Vec<Option<[u32; 3]>> = figure
         .mesh

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_render::Camera;
@@ -18,7 +18,7 @@ const NAME: &str = ga_camera::format::views::FILE_NAME;
 pub(crate) struct ViewFiles<'a> {
     folder: &'a Path,
     entries: Vec<Entry>,
-    pictures: Vec<Result<Vec<u8>, EncodeError>>,
+    pictures: Vec<Result<Vec<u8>, FormatError>>,
 }
 
 /// A view in the file.

@@ -4,9 +4,8 @@ use std::io;
 use std::path::PathBuf;
 
 use ga_files::ReadError;
-use ga_image::file::DecodeError;
-use ga_image::quality::WeightError;
-use ga_image::y4m::StreamError;
+use ga_image::file::FormatError;
+use ga_image::plane::PlaneError;
 
 /// Why a video cannot be read, analysed or compared with another, or not further. Frames are
 /// counted from 0. What was read before an error remains valid. The file of the standard input is
@@ -99,7 +98,7 @@ pub enum VideoError {
         /// The file.
         file: PathBuf,
         /// What is wrong.
-        problem: DecodeError,
+        problem: FormatError,
     },
     /// A Y4M file is wrong within a frame, or cannot be read further.
     #[error("{}: {problem}", file.display())]
@@ -109,7 +108,7 @@ pub enum VideoError {
         /// The frame.
         frame: usize,
         /// What is wrong.
-        problem: StreamError,
+        problem: FormatError,
     },
     /// A picture of a row of numbered pictures cannot be read. The error names its file.
     #[error("frame {frame}: {problem}")]
@@ -117,7 +116,7 @@ pub enum VideoError {
         /// The frame.
         frame: usize,
         /// What is wrong.
-        problem: ReadError<DecodeError>,
+        problem: ReadError<FormatError>,
     },
     /// A number is missing in a row of numbered pictures.
     #[error("{}: the picture of frame {frame} is missing", file.display())]
@@ -229,7 +228,7 @@ pub enum VideoError {
         /// The number of the frame, from 0.
         frame: usize,
         /// Why.
-        problem: WeightError,
+        problem: PlaneError,
     },
 }
 

@@ -1,6 +1,6 @@
 //! Videos of two views.
 
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 
 use super::{Frame, Planes, Properties, Samples, Source};
 use crate::VideoError;
@@ -226,24 +226,24 @@ fn split(whole: &Frame, layout: Layout, size: [usize; 2], halves: &mut [Frame; 2
 /// let whole = joined([&view(40), &view(90)], Layout::SideBySide)?;
 /// assert_eq!(whole.size(), [6, 2]);
 /// assert_eq!(whole.eight_bits().luma.row(1), [40, 40, 40, 90, 90, 90]);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`SizeError::Differs`] where the views differ in size; also where they differ in depth, with
+/// [`PlaneError::Differs`] where the views differ in size; also where they differ in depth, with
 /// equal sizes.
-pub fn joined(views: [&Samples; 2], layout: Layout) -> Result<Samples, SizeError> {
+pub fn joined(views: [&Samples; 2], layout: Layout) -> Result<Samples, PlaneError> {
     let [first, second] = views.map(Samples::size);
     match views {
-        _ if first != second => Err(SizeError::Differs { first, second }),
+        _ if first != second => Err(PlaneError::Differs { first, second }),
         [Samples::Eight(left), Samples::Eight(right)] => {
             Ok(Samples::Eight(joined_planes([left, right], layout)))
         }
         [Samples::Ten(left), Samples::Ten(right)] => {
             Ok(Samples::Ten(joined_planes([left, right], layout)))
         }
-        _ => Err(SizeError::Differs { first, second }),
+        _ => Err(PlaneError::Differs { first, second }),
     }
 }
 

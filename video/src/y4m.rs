@@ -3,8 +3,9 @@
 use std::io::Read;
 use std::path::PathBuf;
 
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
-use ga_image::y4m::{Header, Interlacing, Number, Stream, StreamError};
+use ga_image::y4m::{Header, Interlacing, Number, Stream};
 
 use super::{Frame, Planes, Properties, Samples, Source};
 use crate::VideoError;
@@ -34,17 +35,10 @@ impl<R: Read> Y4mSource<R> {
         let file = file.into();
         let stream = match Stream::new(reader) {
             Ok(stream) => stream,
-            Err(StreamError::Header(problem)) => return Err(VideoError::Header { file, problem }),
-            Err(StreamError::Read { source, .. }) => {
+            Err(FormatError::Read { source, .. }) => {
                 return Err(VideoError::Open { file, source });
             }
-            Err(problem) => {
-                return Err(VideoError::Y4m {
-                    file,
-                    frame: 0,
-                    problem,
-                });
-            }
+            Err(problem) => return Err(VideoError::Header { file, problem }),
         };
         let header = *stream.header();
         if header.interlacing != Interlacing::Progressive {
@@ -65,16 +59,16 @@ impl<R: Read> Y4mSource<R> {
         self.properties.frame_count = length.and_then(|length| self.stream.frame_count(length));
     }
 
-    fn error(&self, problem: StreamError) -> VideoError {
+    fn error(&self, problem: FormatError) -> VideoError {
         let (file, frame) = (self.file.clone(), self.next);
         match problem {
-            StreamError::Truncated { .. } => VideoError::Truncated { file, frame },
-            StreamError::Read { source, .. } => VideoError::Read {
+            FormatError::Truncated { .. } => VideoError::Truncated { file, frame },
+            FormatError::Read { source, .. } => VideoError::Read {
                 file,
                 frame,
                 source,
             },
-            StreamError::Size { size, first, .. } => VideoError::Size {
+            FormatError::FrameSize { size, first, .. } => VideoError::Size {
                 file,
                 frame,
                 size,

@@ -45,7 +45,7 @@ impl Bvh {
     /// # let text = b"HIERARCHY ROOT hip { OFFSET 0 0 0 CHANNELS 2 Yposition Xrotation
     /// #     JOINT knee { OFFSET 0 -4 0 CHANNELS 1 Xrotation End Site { OFFSET 0 -3 0 } } }
     /// #     MOTION Frames: 1 Frame Time: 0.01\n1 90 0\n";
-    /// let motion = ga_anim::bvh::parse(text)?;
+    /// let motion = ga_anim::bvh::decode(text)?;
     /// let (leg, pose) = (motion.skeleton()?, motion.pose(0).ok_or("no frame")?);
     /// let [knee, ankle] = pose.bones(&leg)?[1];
     /// // The hip is at (0, 1, 0), and the leg is raised to the back.

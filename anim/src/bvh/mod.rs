@@ -51,9 +51,9 @@ pub use warning::{BvhWarning, PositionChannels};
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<MotionFileError>> {
-    ga_files::read(path, parse)
+    ga_files::read(path, decode)
 }
 
 /// Reads a motion from the bytes of a file.
@@ -80,14 +80,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<MotionFileError>> {
 /// Frame Time: 0.04
 /// 9.5 0 90 0
 /// ";
-/// let motion = ga_anim::bvh::parse(text)?;
+/// let motion = ga_anim::bvh::decode(text)?;
 /// assert_eq!(motion.joints()[0].name, "Hips");
 /// assert_eq!(motion.frame(0), Some(&[9.5, 0.0, 90.0, 0.0][..]));
 ///
-/// let error = ga_anim::bvh::parse(&text[..text.len() - 5]).unwrap_err();
+/// let error = ga_anim::bvh::decode(&text[..text.len() - 5]).unwrap_err();
 /// assert_eq!(error.to_string(), "line 14: a frame has 4 numbers, but this one has 2");
 /// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
+pub fn decode(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
     parser::parse(bytes)
 }

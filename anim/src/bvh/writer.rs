@@ -35,7 +35,7 @@ impl Bvh {
     /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).ok_or("no axis")?;
     /// let pose = Pose::from_rotors(&leg, Motor::default(), &[quarter])?;
     /// let motion = Bvh::from_clip(&leg, &Clip::new(0.01, vec![pose])?)?;
-    /// let again = bvh::parse(motion.to_text().as_bytes())?;
+    /// let again = bvh::decode(motion.encode().as_bytes())?;
     /// assert_eq!(again, motion);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -156,7 +156,7 @@ impl Bvh {
 
     /// The text of the file. Numbers are written so that they read back exactly.
     #[must_use]
-    pub fn to_text(&self) -> String {
+    pub fn encode(&self) -> String {
         let mut text = "HIERARCHY\n".to_owned();
         let mut open: Vec<usize> = Vec::new();
         let close = |text: &mut String, open: &mut Vec<usize>| {

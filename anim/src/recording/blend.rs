@@ -46,7 +46,7 @@ use crate::transform::Transform;
 ///          MOTION Frames: 1 Frame Time: 0.01
 ///          {angle}"
 ///     );
-///     Ok(Recording::from_bvh(&ga_anim::bvh::parse(motion.as_bytes())?, 1.0)?)
+///     Ok(Recording::from_bvh(&ga_anim::bvh::decode(motion.as_bytes())?, 1.0)?)
 /// };
 /// let (low, high) = (parse("10")?, parse("50")?);
 /// let mean = blend(&[(&low, 2.0), (&high, 2.0)])?;

@@ -20,7 +20,7 @@ impl Recording {
     /// use ga_anim::clip::compressed::{Settings, compress};
     /// use ga_anim::recording::Recording;
     ///
-    /// let motion = ga_anim::bvh::parse(
+    /// let motion = ga_anim::bvh::decode(
     ///     b"HIERARCHY ROOT arm { OFFSET 0 0 0 CHANNELS 1 Xposition }
     ///       MOTION Frames: 2 Frame Time: 0.5
     ///       0

@@ -44,7 +44,7 @@ impl Recording {
     /// use ga_anim::recording::Recording;
     /// use ga_runtime::vga3::Vector;
     ///
-    /// let motion = ga_anim::bvh::parse(
+    /// let motion = ga_anim::bvh::decode(
     ///     b"HIERARCHY ROOT hip { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition
     ///         JOINT LeftLeg { OFFSET 1 0 0 CHANNELS 1 Xrotation }
     ///         JOINT RightLeg { OFFSET -1 0 0 CHANNELS 1 Xrotation } }

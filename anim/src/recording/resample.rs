@@ -23,7 +23,7 @@ impl Recording {
     /// ```
     /// use ga_anim::recording::Recording;
     ///
-    /// let motion = ga_anim::bvh::parse(
+    /// let motion = ga_anim::bvh::decode(
     ///     b"HIERARCHY ROOT arm { OFFSET 0 0 0 CHANNELS 2 Xposition Zrotation }
     ///       MOTION Frames: 3 Frame Time: 0.5
     ///       0 0

@@ -18,7 +18,7 @@ use crate::skeleton::Skeleton;
 /// use ga_anim::retarget::JointMap;
 /// use ga_anim::skeleton::{Joint, Skeleton};
 ///
-/// let recording = ga_anim::bvh::parse(b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 0
+/// let recording = ga_anim::bvh::decode(b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 0
 ///     JOINT LeftUpLeg { OFFSET 1 0 0 CHANNELS 1 Xrotation } }
 ///     MOTION Frames: 0 Frame Time: 0.01\n")?;
 /// let joint = |name: &str, parent| Joint {
@@ -35,7 +35,7 @@ use crate::skeleton::Skeleton;
 /// let map = JointMap::by_names(&recording, &skeleton);
 /// assert_eq!(map.source_of(), [Some(0), Some(1), None]);
 ///
-/// let map = JointMap::from_json(br#"{"LeftUpLeg": "Bip01 Tail"}"#, &recording, &skeleton)?;
+/// let map = JointMap::decode(br#"{"LeftUpLeg": "Bip01 Tail"}"#, &recording, &skeleton)?;
 /// assert_eq!(map.source_of(), [None, None, Some(1)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -81,8 +81,8 @@ impl JointMap {
     ///          MOTION Frames: 0 Frame Time: 0.01\n"
     ///     )
     /// };
-    /// let a = ga_anim::bvh::parse(body(["a", "b", "c", "d", "e", "f", "g"]).as_bytes())?;
-    /// let b = ga_anim::bvh::parse(body(["1", "2", "3", "4", "5", "6", "7"]).as_bytes())?;
+    /// let a = ga_anim::bvh::decode(body(["a", "b", "c", "d", "e", "f", "g"]).as_bytes())?;
+    /// let b = ga_anim::bvh::decode(body(["1", "2", "3", "4", "5", "6", "7"]).as_bytes())?;
     /// let map = JointMap::by_structure(&a, &b.skeleton()?);
     /// assert_eq!(map.source_of(), [0, 1, 2, 3, 4, 5, 6].map(Some));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -177,7 +177,7 @@ impl JointMap {
         }
     }
 
-    /// The map as JSON, in the form that [`JointMap::from_json`] reads.
+    /// The map as JSON, in the form that [`JointMap::decode`] reads.
     #[must_use]
     pub fn to_json(&self, source: &dyn Source, target: &Skeleton) -> Value {
         let mut entries = serde_json::Map::new();
@@ -204,7 +204,7 @@ impl JointMap {
     ///
     /// [`RecordingError::MapJson`], [`RecordingError::MapSource`], [`RecordingError::MapTarget`],
     /// [`RecordingError::MapTwice`] and [`RecordingError::MapRepeated`].
-    pub fn from_json(
+    pub fn decode(
         bytes: &[u8],
         source: &dyn Source,
         target: &Skeleton,

@@ -28,9 +28,9 @@ pub const METRES_PER_UNIT: f64 = 0.1;
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<MotionFileError>> {
-    ga_files::read(path, parse)
+    ga_files::read(path, decode)
 }
 
 /// Reads a skeleton from the bytes of a rig file.
@@ -58,13 +58,13 @@ pub fn read(path: impl AsRef<Path>) -> Result<Skeleton, ReadError<MotionFileErro
 ///         "parent": ""
 ///     }
 /// }"#;
-/// let skeleton = ga_anim::rig::parse(json)?;
+/// let skeleton = ga_anim::rig::decode(json)?;
 /// let foot = &skeleton.joints()[1];
 /// assert_eq!((foot.name.as_str(), foot.parent), ("foot", Some(0)));
 /// assert_eq!(foot.tail, [0.0, 0.0, 2.0]);
 /// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Skeleton, MotionFileError> {
+pub fn decode(bytes: &[u8]) -> Result<Skeleton, MotionFileError> {
     bones::parse(bytes)
 }
 
@@ -72,13 +72,13 @@ pub fn parse(bytes: &[u8]) -> Result<Skeleton, MotionFileError> {
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse_weights`] gives.
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode_weights`] gives.
 pub fn read_weights(
     path: impl AsRef<Path>,
     skeleton: &Skeleton,
     vertex_count: usize,
 ) -> Result<SkinWeights, ReadError<MotionFileError>> {
-    ga_files::read(path, |bytes| parse_weights(bytes, skeleton, vertex_count))
+    ga_files::read(path, |bytes| decode_weights(bytes, skeleton, vertex_count))
 }
 
 /// Reads weights from the bytes of a file, for a mesh of `vertex_count` vertices.
@@ -92,7 +92,7 @@ pub fn read_weights(
 /// for a bone that the skeleton does not have, [`MotionFileError::VertexOutOfRange`] for a vertex
 /// that the mesh does not have, and [`MotionFileError::Skin`], also for a vertex that no bone
 /// moves.
-pub fn parse_weights(
+pub fn decode_weights(
     bytes: &[u8],
     skeleton: &Skeleton,
     vertex_count: usize,

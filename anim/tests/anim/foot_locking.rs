@@ -98,7 +98,7 @@ fn walk(stride: f64, steps: usize) -> Walk {
             at[foot] = at[1 - foot] + stride;
         }
     }
-    let source = bvh::parse(format!("{}{text}", header(frames)).as_bytes()).unwrap();
+    let source = bvh::decode(format!("{}{text}", header(frames)).as_bytes()).unwrap();
     Walk { source, stands }
 }
 
@@ -302,7 +302,7 @@ fn a_leg_that_is_too_short_is_reported() {
         numbers[2] = (0.0004 * f64::from(u32::try_from(frame).unwrap())).to_string();
         writeln!(text, "{}", numbers.join(" ")).unwrap();
     }
-    let source = bvh::parse(text.as_bytes()).unwrap();
+    let source = bvh::decode(text.as_bytes()).unwrap();
     let skeleton = target([1.0; 4], 1.0);
     let retarget = Retarget::new(&source, &skeleton, &Soles::of_skeleton(&skeleton)).unwrap();
     let locked = retarget.with_foot_locking(&FootLocking::new(1.0)).unwrap();

@@ -162,7 +162,7 @@ fn thighs_do_not_pull_hands() {
         return;
     };
     let mesh = obj::read(mesh).unwrap();
-    let skeleton = rig::parse(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
+    let skeleton = rig::decode(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
     let painted = rig::read_weights(painted, &skeleton, mesh.vertex_count()).unwrap();
     let body = mesh.part("body").unwrap();
     let weights = painted.select(&body.vertices).unwrap();

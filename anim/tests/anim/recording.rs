@@ -192,7 +192,7 @@ fn what_is_not_a_recording_is_an_error_that_names_the_element() {
         message(joints(), 1.0, still(2), track(vec![1.0, f64::INFINITY])),
         "track \"smile\" is inf in frame 1"
     );
-    let motion = bvh::parse(
+    let motion = bvh::decode(
         b"HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 1 Xrotation } MOTION Frames: 0 Frame Time: 1",
     );
     let motion = motion.unwrap();

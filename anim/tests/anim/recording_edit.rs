@@ -275,7 +275,7 @@ fn a_walk_is_mirrored_as_a_clip_of_it_is() {
 
 #[test]
 fn a_compressed_clip_is_read_back_within_its_bound() {
-    let motion = bvh::parse(
+    let motion = bvh::decode(
         b"HIERARCHY ROOT arm { OFFSET 0 1 0 CHANNELS 4 Xposition Yposition Zposition Zrotation
             JOINT hand { OFFSET 0.3 0 0 CHANNELS 1 Xrotation } }
           MOTION Frames: 4 Frame Time: 0.02

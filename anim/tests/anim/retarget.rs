@@ -74,7 +74,7 @@ fn recording(frames: &[Vec<f64>]) -> Bvh {
             .join(" ");
         text.push('\n');
     }
-    bvh::parse(text.as_bytes()).unwrap()
+    bvh::decode(text.as_bytes()).unwrap()
 }
 
 /// The body as a skeleton of another size, each joint moved at rest by `place`.

@@ -14,7 +14,7 @@ fn truth() -> Value {
 }
 
 fn real_rig() -> Skeleton {
-    rig::parse(include_bytes!("../data/rig.cmu_mb.json")).unwrap()
+    rig::decode(include_bytes!("../data/rig.cmu_mb.json")).unwrap()
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn bone(parent: &str) -> Value {
 }
 
 fn error_of(bones: &Value) -> MotionFileError {
-    rig::parse(bones.to_string().as_bytes()).unwrap_err()
+    rig::decode(bones.to_string().as_bytes()).unwrap_err()
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn what_is_no_rig_is_named() {
     );
 
     let twice = format!("{{\"a\": {0}, \"a\": {0}}}", bone(""));
-    let error = rig::parse(twice.as_bytes()).unwrap_err();
+    let error = rig::decode(twice.as_bytes()).unwrap_err();
     assert_eq!(error.to_string(), "bone \"a\" is in the file twice");
 
     for (text, message) in [
@@ -180,12 +180,12 @@ fn what_is_no_rig_is_named() {
         ("\u{0}\u{1}PNG", "expected value at line 1 column 1"),
     ] {
         assert_eq!(
-            rig::parse(text.as_bytes()).unwrap_err().to_string(),
+            rig::decode(text.as_bytes()).unwrap_err().to_string(),
             message
         );
     }
     let infinite = bone("").to_string().replace("[0,0,1]", "[0,\n0,1e999]");
-    let error = rig::parse(format!("{{\"a\": {infinite}}}").as_bytes())
+    let error = rig::decode(format!("{{\"a\": {infinite}}}").as_bytes())
         .unwrap_err()
         .to_string();
     assert!(
@@ -196,14 +196,14 @@ fn what_is_no_rig_is_named() {
 
 #[test]
 fn what_are_no_weights_is_named() {
-    let skeleton = rig::parse(
+    let skeleton = rig::decode(
         json!({"a": bone(""), "b": bone("a")})
             .to_string()
             .as_bytes(),
     )
     .unwrap();
     let parse = |weights: Value| {
-        rig::parse_weights(
+        rig::decode_weights(
             json!({ "weights": weights }).to_string().as_bytes(),
             &skeleton,
             2,
@@ -275,7 +275,7 @@ fn what_are_no_weights_is_named() {
         "{\"weights\": {\"a\": [[0, \"1\"]]}}",
     ] {
         assert!(matches!(
-            rig::parse_weights(text.as_bytes(), &skeleton, 2).unwrap_err(),
+            rig::decode_weights(text.as_bytes(), &skeleton, 2).unwrap_err(),
             MotionFileError::Json(_)
         ));
     }

@@ -42,7 +42,7 @@ const METHODS: [(&str, Method); 2] = [("lbs", Method::Linear), ("dqs", Method::M
 #[test]
 fn some_vertices_of_the_human_go_where_they_should() {
     let truth: Value = serde_json::from_str(include_str!("../data/human.json")).unwrap();
-    let skeleton = rig::parse(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
+    let skeleton = rig::decode(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
     for known in truth["poses"].as_array().unwrap() {
         let pose = pose(&skeleton, &truth["bones"], &known["rotation_vector"]);
         let motions = pose.motions(&skeleton).unwrap();
@@ -88,7 +88,7 @@ fn the_whole_human_goes_where_it_should() {
     };
     let truth: Value = serde_json::from_slice(&std::fs::read(truth).unwrap()).unwrap();
     let mesh = obj::read(mesh).unwrap();
-    let skeleton = rig::parse(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
+    let skeleton = rig::decode(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
     let all = rig::read_weights(weights, &skeleton, mesh.vertex_count()).unwrap();
     for known in truth["poses"].as_array().unwrap() {
         let motions = pose(&skeleton, &truth["bones"], &known["bone_rotvec"])

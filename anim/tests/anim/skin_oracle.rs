@@ -121,7 +121,7 @@ fn check_human<S: SkinScalar>(bound: f64) {
     };
     let truth: Value = serde_json::from_slice(&std::fs::read(truth).unwrap()).unwrap();
     let mesh = obj::read(mesh).unwrap();
-    let skeleton = rig::parse(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
+    let skeleton = rig::decode(include_bytes!("../data/rig.cmu_mb.json")).unwrap();
     let all = rig::read_weights(weights, &skeleton, mesh.vertex_count()).unwrap();
     let scalars = |p: [f64; 3]| p.map(S::from_f64);
     let rest: Vec<Point<S>> = mesh

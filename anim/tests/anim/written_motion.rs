@@ -46,7 +46,7 @@ proptest! {
         let poses = poses.iter().map(|(numbers, way)| pose(&skeleton, numbers, *way));
         let clip = Clip::new(0.025, poses.collect()).unwrap();
         let motion = Bvh::from_clip(&skeleton, &clip).unwrap();
-        let again = bvh::parse(motion.to_text().as_bytes()).unwrap();
+        let again = bvh::decode(motion.encode().as_bytes()).unwrap();
         prop_assert_eq!(&again, &motion);
         prop_assert_eq!(again.frame_count(), clip.frames().len());
         for (frame, pose) in clip.frames().iter().enumerate() {
@@ -155,8 +155,8 @@ fn a_real_figure_plays_a_clip() {
     );
     assert_played(&rigged, &played, &clip, 2e-6);
     // Written and read.
-    let bytes = ga_mesh::gltf::to_glb(&played).unwrap();
-    let again = ga_mesh::gltf::parse(&bytes).unwrap();
+    let bytes = ga_mesh::gltf::encode(&played).unwrap();
+    let again = ga_mesh::gltf::decode(&bytes).unwrap();
     assert_played(&rigged, &again, &clip, 2e-6);
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(format!("mesh/reading {name}.obj"));
         group.throughput(Throughput::Bytes(bytes.len() as u64));
         group.bench_function("nullcone", |bencher| {
-            bencher.iter(|| ga_mesh::obj::parse(&bytes));
+            bencher.iter(|| ga_mesh::obj::decode(&bytes));
         });
         let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
         let read =

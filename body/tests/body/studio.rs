@@ -11,9 +11,9 @@ use ga_camera::{Camera, Intrinsics};
 use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
 use ga_mannequin::{Human, Marker};
-use ga_render::texture::{Sampler, Texture};
+use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Attribute, Intrinsics as RenderedIntrinsics, Material, MaterialChoice, Object, Rendering,
+    Appearance, Attribute, Intrinsics as RenderedIntrinsics, MaterialChoice, Object, Rendering,
     Scene, Shading, Style, render,
 };
 use ga_runtime::cga3::Point;
@@ -30,7 +30,7 @@ pub(crate) type Result<T> = std::result::Result<T, Box<dyn Error>>;
 pub(crate) struct Studio {
     pub(crate) human: Human,
     pub(crate) body: MarkedBody,
-    texture: Texture,
+    texture: Mipmap,
     corners: Vec<Option<[u32; 3]>>,
 }
 
@@ -56,7 +56,7 @@ impl Studio {
         let corners = corners.map(|corners| Some([corners[0]?, corners[1]?, corners[2]?]));
         Ok(Self {
             corners: corners.collect(),
-            texture: Texture::colour(&painted, Sampler::default())?,
+            texture: Mipmap::colour(&painted, Sampler::default())?,
             body: MarkedBody::new(model, marks.collect())?,
             human,
         })
@@ -105,11 +105,11 @@ impl Studio {
         camera: &Camera,
         shading: Shading,
     ) -> Result<Plane<[u8; 3]>> {
-        let material = Material {
+        let material = Appearance {
             base_colour: LinearColour::WHITE,
             base_colour_map: Some(&self.texture),
             roughness: 0.9,
-            ..Material::default()
+            ..Appearance::default()
         };
         let view = self.draw(pose, camera, &material, shading)?;
         Ok(view.colour)
@@ -120,7 +120,7 @@ impl Studio {
         &self,
         pose: &Pose,
         camera: &Camera,
-        material: &Material<'_>,
+        material: &Appearance<'_>,
         shading: Shading,
     ) -> Result<Rendering> {
         let positions = self.skin(pose)?;

@@ -294,7 +294,7 @@ fn retarget(
     let soles = Soles::of_mesh(figure.mesh.positions(), &figure.weights).with_context(onto)?;
     let skeleton = &figure.skeleton;
     let map = match &arguments.map {
-        Some(path) => ga_files::read(path, |bytes| JointMap::from_json(bytes, motion, skeleton))?,
+        Some(path) => ga_files::read(path, |bytes| JointMap::decode(bytes, motion, skeleton))?,
         None => JointMap::by_names(motion, skeleton),
     };
     let retarget = Retarget::with_map(motion, skeleton, &soles, &map).with_context(onto)?;

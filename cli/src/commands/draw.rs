@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         Format::Html => Scene::to_html,
         _ => Scene::to_svg,
     };
-    let scene = ga_files::read(file, Scene::from_json)?;
+    let scene = ga_files::read(file, Scene::decode)?;
     output::write(out, write(&scene).as_bytes())?;
     if !quiet {
         output::print(&format!("wrote {}\n", out.display()))?;

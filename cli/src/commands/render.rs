@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_image::colour::LinearColour;
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::{png, y4m};
-use ga_mesh::format::{self, Loaded};
+use ga_mesh::format;
 use ga_mesh::gltf;
 use ga_render::model::Model;
 use ga_render::{Buffers, Camera, Ground, Polyline, Scene, Shading, Style, Visibility, render};
@@ -188,11 +188,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 /// `quiet`.
 fn read(path: &Path, quiet: bool) -> Result<Model> {
     let is_gltf = Format::of(path, &[Format::Glb, Format::Gltf]).is_some();
-    let Loaded { mesh, mut warnings } = if is_gltf {
-        Loaded {
-            mesh: gltf::read_mesh(path)?,
-            warnings: Vec::new(),
-        }
+    let (mesh, mut warnings) = if is_gltf {
+        (gltf::read_mesh(path)?, Vec::new())
     } else {
         format::read(path)?
     };
@@ -248,7 +245,7 @@ fn check_files(arguments: &Arguments) -> Result<Format> {
 fn encode(
     format: Format,
     mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     match format {
         Format::Y4m => y4m::encode(pictures, y4m::Film::default()),
         _ if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),

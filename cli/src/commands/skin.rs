@@ -119,7 +119,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         arguments.model.display()
     );
     let mesh = placement.mesh(&placed).with_context(in_model)?;
-    let text = obj::to_text(&mesh);
+    let text = obj::encode(&mesh);
     output::write(&arguments.out, text.as_bytes())?;
     let report = Report::new(arguments, &document, animation, &placement, &mesh);
     if arguments.json {

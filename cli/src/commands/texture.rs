@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Context, Result};
 use clap::builder::RangedI64ValueParser;
 use ga_camera::format::views;
-use ga_mesh::format::{self, Loaded};
+use ga_mesh::format;
 use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 
@@ -90,7 +90,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let begin = Instant::now();
     let progress = Progress::new(8, quiet);
     progress.step("reading");
-    let Loaded { mesh, warnings } = format::read(&arguments.mesh)?;
+    let (mesh, warnings) = format::read(&arguments.mesh)?;
     if !quiet {
         for warning in warnings {
             eprintln!("warning: {}: {warning}", arguments.mesh.display());

@@ -126,9 +126,7 @@ fn points_lie_on_the_planes_of_the_scene() {
         folder.path(),
         &["--out", "new/cloud.ply", "--axes", "camera"],
     );
-    let cloud = format::read(folder.path().join("new/cloud.ply"))
-        .unwrap()
-        .mesh;
+    let (cloud, _) = format::read(folder.path().join("new/cloud.ply")).unwrap();
     assert_eq!(number(&report, "/points"), cloud.vertex_count() as f64);
     assert_eq!(number(&report, "/triangles"), 0.0);
     assert!((number(&report, "/baseline_metres") - rig().baseline()).abs() < 1e-9);
@@ -170,7 +168,7 @@ fn surfaces_are_cut_around_the_board() {
         "48",
     ];
     let report = reconstruct(folder.path(), &arguments);
-    let mesh = format::read(folder.path().join("model.glb")).unwrap().mesh;
+    let (mesh, _) = format::read(folder.path().join("model.glb")).unwrap();
     assert_eq!(number(&report, "/triangles"), mesh.faces().len() as f64);
     assert!(mesh.faces().len() > 30_000, "{}", mesh.faces().len());
     let encoder = SrgbEncoder::new();
@@ -194,7 +192,7 @@ fn surfaces_are_cut_around_the_board() {
         folder.path(),
         &["--out", "t.glb", "--texture", "--step", "2"],
     );
-    let textured = format::read(folder.path().join("t.glb")).unwrap().mesh;
+    let (textured, _) = format::read(folder.path().join("t.glb")).unwrap();
     assert!(textured.texture_coordinates().is_some() && textured.colours().is_none());
     assert!(
         number(&report, "/points")

@@ -194,7 +194,7 @@ fn lines_and_points_alone_are_drawn() {
 fn the_backs_of_gltf_faces_are_seen_if_they_have_two_sides() {
     let folder = tempdir().unwrap();
     let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    let square = ga_mesh::obj::parse(square).unwrap();
+    let square = ga_mesh::obj::decode(square).unwrap();
     for (double_sided, back) in [(false, 0), (true, 1)] {
         let material = ga_mesh::Material {
             double_sided,

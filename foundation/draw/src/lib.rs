@@ -33,7 +33,7 @@
 //!
 //! # Scenes in JSON
 //!
-//! [`Scene::from_json`] and `nullcone draw` read an object with the following members. Only
+//! [`Scene::decode`] and `nullcone draw` read an object with the following members. Only
 //! `elements` is required; a member that is not listed is an error.
 //!
 //! - `title`, `description`: texts. The description is for readers who cannot see the picture.
@@ -100,7 +100,7 @@ mod svg;
 mod view;
 
 pub use colour::{Colour, NotAColour, PALETTE};
-pub use file::{ElementError, SceneError};
+pub use file::{ElementProblem, SceneError};
 pub use scene::Scene;
 pub use shape::{Drawable, NotDrawable, Shape, Trajectory};
 pub use style::Style;

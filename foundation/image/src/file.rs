@@ -4,9 +4,9 @@ use std::path::Path;
 
 use ga_files::ReadError;
 
-pub use crate::error::{DecodeError, EncodeError};
 pub use crate::format::Format;
-pub use crate::save::SaveError;
+pub use crate::format_error::FormatError;
+pub use crate::save::FileError;
 
 use crate::picture::{Picture, PictureView};
 use crate::save::save;
@@ -33,8 +33,8 @@ use crate::{jpeg, pfm, png, pnm, y4m};
 ///
 /// # Errors
 ///
-/// [`ReadError`], which names the file and says why: it cannot be opened, or a [`DecodeError`].
-pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<DecodeError>> {
+/// [`ReadError`], which names the file and says why: it cannot be opened, or a [`FormatError`].
+pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<FormatError>> {
     ga_files::read(path, decode)
 }
 
@@ -42,15 +42,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<DecodeError>> {
 ///
 /// # Errors
 ///
-/// Any [`DecodeError`].
-pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+/// Any [`FormatError`].
+pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     match Format::detect(bytes) {
         Some(Format::Png) => png::decode(bytes),
         Some(Format::Jpeg) => jpeg::decode(bytes),
         Some(Format::Pnm) => pnm::decode(bytes),
         Some(Format::Pfm) => pfm::decode(bytes),
         Some(Format::Y4m) => y4m::decode_first(bytes),
-        None => Err(DecodeError::UnknownFormat {
+        None => Err(FormatError::UnknownFormat {
             start: bytes[..bytes.len().min(8)].to_vec(),
         }),
     }
@@ -61,11 +61,11 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 ///
 /// # Errors
 ///
-/// Any [`SaveError`].
+/// Any [`FileError`].
 pub fn write<'a>(
     path: impl AsRef<Path>,
     picture: impl Into<PictureView<'a>>,
-) -> Result<(), SaveError> {
+) -> Result<(), FileError> {
     let path = path.as_ref();
     let ending = path.extension().map(|e| e.to_ascii_lowercase());
     let encoded = match ending.as_ref().and_then(|e| e.to_str()) {
@@ -73,7 +73,7 @@ pub fn write<'a>(
         Some("ppm" | "pgm" | "pnm") => pnm::encode(picture),
         Some("pfm") => pfm::encode(picture, pfm::ByteOrder::Little),
         _ => {
-            return Err(SaveError::Ending {
+            return Err(FileError::Unknown {
                 path: path.to_path_buf(),
             });
         }

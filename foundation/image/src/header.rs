@@ -1,7 +1,7 @@
 //! The headers of PNM and PFM: words in ASCII, divided by white space.
 
-use crate::error::DecodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 
 /// Reads the words of a header, then what follows it.
 pub(crate) struct Header<'a> {
@@ -20,7 +20,7 @@ impl<'a> Header<'a> {
     }
 
     /// The letter or digit after the P with which the file begins.
-    pub(crate) fn magic(&mut self) -> Result<u8, DecodeError> {
+    pub(crate) fn magic(&mut self) -> Result<u8, FormatError> {
         match self.word()? {
             [b'P', kind] => Ok(*kind),
             _ => Err(self.error("the file does not begin with P and one letter or digit")),
@@ -28,7 +28,7 @@ impl<'a> Header<'a> {
     }
 
     /// The next word, as a whole number that is not negative.
-    pub(crate) fn number(&mut self) -> Result<usize, DecodeError> {
+    pub(crate) fn number(&mut self) -> Result<usize, FormatError> {
         let word = self.text()?;
         // `parse` would accept a sign.
         if !word.bytes().all(|byte| byte.is_ascii_digit()) {
@@ -39,7 +39,7 @@ impl<'a> Header<'a> {
     }
 
     /// The next word, as a number.
-    pub(crate) fn float(&mut self) -> Result<f64, DecodeError> {
+    pub(crate) fn float(&mut self) -> Result<f64, FormatError> {
         let word = self.text()?;
         word.parse().map_err(|_| self.error("a number is expected"))
     }
@@ -50,27 +50,27 @@ impl<'a> Header<'a> {
     }
 
     /// What follows the one white space after the last word.
-    pub(crate) fn data(&self) -> Result<&'a [u8], DecodeError> {
+    pub(crate) fn data(&self) -> Result<&'a [u8], FormatError> {
         match &self.bytes[self.at..] {
             [space, data @ ..] if space.is_ascii_whitespace() => Ok(data),
             _ => Err(self.error("white space is expected after the header")),
         }
     }
 
-    pub(crate) fn error(&self, problem: &'static str) -> DecodeError {
-        DecodeError::Syntax {
+    pub(crate) fn error(&self, problem: &'static str) -> FormatError {
+        FormatError::Syntax {
             format: self.format,
             offset: self.at,
             problem,
         }
     }
 
-    fn text(&mut self) -> Result<&'a str, DecodeError> {
+    fn text(&mut self) -> Result<&'a str, FormatError> {
         let word = self.word()?;
         str::from_utf8(word).map_err(|_| self.error("a number is expected"))
     }
 
-    fn word(&mut self) -> Result<&'a [u8], DecodeError> {
+    fn word(&mut self) -> Result<&'a [u8], FormatError> {
         self.skip_space();
         let rest = &self.bytes[self.at..];
         let length = rest

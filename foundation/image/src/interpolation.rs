@@ -21,7 +21,7 @@ use crate::plane::PlaneView;
 /// assert_eq!(bilinear(&picture, [0.5, 0.5]), Some(5.0));
 /// assert_eq!(bilinear(&picture, [1.0, 1.0]), Some(11.0));
 /// assert_eq!(bilinear(&picture, [1.1, 1.0]), None);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[must_use]
 pub fn bilinear<'a>(picture: impl Into<PlaneView<'a, f32>>, [x, y]: [f64; 2]) -> Option<f64> {

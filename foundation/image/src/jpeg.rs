@@ -7,8 +7,8 @@ use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-use crate::error::{DecodeError, EncodeError};
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::picture::Picture;
 use crate::plane::{Plane, PlaneView};
 use crate::size::{check_claim, size_for};
@@ -23,9 +23,9 @@ const PIXELS_FROM_ONE_BYTE: f64 = 512.0;
 ///
 /// # Errors
 ///
-/// [`DecodeError::Jpeg`] with what is wrong, and [`DecodeError::Claim`] when the header states more
+/// [`FormatError::Jpeg`] with what is wrong, and [`FormatError::Claim`] when the header states more
 /// pixels than the bytes can hold.
-pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let options = DecoderOptions::new_safe()
         .set_strict_mode(true)
         .set_max_width(usize::from(u16::MAX))
@@ -34,7 +34,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     headers.decode_headers()?;
     let (Some((width, height)), Some(colours)) = (headers.dimensions(), headers.input_colorspace())
     else {
-        return Err(DecodeError::Syntax {
+        return Err(FormatError::Syntax {
             format: Format::Jpeg,
             offset: 0,
             problem: "there is no frame header",
@@ -58,7 +58,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     } else {
         Plane::from_values(width, height, data.as_chunks::<3>().0.to_vec()).map(Picture::from)
     };
-    picture.map_err(|_| DecodeError::Syntax {
+    picture.map_err(|_| FormatError::Syntax {
         format: Format::Jpeg,
         offset: 0,
         problem: "the decoded pixels do not fill the picture",
@@ -82,15 +82,15 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Size`] when there are no pixels, or more than 65535 columns or rows.
+/// [`FormatError::Size`] when there are no pixels, or more than 65535 columns or rows.
 pub fn encode<'a>(
     picture: impl Into<PlaneView<'a, [u8; 3]>>,
     quality: u8,
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     let picture = picture.into();
     let [width, height] = [picture.width(), picture.height()];
     if width.max(height) > usize::from(u16::MAX) {
-        return Err(EncodeError::Size {
+        return Err(FormatError::Size {
             format: Format::Jpeg,
             width,
             height,

@@ -34,10 +34,10 @@
 
 pub mod canny;
 pub mod colour;
-mod error;
 pub mod file;
 pub mod filter;
 mod format;
+mod format_error;
 pub mod grey;
 mod header;
 pub mod interpolation;

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::error::{DecodeError, EncodeError};
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::header::Header;
 use crate::picture::{Picture, PictureView};
 use crate::plane::Plane;
 use crate::sample::Pixel;
-use crate::save::{SaveError, save};
+use crate::save::{FileError, save};
 use crate::size::{check_claim, size_for};
 
 /// The order of the four bytes of a float.
@@ -26,9 +26,9 @@ pub enum ByteOrder {
 ///
 /// # Errors
 ///
-/// [`DecodeError::Syntax`] with the byte that is wrong, and [`DecodeError::Claim`] when the file is
+/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Claim`] when the file is
 /// shorter than its header states.
-pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut header = Header::new(Format::Pfm, bytes);
     let colour = match header.magic()? {
         b'F' => true,
@@ -65,8 +65,8 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Kind`] unless the pixels are floats or triples of floats, and
-/// [`EncodeError::Size`] when there are none.
+/// [`FormatError::Kind`] unless the pixels are floats or triples of floats, and
+/// [`FormatError::Size`] when there are none.
 ///
 /// # Examples
 ///
@@ -83,7 +83,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 pub fn encode<'a>(
     picture: impl Into<PictureView<'a>>,
     order: ByteOrder,
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     let picture = picture.into();
     let [width, height] = size_for(Format::Pfm, [picture.width(), picture.height()])?;
     let scale = match order {
@@ -94,7 +94,7 @@ pub fn encode<'a>(
         PictureView::GreyF32(view) => ('f', view.rows().collect()),
         PictureView::RgbF32(view) => ('F', view.rows().map(<[f32; 3]>::samples).collect()),
         _ => {
-            return Err(EncodeError::Kind {
+            return Err(FormatError::Kind {
                 format: Format::Pfm,
                 kind: picture.kind(),
             });
@@ -115,11 +115,11 @@ pub fn encode<'a>(
 ///
 /// # Errors
 ///
-/// Any [`SaveError`].
+/// Any [`FileError`].
 pub fn write<'a>(
     path: impl AsRef<Path>,
     picture: impl Into<PictureView<'a>>,
-) -> Result<(), SaveError> {
+) -> Result<(), FileError> {
     save(path.as_ref(), encode(picture, ByteOrder::Little))
 }
 

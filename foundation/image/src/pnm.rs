@@ -3,14 +3,14 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::error::{DecodeError, EncodeError};
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::header::Header;
 use crate::picture::{Picture, PictureView};
 use crate::plane::{Plane, PlaneView};
 use crate::png::{big_endian, bytes_of};
 use crate::sample::{Pixel, Sample};
-use crate::save::{SaveError, save};
+use crate::save::{FileError, save};
 use crate::size::{check_claim, size_for};
 
 /// The picture in the bytes of a PGM or PPM file: 8 bits for each channel where the greatest number
@@ -19,9 +19,9 @@ use crate::size::{check_claim, size_for};
 ///
 /// # Errors
 ///
-/// [`DecodeError::Syntax`] with the byte that is wrong, and [`DecodeError::Claim`] when the file is
+/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Claim`] when the file is
 /// shorter than its header states.
-pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut header = Header::new(Format::Pnm, bytes);
     let kind = header.magic()?;
     let size = [header.number()?, header.number()?];
@@ -35,7 +35,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         (b'2' | b'5', true) => plane::<u16>(kind, size, white, header),
         (b'3' | b'6', false) => plane::<[u8; 3]>(kind, size, white, header),
         (b'3' | b'6', true) => plane::<[u16; 3]>(kind, size, white, header),
-        _ => Err(DecodeError::Unsupported {
+        _ => Err(FormatError::Unsupported {
             format: Format::Pnm,
             what: format!("P{}", char::from(kind)),
         }),
@@ -46,7 +46,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Kind`] for pictures of floats or with alpha, [`EncodeError::Size`] when there are
+/// [`FormatError::Kind`] for pictures of floats or with alpha, [`FormatError::Size`] when there are
 /// no pixels.
 ///
 /// # Examples
@@ -60,7 +60,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
 /// assert_eq!(pnm::decode(b"P3 1 2 255 1 2 3 # the second row\n1 2 3")?, picture.into());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, EncodeError> {
+pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, FormatError> {
     let picture = picture.into();
     let mut bytes = header(&picture, ['5', '6'])?.into_bytes();
     bytes.extend(match &picture {
@@ -78,7 +78,7 @@ pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, Encode
 /// # Errors
 ///
 /// As [`encode`].
-pub fn encode_text<'a>(picture: impl Into<PictureView<'a>>) -> Result<String, EncodeError> {
+pub fn encode_text<'a>(picture: impl Into<PictureView<'a>>) -> Result<String, FormatError> {
     let picture = picture.into();
     let mut text = header(&picture, ['2', '3'])?;
     match &picture {
@@ -95,15 +95,15 @@ pub fn encode_text<'a>(picture: impl Into<PictureView<'a>>) -> Result<String, En
 ///
 /// # Errors
 ///
-/// Any [`SaveError`].
+/// Any [`FileError`].
 pub fn write<'a>(
     path: impl AsRef<Path>,
     picture: impl Into<PictureView<'a>>,
-) -> Result<(), SaveError> {
+) -> Result<(), FileError> {
     save(path.as_ref(), encode(picture))
 }
 
-fn header(picture: &PictureView<'_>, [grey, colour]: [char; 2]) -> Result<String, EncodeError> {
+fn header(picture: &PictureView<'_>, [grey, colour]: [char; 2]) -> Result<String, FormatError> {
     let [width, height] = size_for(Format::Pnm, [picture.width(), picture.height()])?;
     let (digit, white) = match picture {
         PictureView::Grey8(_) => (grey, 255),
@@ -111,7 +111,7 @@ fn header(picture: &PictureView<'_>, [grey, colour]: [char; 2]) -> Result<String
         PictureView::Grey16(_) => (grey, 65535),
         PictureView::Rgb16(_) => (colour, 65535),
         _ => {
-            return Err(EncodeError::Kind {
+            return Err(FormatError::Kind {
                 format: Format::Pnm,
                 kind: picture.kind(),
             });
@@ -177,7 +177,7 @@ fn plane<P: Pixel<Sample: Stored>>(
     [width, height]: [usize; 2],
     white: u16,
     mut header: Header<'_>,
-) -> Result<Picture, DecodeError>
+) -> Result<Picture, FormatError>
 where
     Picture: From<Plane<P>>,
 {
@@ -191,7 +191,7 @@ where
     };
     let pixels_per_byte = 1.0 / (bytes_a_sample * P::CHANNELS) as f64;
     check_claim(Format::Pnm, [width, height], length, pixels_per_byte).map_err(|_| {
-        DecodeError::Claim {
+        FormatError::Claim {
             format: Format::Pnm,
             width,
             height,
@@ -218,6 +218,6 @@ where
     Ok(plane.into())
 }
 
-fn too_large(header: &Header<'_>) -> DecodeError {
+fn too_large(header: &Header<'_>) -> FormatError {
     header.error("a sample is greater than the greatest number of the header")
 }

@@ -4,7 +4,7 @@
 //! (*i* + ½) / *n* of the width, so that nothing moves by parts of a pixel.
 
 use crate::filter::to_floats;
-use crate::plane::{Plane, PlaneView, SizeError};
+use crate::plane::{Plane, PlaneError, PlaneView};
 use crate::sample::{Pixel, Sample};
 
 /// How the pixels of the new size are made from the old ones.
@@ -31,21 +31,21 @@ pub enum Method {
 /// assert_eq!(resize(&plane, 2, 1, Method::Area)?.values(), [50, 50]);
 /// assert_eq!(resize(&plane, 2, 1, Method::Nearest)?.values(), [100, 60]);
 /// assert_eq!(resize(&plane, 8, 1, Method::Bilinear)?.values()[..4], [0, 25, 75, 85]);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`SizeError::TooSmall`] when the picture has no pixels and the new size has some.
+/// [`PlaneError::TooSmall`] when the picture has no pixels and the new size has some.
 pub fn resize<'a, P: Pixel>(
     picture: impl Into<PlaneView<'a, P>>,
     width: usize,
     height: usize,
     method: Method,
-) -> Result<Plane<P>, SizeError> {
+) -> Result<Plane<P>, PlaneError> {
     let picture = picture.into();
     if picture.is_empty() && width > 0 && height > 0 {
-        return Err(SizeError::TooSmall {
+        return Err(PlaneError::TooSmall {
             width: picture.width(),
             height: picture.height(),
             least: 1,

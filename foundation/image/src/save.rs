@@ -4,22 +4,22 @@ use std::path::{Path, PathBuf};
 
 use ga_files::WriteError;
 
-use crate::error::EncodeError;
+use crate::format_error::FormatError;
 
 /// A picture that could not be written to a file.
 #[derive(Debug, thiserror::Error)]
-pub enum SaveError {
+pub enum FileError {
     /// The picture has no form in the format.
     #[error("{}: {problem}", path.display())]
-    Encode {
+    Contents {
         /// The file.
         path: PathBuf,
         /// Why.
-        problem: EncodeError,
+        problem: FormatError,
     },
     /// The name of the file has no ending that stands for a format in which pictures are written.
     #[error("{}: the ending is not png, ppm, pgm, pnm or pfm", path.display())]
-    Ending {
+    Unknown {
         /// The file.
         path: PathBuf,
     },
@@ -29,8 +29,8 @@ pub enum SaveError {
 }
 
 /// Writes what an encoder made.
-pub(crate) fn save(path: &Path, encoded: Result<Vec<u8>, EncodeError>) -> Result<(), SaveError> {
-    let bytes = encoded.map_err(|problem| SaveError::Encode {
+pub(crate) fn save(path: &Path, encoded: Result<Vec<u8>, FormatError>) -> Result<(), FileError> {
+    let bytes = encoded.map_err(|problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,
     })?;

@@ -1,7 +1,7 @@
 //! Pictures seen through a map of places.
 
 use crate::interpolation::{mixed, six_cubic_weights};
-use crate::plane::{Plane, PlaneView, PlaneViewMut, SizeError};
+use crate::plane::{Plane, PlaneError, PlaneView, PlaneViewMut};
 use crate::sample::{Pixel, Sample};
 
 /// Where each pixel of a new picture lies in an old one, computed once for many pictures.
@@ -22,7 +22,7 @@ use crate::sample::{Pixel, Sample};
 /// assert_eq!(warp.warped(&picture, 0)?.values(), [15, 30, 40]);
 /// // The last of them lies on the border, which belongs to the picture.
 /// assert_eq!(warp.inside().values(), [true, true, true]);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warp {
@@ -91,7 +91,7 @@ impl Warp {
     /// let warp = Warp::new([6, 1], [6, 1], |[x, y]| Some([(x + 0.5).min(6.0), y]));
     /// let warp = warp.with_interpolation(Interpolation::Cubic);
     /// assert!((warp.warped(&squares, 0.0)?.values()[2] - 6.25).abs() < 1e-5);
-    /// # Ok::<(), ga_image::plane::SizeError>(())
+    /// # Ok::<(), ga_image::plane::PlaneError>(())
     /// ```
     #[must_use]
     pub fn with_interpolation(mut self, interpolation: Interpolation) -> Self {
@@ -121,13 +121,13 @@ impl Warp {
     /// allocated.
     ///
     /// # Errors
-    /// [`SizeError::Differs`] where a picture does not have the size of the map.
+    /// [`PlaneError::Differs`] where a picture does not have the size of the map.
     pub fn apply<'a, P: Pixel>(
         &self,
         picture: impl Into<PlaneView<'a, P>>,
         outside: P,
         mut result: PlaneViewMut<'_, P>,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         let picture = picture.into();
         same_size([picture.width(), picture.height()], self.source)?;
         same_size([result.width(), result.height()], self.size())?;
@@ -154,18 +154,18 @@ impl Warp {
         &self,
         picture: impl Into<PlaneView<'a, P>>,
         outside: P,
-    ) -> Result<Plane<P>, SizeError> {
+    ) -> Result<Plane<P>, PlaneError> {
         let mut result = Plane::filled(self.places.width(), self.places.height(), outside);
         self.apply(picture, outside, result.view_mut())?;
         Ok(result)
     }
 }
 
-fn same_size(first: [usize; 2], second: [usize; 2]) -> Result<(), SizeError> {
+fn same_size(first: [usize; 2], second: [usize; 2]) -> Result<(), PlaneError> {
     if first == second {
         Ok(())
     } else {
-        Err(SizeError::Differs { first, second })
+        Err(PlaneError::Differs { first, second })
     }
 }
 

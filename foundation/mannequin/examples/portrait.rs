@@ -9,9 +9,9 @@ use std::path::PathBuf;
 use ga_image::colour::LinearColour;
 use ga_image::png;
 use ga_mannequin::Human;
-use ga_render::texture::{Sampler, Texture};
+use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Attribute, Camera, Ground, Material, MaterialChoice, Object, Scene, Style, render,
+    Appearance, Attribute, Camera, Ground, MaterialChoice, Object, Scene, Style, render,
 };
 
 /// Name, position of the camera, what it looks at, vertical field of view in radians, size.
@@ -59,12 +59,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         .chunks_exact(3)
         .map(|corners| Some([corners[0]?, corners[1]?, corners[2]?]))
         .collect();
-    let map = Texture::colour(&texture, Sampler::default())?;
-    let painted = Material {
+    let map = Mipmap::colour(&texture, Sampler::default())?;
+    let painted = Appearance {
         base_colour: LinearColour::WHITE,
         base_colour_map: Some(&map),
         roughness: 0.8,
-        ..Material::default()
+        ..Appearance::default()
     };
     for (suffix, material) in [
         ("", MaterialChoice::One(0)),

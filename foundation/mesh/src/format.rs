@@ -3,11 +3,9 @@
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
-use ga_files::{ReadError, WriteError};
+use ga_files::ReadError;
 
-use crate::gltf::{GltfError, WriteGltfError};
-use crate::ply::PlyError;
-use crate::{Image, Mesh, MeshError, gltf, obj, ply};
+use crate::{FileError, Image, Mesh, gltf, obj, ply};
 
 /// A format of mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,15 +18,6 @@ pub enum Format {
     Gltf,
 }
 
-/// A mesh from a file, and what was replaced where the file refers to something that is not there.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Loaded {
-    /// The mesh.
-    pub mesh: Mesh,
-    /// What was replaced, a sentence each.
-    pub warnings: Vec<String>,
-}
-
 /// How a mesh is written, for formats that leave a choice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
@@ -36,48 +25,12 @@ pub struct Options {
     pub ply: ply::Encoding,
 }
 
-/// A mesh file that could not be read or written.
-#[derive(Debug, thiserror::Error)]
-pub enum FormatError {
-    /// The name of the file has no ending that stands for a format.
-    #[error("{}: the name of a mesh file must end in .obj, .ply, .glb or .gltf", path.display())]
-    Unknown {
-        /// The file.
-        path: PathBuf,
-    },
-    /// A Wavefront OBJ file could not be read.
-    #[error(transparent)]
-    Obj(#[from] ReadError<obj::ObjError>),
-    /// A PLY file could not be read.
-    #[error(transparent)]
-    Ply(#[from] ReadError<PlyError>),
-    /// A glTF file could not be read.
-    #[error(transparent)]
-    Gltf(#[from] ReadError<GltfError>),
-    /// The mesh does not fit glTF, or the file could not be written.
-    #[error(transparent)]
-    WriteGltf(#[from] WriteGltfError),
-    /// A file could not be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// No relative path leads to a picture, which lies on another drive or in a folder whose name
-    /// is not Unicode.
-    #[error("no relative path leads from the output to the picture {}", path.display())]
-    Picture {
-        /// The picture.
-        path: PathBuf,
-    },
-    /// The mesh does not fit the format.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
-
 impl Format {
     /// The format that the ending of a file's name stands for, in small or capital letters.
     ///
     /// # Errors
     ///
-    /// [`FormatError::Unknown`].
+    /// [`FileError::Unknown`].
     ///
     /// # Examples
     ///
@@ -86,23 +39,24 @@ impl Format {
     ///
     /// assert_eq!(Format::of_path("scans/Bunny.PLY")?, Format::Ply);
     /// assert!(Format::of_path("bunny.txt").is_err());
-    /// # Ok::<(), ga_mesh::format::FormatError>(())
+    /// # Ok::<(), ga_mesh::FileError>(())
     /// ```
-    pub fn of_path(path: impl AsRef<Path>) -> Result<Self, FormatError> {
+    pub fn of_path(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let ending = path.extension().and_then(OsStr::to_str).unwrap_or("");
         match ending.to_ascii_lowercase().as_str() {
             "obj" => Ok(Format::Obj),
             "ply" => Ok(Format::Ply),
             "glb" | "gltf" => Ok(Format::Gltf),
-            _ => Err(FormatError::Unknown {
+            _ => Err(FileError::Unknown {
                 path: path.to_path_buf(),
             }),
         }
     }
 }
 
-/// Reads a mesh.
+/// Reads a mesh, and says what was replaced where the file refers to something that is not there, a
+/// sentence each.
 ///
 /// Vertices of a glTF file with equal positions become one vertex, see
 /// [`Vertices::Merged`](gltf::Vertices::Merged), since such a file has to split vertices where
@@ -111,20 +65,16 @@ impl Format {
 ///
 /// # Errors
 ///
-/// [`FormatError`].
-pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
+/// [`FileError`].
+pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
     let path = path.as_ref();
     match Format::of_path(path)? {
         Format::Obj => {
-            let loaded = obj::read_with_warnings(path)?;
-            let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
-            let mesh = loaded.mesh;
-            Ok(Loaded { mesh, warnings })
+            let (mesh, warnings) = obj::read_with_warnings(path)?;
+            let warnings = warnings.iter().map(ToString::to_string).collect();
+            Ok((mesh, warnings))
         }
-        Format::Ply => Ok(Loaded {
-            mesh: ply::read(path)?,
-            warnings: Vec::new(),
-        }),
+        Format::Ply => Ok((ply::read(path)?, Vec::new())),
         Format::Gltf => {
             let document = gltf::read(path)?;
             let mesh = document.to_mesh(gltf::Vertices::Merged);
@@ -132,8 +82,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
                 path: path.to_path_buf(),
                 problem,
             })?;
-            let warnings = Vec::new();
-            Ok(Loaded { mesh, warnings })
+            Ok((mesh, Vec::new()))
         }
     }
 }
@@ -142,8 +91,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, FormatError> {
 ///
 /// # Errors
 ///
-/// [`FormatError`].
-pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(), FormatError> {
+/// [`FileError`].
+pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(), FileError> {
     let path = path.as_ref();
     match Format::of_path(path)? {
         Format::Obj => Ok(obj::write(path, mesh)?),
@@ -157,7 +106,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
 ///
 /// # Errors
 ///
-/// [`FormatError`].
+/// [`FileError`].
 ///
 /// # Examples
 ///
@@ -167,20 +116,20 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(
 /// let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let mesh = Mesh::new(corners, Faces::from_polygons([[0, 1, 2]])?)?
 ///     .with_materials(vec![Material::named("red")], vec![Some(0)])?;
-/// let files = format::to_files("out/a.obj", &mesh, &format::Options::default())?;
+/// let files = format::encode_files("out/a.obj", &mesh, &format::Options::default())?;
 /// assert_eq!(files[0].0.to_str(), Some("out/a.obj"));
 /// assert!(files[1].0.ends_with("a.mtl"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn to_files(
+pub fn encode_files(
     path: impl AsRef<Path>,
     mesh: &Mesh,
     options: &Options,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, FormatError> {
+) -> Result<Vec<(PathBuf, Vec<u8>)>, FileError> {
     let path = path.as_ref();
     let files = match Format::of_path(path)? {
         Format::Obj => obj::files(path, mesh),
-        Format::Ply => vec![(String::new(), ply::to_bytes(mesh, options.ply))],
+        Format::Ply => vec![(String::new(), ply::encode(mesh, options.ply))],
         Format::Gltf => gltf::mesh_files(path, mesh)?,
     };
     let files = files.into_iter().enumerate();
@@ -196,8 +145,8 @@ pub fn to_files(
 ///
 /// # Errors
 ///
-/// [`FormatError::Unknown`].
-pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, FormatError> {
+/// [`FileError::Unknown`].
+pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, FileError> {
     if Format::of_path(path)? != Format::Obj {
         return Ok(Vec::new());
     }
@@ -231,9 +180,9 @@ pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, For
 ///
 /// # Errors
 ///
-/// [`FormatError::Picture`] for a picture on another drive. [`FormatError::Mesh`] is passed on; a
+/// [`FileError::Picture`] for a picture on another drive. [`FileError::Mesh`] is passed on; a
 /// mesh that was read has no such fault.
-pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatError> {
+pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FileError> {
     let folder = |file: &Path| {
         let folder = std::path::absolute(file).ok()?;
         folder.parent().map(Path::to_path_buf)
@@ -254,7 +203,7 @@ pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FormatErro
         {
             let picture = from.join(&*path);
             let relative = relative_path(&to, &picture);
-            *path = relative.ok_or(FormatError::Picture { path: picture })?;
+            *path = relative.ok_or(FileError::Picture { path: picture })?;
         }
     }
     let of_faces = mesh.face_materials().to_vec();

@@ -30,11 +30,11 @@
 //! Indices count from 0. Seen from outside, the corners of a face run counter-clockwise.
 //!
 //! ```
-//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
+//! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
 //! let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
 //! let normals = ga_mesh::normals::vertex_normals(&positions, &mesh.triangles());
 //! assert_eq!(normals, [[0.0, 0.0, 1.0]; 4]);
-//! # Ok::<(), ga_mesh::obj::ObjError>(())
+//! # Ok::<(), ga_mesh::FormatError>(())
 //! ```
 
 pub mod atlas;
@@ -43,7 +43,9 @@ pub mod bake;
 mod colour_space;
 mod error;
 mod faces;
+mod file_error;
 pub mod format;
+mod format_error;
 pub mod geodesic;
 pub mod gltf;
 mod lists;
@@ -57,13 +59,17 @@ mod polylines;
 pub mod query;
 pub mod subdivision;
 pub mod tangents;
+mod texture_space_error;
 pub mod topology;
 mod words;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
 pub use error::MeshError;
 pub use faces::{Faces, Polygons};
+pub use file_error::FileError;
+pub use format_error::FormatError;
 pub use material::{AlphaMode, Filter, Image, Material, Minification, Phong, Texture, Wrap};
 pub use mesh::{Group, Mesh, Part, Position};
 pub use places::bounds;
 pub use polylines::Polylines;
+pub use texture_space_error::TextureSpaceError;

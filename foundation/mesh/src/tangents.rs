@@ -6,34 +6,7 @@ use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
 use ga_runtime::vga3::Vector;
 
 use crate::normals::vertex_normals;
-use crate::{CornerAttribute, Faces, Mesh, Tangent, Tangents};
-
-/// Why a mesh has no tangents.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TangentError {
-    /// The mesh has no such set of texture coordinates.
-    #[error("the mesh has no set {set} of texture coordinates")]
-    NoTextureCoordinates {
-        /// The set, from 0.
-        set: usize,
-    },
-    /// A coordinate of a vertex is too large for single precision.
-    #[error("vertex {vertex} is too far away for single precision: {coordinates:?}")]
-    TooFar {
-        /// The vertex.
-        vertex: usize,
-        /// Its coordinates.
-        coordinates: [f64; 3],
-    },
-    /// A texture coordinate is too large for single precision.
-    #[error("texture coordinate {index} is too large for single precision: {value:?}")]
-    TextureTooLarge {
-        /// The texture coordinate.
-        index: usize,
-        /// Its value.
-        value: [f64; 2],
-    },
-}
+use crate::{CornerAttribute, Faces, Mesh, MeshError, Tangent, Tangents};
 
 /// The tangents of a mesh by Mikkelsen's algorithm, which the programs that make and show normal
 /// maps have in common.
@@ -47,7 +20,7 @@ pub enum TangentError {
 ///
 /// # Errors
 ///
-/// [`TangentError`].
+/// [`MeshError`].
 ///
 /// # Examples
 ///
@@ -56,7 +29,7 @@ pub enum TangentError {
 /// ```
 /// use ga_mesh::{obj, tangents};
 ///
-/// let square = obj::parse(
+/// let square = obj::decode(
 ///     b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
 /// )?;
 /// let tangents = tangents::mikktspace(&square, 0)?;
@@ -65,16 +38,16 @@ pub enum TangentError {
 /// assert_eq!(tangent.handedness, 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn mikktspace(mesh: &Mesh, set: usize) -> Result<Tangents, TangentError> {
+pub fn mikktspace(mesh: &Mesh, set: usize) -> Result<Tangents, MeshError> {
     let texture = mesh
         .texture_coordinate_sets()
         .get(set)
-        .ok_or(TangentError::NoTextureCoordinates { set })?;
+        .ok_or(MeshError::NoTextureCoordinates { set })?;
     let mut surface = Surface::new(mesh, texture)?;
     match generate_tangents(&mut surface) {
         Ok(()) => Ok(surface.tangents()),
         // No reason exists in this version of the library.
-        Err(_) => Err(TangentError::NoTextureCoordinates { set }),
+        Err(_) => Err(MeshError::NoTextureCoordinates { set }),
     }
 }
 
@@ -91,13 +64,13 @@ struct Surface {
 }
 
 impl Surface {
-    fn new(mesh: &Mesh, texture: &CornerAttribute<[f64; 2]>) -> Result<Self, TangentError> {
+    fn new(mesh: &Mesh, texture: &CornerAttribute<[f64; 2]>) -> Result<Self, MeshError> {
         let corners = mesh.faces().corners();
         let mut positions = Vec::with_capacity(mesh.vertex_count());
         for (vertex, coordinates) in mesh.coordinates().enumerate() {
             let single = coordinates.map(|x| x as f32);
             if !single.iter().all(|x| x.is_finite()) {
-                return Err(TangentError::TooFar {
+                return Err(MeshError::TooFar {
                     vertex,
                     coordinates,
                 });
@@ -106,7 +79,7 @@ impl Surface {
         }
         for (index, &value) in texture.values.iter().enumerate() {
             if !value.iter().all(|&x| (x as f32).is_finite()) {
-                return Err(TangentError::TextureTooLarge { index, value });
+                return Err(MeshError::TextureTooLarge { index, value });
             }
         }
         let normals = corner_normals(mesh);

@@ -19,9 +19,9 @@ use ga_mesh::bake::{Bake, Coarse, Fine, Map, OcclusionOptions, Options, corner_c
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::subdivision::{Cage, Rules};
 use ga_mesh::{CornerAttribute, Faces, Mesh, obj, tangents};
-use ga_render::texture::{Filter, Sampler, Texture, Wrap};
+use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
 use ga_render::{
-    Attribute, Camera, Material, MaterialChoice, Object, Scene, Style, ViewDirection, render,
+    Appearance, Attribute, Camera, MaterialChoice, Object, Scene, Style, ViewDirection, render,
 };
 
 type Picture = Plane<[u8; 3]>;
@@ -116,7 +116,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn read(file: &str) -> Result<Mesh, Box<dyn Error>> {
-    Ok(obj::parse(&std::fs::read(file)?)?)
+    Ok(obj::decode(&std::fs::read(file)?)?)
 }
 
 /// A torus of 13,824 triangles, and its refinement with bumps and colours.
@@ -179,8 +179,8 @@ struct Shown {
     of_places: Vec<Option<[u32; 3]>>,
     tangents: Vec<[f64; 4]>,
     of_tangents: Vec<Option<[u32; 3]>>,
-    normal_map: Texture,
-    colour_map: Texture,
+    normal_map: Mipmap,
+    colour_map: Mipmap,
 }
 
 impl Shown {
@@ -204,7 +204,7 @@ impl Shown {
     }
 
     fn picture(&self, with_normals: bool) -> Result<Picture, Box<dyn Error>> {
-        let material = Material {
+        let material = Appearance {
             base_colour_map: Some(&self.colour_map),
             normal_map: with_normals.then_some(&self.normal_map),
             ..surface()
@@ -225,7 +225,7 @@ fn threes(corners: &[Option<u32>]) -> Vec<Option<[u32; 3]>> {
     triangles.map(|&[a, b, c]| Some([a?, b?, c?])).collect()
 }
 
-fn texture(map: &Map<3>, share: impl Fn(f64) -> f64) -> Result<Texture, Box<dyn Error>> {
+fn texture(map: &Map<3>, share: impl Fn(f64) -> f64) -> Result<Mipmap, Box<dyn Error>> {
     let pixel = |texel: &[f32; 3]| {
         let [r, g, b] = texel.map(|x| share(f64::from(x)));
         [r, g, b, 1.0]
@@ -235,7 +235,7 @@ fn texture(map: &Map<3>, share: impl Fn(f64) -> f64) -> Result<Texture, Box<dyn 
         wrap: [Wrap::Repeat; 2],
         filter: Filter::Bilinear,
     };
-    Ok(Texture::numbers(
+    Ok(Mipmap::numbers(
         map.width as usize,
         map.height as usize,
         &pixels,
@@ -243,10 +243,10 @@ fn texture(map: &Map<3>, share: impl Fn(f64) -> f64) -> Result<Texture, Box<dyn 
     )?)
 }
 
-fn surface() -> Material<'static> {
-    Material {
+fn surface() -> Appearance<'static> {
+    Appearance {
         roughness: 0.55,
-        ..Material::default()
+        ..Appearance::default()
     }
 }
 
@@ -270,7 +270,7 @@ fn picture_of_fine(mesh: &Mesh) -> Result<Picture, Box<dyn Error>> {
 
 fn picture(
     object: Object,
-    materials: &[Material],
+    materials: &[Appearance],
     view: ViewDirection,
 ) -> Result<Picture, Box<dyn Error>> {
     let style = Style {
@@ -304,8 +304,8 @@ fn picture_of_charts(
     triangles: &[[u32; 3]],
     atlas: &Atlas,
 ) -> Result<Picture, Box<dyn Error>> {
-    let materials: Vec<Material> = (0..atlas.report.charts as u32)
-        .map(|chart| Material {
+    let materials: Vec<Appearance> = (0..atlas.report.charts as u32)
+        .map(|chart| Appearance {
             base_colour: LinearColour::from_srgb(colour(chart)),
             ..surface()
         })

@@ -1,15 +1,15 @@
 //! Triangles with parts that are cut out.
 
 use crate::Vector;
+use crate::appearance::Appearance;
 use crate::barycentric::barycentric;
-use crate::material::Material;
 use crate::raster::Corner;
 
 use crate::world::{Face, World};
 
 /// A triangle that is there only where it is opaque.
 pub(crate) struct Cut<'a> {
-    material: &'a Material<'a>,
+    material: &'a Appearance<'a>,
     cutoff: f64,
     coordinates: Option<[[f64; 2]; 3]>,
     opacities: [f64; 3],
@@ -30,7 +30,7 @@ impl<'a> Cut<'a> {
         Some(Self::with_cutoff(material, face, half.or(material.cutoff)?))
     }
 
-    fn with_cutoff(material: &'a Material<'a>, face: &Face, cutoff: f64) -> Self {
+    fn with_cutoff(material: &'a Appearance<'a>, face: &Face, cutoff: f64) -> Self {
         let placement = material.placements.base_colour;
         let coordinates = face.texture_coordinates(placement.set);
         Self {

@@ -3,10 +3,10 @@
 use crate::barycentric::{volumes, weights};
 use ga_image::colour::LinearColour;
 
+use crate::appearance::{Appearance, CoordinateSet, Placement};
 use crate::lens::Lens;
-use crate::material::{CoordinateSet, Material, Placement};
 use crate::shade::Surface;
-use crate::texture::Texture;
+use crate::texture::Mipmap;
 use crate::world::Face;
 use crate::{Camera, Vector};
 
@@ -103,9 +103,9 @@ impl<'w> Fragment<'w> {
     }
 
     /// What attributes, material and textures say.
-    pub(crate) fn look(&self, material: &Material) -> Look {
+    pub(crate) fn look(&self, material: &Appearance) -> Look {
         let places = &material.placements;
-        let read = |map: Option<&Texture>, place: &Placement| {
+        let read = |map: Option<&Mipmap>, place: &Placement| {
             map.map_or([1.0; 4], |map| self.read(map, place))
         };
         let tint = self
@@ -137,7 +137,7 @@ impl<'w> Fragment<'w> {
     }
 
     /// A texture at this place; white where the triangle has no texture coordinates.
-    fn read(&self, texture: &Texture, placement: &Placement) -> [f64; 4] {
+    fn read(&self, texture: &Mipmap, placement: &Placement) -> [f64; 4] {
         let Some(Place { coordinates, steps }) = self.places[placement.set as usize] else {
             return [1.0; 4];
         };
@@ -150,7 +150,7 @@ impl<'w> Fragment<'w> {
 
     /// The unit normal of a normal map. As MikkTSpace asks, normal and tangent between the corners
     /// are not made unit vectors before they are combined.
-    fn mapped_normal(&self, map: &Texture, placement: &Placement, scale: f64) -> Vector {
+    fn mapped_normal(&self, map: &Mipmap, placement: &Placement, scale: f64) -> Vector {
         let Some((normal, tangent, sign)) = self.frame(placement.set) else {
             return self.smooth;
         };

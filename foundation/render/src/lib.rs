@@ -10,7 +10,7 @@
 //! | --- | --- |
 //! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
 //! | [`model`] | models from files as such scenes |
-//! | [`Material`], [`texture::Texture`] | the appearance of surfaces |
+//! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
 //! | [`Camera`], [`Intrinsics`], [`ViewDirection`] | from where it is seen |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
 //!
@@ -34,6 +34,7 @@
 //! # Ok::<(), ga_render::RenderError>(())
 //! ```
 
+mod appearance;
 mod barycentric;
 mod buffers;
 mod camera;
@@ -49,7 +50,6 @@ mod ground_shading;
 mod intrinsics;
 mod layers;
 mod lens;
-mod material;
 pub mod model;
 mod occlusion;
 mod raster;
@@ -72,13 +72,13 @@ use ga_image::plane::Plane;
 use space::{LARGEST_COORDINATE, Vector};
 use surface::Pass;
 
+pub use appearance::{Appearance, CoordinateSet, Placement, Placements};
 pub use buffers::{Buffers, SurfacePoint};
 pub use camera::{Camera, ViewDirection};
 pub use depth::DepthMap;
 pub use error::RenderError;
 pub use ground::Ground;
 pub use intrinsics::{Intrinsics, PixelOrigin};
-pub use material::{CoordinateSet, Material, Placement, Placements};
 pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility};
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};

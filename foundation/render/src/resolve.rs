@@ -14,7 +14,7 @@ use crate::shadow::{Caster, GroundShadow};
 use crate::shadow_map::ShadowMap;
 use crate::surface::{NO_TRIANGLE, Samples};
 use crate::world::World;
-use crate::{Ground, Material, RenderError, Shading, Style, Vector, occlusion};
+use crate::{Appearance, Ground, RenderError, Shading, Style, Vector, occlusion};
 
 /// Tangents of the half angles of the key light and of the part of the sky that counts for the
 /// contact shadow.
@@ -80,7 +80,7 @@ struct Resolver<'a> {
     layers: &'a Layers,
     lighting: WorldLighting,
     /// The material of objects without one.
-    plain: Material<'static>,
+    plain: Appearance<'static>,
     ground: Option<GroundShading<'a>>,
     shadows: Option<ShadowMap>,
     /// The share of light from all around that reaches each pixel.

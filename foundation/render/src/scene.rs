@@ -3,7 +3,7 @@
 use ga_image::colour::LinearColour;
 use ga_runtime::cga3::Motor;
 
-use crate::{Ground, Material};
+use crate::{Appearance, Ground};
 
 /// What a picture shows: objects with their materials, lines and dots over them, the ground.
 #[derive(Clone, Debug, Default)]
@@ -11,7 +11,7 @@ pub struct Scene<'a> {
     /// The objects. What is seen does not depend on their order.
     pub objects: Vec<Object<'a>>,
     /// The materials that objects name by index.
-    pub materials: &'a [Material<'a>],
+    pub materials: &'a [Appearance<'a>],
     /// Lines, drawn over the objects one after the other.
     pub lines: &'a [Polyline<'a>],
     /// Dots, drawn over the lines.

@@ -1,7 +1,7 @@
 //! How a picture looks, apart from what is in it.
 
 use crate::shade::{Light, Lighting};
-use crate::{Material, RenderError};
+use crate::{Appearance, RenderError};
 use ga_image::colour::LinearColour;
 
 /// Size, light and colours of a picture.
@@ -18,7 +18,7 @@ pub struct Style {
     /// The colour of objects without a material.
     pub surface: LinearColour,
     /// The share of light that objects without a material reflect as a highlight at a right angle;
-    /// their other numbers are those of [`Material::default`].
+    /// their other numbers are those of [`Appearance::default`].
     pub gloss: f64,
     /// The lights.
     pub lighting: Lighting,
@@ -54,7 +54,7 @@ pub struct Style {
 /// Whether surfaces are lit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shading {
-    /// By the lights, as their [`Material`] says.
+    /// By the lights, as their [`Appearance`] says.
     #[default]
     Lit,
     /// Each surface shows its base colour.
@@ -108,11 +108,11 @@ impl Style {
     }
 
     /// The material of objects without one.
-    pub(crate) fn material(&self) -> Material<'static> {
-        Material {
+    pub(crate) fn material(&self) -> Appearance<'static> {
+        Appearance {
             base_colour: self.surface,
             reflectance: self.gloss.min(1.0),
-            ..Material::default()
+            ..Appearance::default()
         }
     }
 

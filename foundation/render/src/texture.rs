@@ -12,16 +12,16 @@ pub use ga_mesh::Wrap;
 ///
 /// ```
 /// use ga_image::plane::Plane;
-/// use ga_render::texture::{Sampler, Texture};
+/// use ga_render::texture::{Sampler, Mipmap};
 ///
 /// let picture = Plane::from_values(2, 1, vec![[0, 0, 0, 255], [255u8; 4]])?;
-/// let texture = Texture::colour(&picture, Sampler::default())?;
+/// let texture = Mipmap::colour(&picture, Sampler::default())?;
 /// assert_eq!(texture.at([0.75, 0.5], 0.0), [1.0; 4]);
 /// assert_eq!(texture.at([0.5, 0.5], 0.0)[0], 0.5);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Texture {
+pub struct Mipmap {
     /// The picture, and where the filter asks for them its copies, each half as wide and high as
     /// the one before.
     levels: Vec<Level>,
@@ -83,7 +83,7 @@ struct Level {
     texels: Vec<Texel>,
 }
 
-impl Texture {
+impl Mipmap {
     /// A texture of colours that are encoded as sRGB; the alpha channel is linear.
     ///
     /// # Errors

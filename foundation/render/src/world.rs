@@ -5,7 +5,7 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
 use rayon::prelude::*;
 
-use crate::material::{CoordinateSet, Material};
+use crate::appearance::{Appearance, CoordinateSet};
 use crate::scene::{MaterialChoice, Normals, Object, Scene};
 use crate::space::is_rigid;
 use crate::{Camera, LARGEST_COORDINATE, RenderError, Vector};
@@ -13,7 +13,7 @@ use crate::{Camera, LARGEST_COORDINATE, RenderError, Vector};
 /// All objects of a scene. Their triangles are numbered one object after the other.
 pub(crate) struct World<'a> {
     pub(crate) objects: Vec<Placed<'a>>,
-    materials: &'a [Material<'a>],
+    materials: &'a [Appearance<'a>],
 }
 
 /// An object in its place.
@@ -85,7 +85,7 @@ impl<'a> World<'a> {
     }
 
     /// The material of a triangle; `None` for the style's.
-    pub(crate) fn material(&self, face: &Face) -> Option<&'a Material<'a>> {
+    pub(crate) fn material(&self, face: &Face) -> Option<&'a Appearance<'a>> {
         let material = face.placed.object.material.of(face.triangle)?;
         Some(&self.materials[material as usize])
     }

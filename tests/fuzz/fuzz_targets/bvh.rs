@@ -6,7 +6,7 @@ use ga_anim::recording::Recording;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
-    let Ok(motion) = bvh::parse(data) else {
+    let Ok(motion) = bvh::decode(data) else {
         return;
     };
     for (index, joint) in motion.joints().iter().enumerate() {

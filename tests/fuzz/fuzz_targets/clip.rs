@@ -10,10 +10,10 @@ const LENGTHS: [usize; 3] = [28, 32, 36];
 const HEADER: usize = 72;
 
 fuzz_target!(|data: &[u8]| {
-    let _ = CompressedClip::from_bytes(data.to_vec());
+    let _ = CompressedClip::decode(data.to_vec());
     let mut bytes = data.to_vec();
     seal(&mut bytes);
-    let Ok(clip) = CompressedClip::from_bytes(bytes) else {
+    let Ok(clip) = CompressedClip::decode(bytes) else {
         return;
     };
     assert_eq!(clip.parents().len(), clip.names().len());

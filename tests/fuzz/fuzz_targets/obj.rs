@@ -9,11 +9,10 @@ fuzz_target!(|data: &[u8]| {
     let mut files = data.splitn(2, |&byte| byte == 0);
     let text = files.next().unwrap_or_default();
     let library = files.next().unwrap_or_default();
-    let Ok(loaded) = obj::parse_with_libraries(text, |_| Ok(library.to_vec())) else {
+    let Ok((mesh, _)) = obj::decode_with_libraries(text, |_| Ok(library.to_vec())) else {
         return;
     };
-    let mesh = loaded.mesh;
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).expect("what is written is readable");
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).expect("what is written is readable");
     assert_eq!(back.positions(), mesh.positions());
     assert_eq!(back.faces(), mesh.faces());
 });

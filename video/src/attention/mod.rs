@@ -25,8 +25,8 @@ mod search;
 
 use cell::{CELL, cells};
 use ga_image::filter::{Border, Gaussian, Gradient};
-use ga_image::plane::{Plane, PlaneView, SizeError};
-use ga_image::quality::{WeightError, Weights};
+use ga_image::plane::{Plane, PlaneError, PlaneView};
+use ga_image::quality::Weights;
 
 use reduction::reduced;
 use saliency::{enlarged, normalised};
@@ -77,9 +77,9 @@ impl Attention {
     ///
     /// # Errors
     ///
-    /// [`SizeError::TooSmall`] when there are no pixels.
-    pub fn new([width, height]: [usize; 2]) -> Result<Self, SizeError> {
-        let too_small = SizeError::TooSmall {
+    /// [`PlaneError::TooSmall`] when there are no pixels.
+    pub fn new([width, height]: [usize; 2]) -> Result<Self, PlaneError> {
+        let too_small = PlaneError::TooSmall {
             width,
             height,
             least: 1,
@@ -104,19 +104,16 @@ impl Attention {
     ///
     /// # Errors
     ///
-    /// [`WeightError::Size`] when the frame has another size; it is not counted as a frame then.
-    pub fn next<'a>(
-        &mut self,
-        luma: impl Into<PlaneView<'a, u8>>,
-    ) -> Result<&Weights, WeightError> {
+    /// [`PlaneError::Differs`] when the frame has another size; it is not counted as a frame then.
+    pub fn next<'a>(&mut self, luma: impl Into<PlaneView<'a, u8>>) -> Result<&Weights, PlaneError> {
         let luma = luma.into();
         let size = [luma.width(), luma.height()];
         if size != self.size {
-            let differs = SizeError::Differs {
+            let differs = PlaneError::Differs {
                 first: size,
                 second: self.size,
             };
-            return Err(differs.into());
+            return Err(differs);
         }
         let current = reduced(luma, self.factor);
         let contours = contours(&current);

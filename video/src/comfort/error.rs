@@ -1,6 +1,6 @@
 //! Why a video cannot be analysed, or not further.
 
-use ga_image::plane::SizeError;
+use ga_image::plane::PlaneError;
 
 use crate::VideoError;
 use ga_vision::disparity::StereoError;
@@ -27,7 +27,7 @@ pub enum ComfortError {
         /// The frame.
         frame: usize,
         /// The sizes.
-        source: SizeError,
+        source: PlaneError,
     },
     /// The views cannot be matched.
     #[error("frame {frame}: {source}")]

@@ -1,7 +1,7 @@
 //! What is measured of one frame.
 
 use super::dimension::Dimension;
-use ga_image::plane::SizeError;
+use ga_image::plane::PlaneError;
 use ga_image::ycbcr::YCbCr;
 
 use super::geometry::{self, Geometry};
@@ -41,7 +41,7 @@ use crate::Samples;
 ///
 /// let row = found.row(Dimension::Vertical, &Viewing::default()).unwrap();
 /// assert_eq!(row.score.map(|score| score.level()), Ok(Level::Orange));
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameMeasures {
@@ -63,8 +63,8 @@ impl FrameMeasures {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the views differ in size.
-    pub fn of(left: &Samples, right: &Samples, colours: YCbCr) -> Result<Self, SizeError> {
+    /// [`PlaneError::Differs`] when the views differ in size.
+    pub fn of(left: &Samples, right: &Samples, colours: YCbCr) -> Result<Self, PlaneError> {
         let mut meter = FrameMeter::new(left.size(), colours);
         meter.measure(left, right)?;
         Ok(meter.measures)
@@ -145,16 +145,16 @@ impl FrameMeter {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when a view has another size than the meter.
+    /// [`PlaneError::Differs`] when a view has another size than the meter.
     pub fn measure(
         &mut self,
         left: &Samples,
         right: &Samples,
-    ) -> Result<&FrameMeasures, SizeError> {
+    ) -> Result<&FrameMeasures, PlaneError> {
         let size = self.matcher.size();
         for samples in [left, right] {
             if samples.size() != size {
-                return Err(SizeError::Differs {
+                return Err(PlaneError::Differs {
                     first: samples.size(),
                     second: size,
                 });

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use ga_image::plane::SizeError;
+use ga_image::plane::PlaneError;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::asynchrony::{Asynchrony, AsynchronyMeter};
@@ -171,7 +171,7 @@ impl Monitor {
         match other {
             Some((frame, found)) => Err(ComfortError::Size {
                 frame,
-                source: SizeError::Differs {
+                source: PlaneError::Differs {
                     first: found,
                     second: size,
                 },

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use ga_image::plane::{Plane, PlaneView, SizeError};
+use ga_image::plane::{Plane, PlaneError, PlaneView};
 use ga_image::quality::{Information, MutualInformation};
 use ga_numerics::order_statistics::median;
 
@@ -159,7 +159,7 @@ impl Selector {
         seen: &Seen<'_>,
         layout: Layout,
         information: &mut MutualInformation,
-    ) -> Result<bool, SizeError> {
+    ) -> Result<bool, PlaneError> {
         let usual_bits = self.bits.median();
         if let Some(bits) = seen.mutual_bits {
             self.bits.push(bits);

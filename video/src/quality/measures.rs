@@ -1,7 +1,7 @@
 //! The measures of two frames.
 
-use ga_image::plane::{PlaneView, SizeError};
-use ga_image::quality::{MULTISCALE_LEAST_SIDE, Ssim, WeightError, Weights, mse, weighted_psnr};
+use ga_image::plane::{PlaneError, PlaneView};
+use ga_image::quality::{MULTISCALE_LEAST_SIDE, Ssim, Weights, mse, weighted_psnr};
 use ga_image::sample::Pixel;
 
 use crate::attention::Attention;
@@ -58,8 +58,8 @@ impl Meter {
     ///
     /// # Errors
     ///
-    /// [`SizeError::TooSmall`] when there are no pixels.
-    pub fn new(size: [usize; 2], range: f64) -> Result<Self, SizeError> {
+    /// [`PlaneError::TooSmall`] when there are no pixels.
+    pub fn new(size: [usize; 2], range: f64) -> Result<Self, PlaneError> {
         let attention = Attention::new(size)?;
         Ok(Self::with(Attended::Model(Box::new(attention)), range))
     }
@@ -89,15 +89,16 @@ impl Meter {
     ///
     /// # Errors
     ///
-    /// [`WeightError::Size`] when sizes differ, a side has less than 11 pixels, or the range is not
-    /// positive and finite; [`WeightError::Zero`] when a given map has no weight inside the
-    /// border of 5 pixels that SSIM leaves out.
+    /// [`PlaneError::Differs`] when sizes differ, [`PlaneError::TooSmall`] when a side has less than
+    /// 11 pixels, [`PlaneError::Range`] when the range is not positive and finite;
+    /// [`PlaneError::ZeroWeights`] when a given map has no weight inside the border of 5 pixels that
+    /// SSIM leaves out.
     pub fn compare<'a, P: Pixel>(
         &mut self,
         reference: impl Into<PlaneView<'a, P>>,
         distorted: impl Into<PlaneView<'a, P>>,
         luma: impl Into<PlaneView<'a, u8>>,
-    ) -> Result<Measures, WeightError> {
+    ) -> Result<Measures, PlaneError> {
         let (reference, distorted) = (reference.into(), distorted.into());
         let mse = mse(reference, distorted)?;
         let weights = match &mut self.attended {

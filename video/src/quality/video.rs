@@ -1,7 +1,7 @@
 //! The measures of two videos.
 
-use ga_image::plane::Plane;
-use ga_image::quality::{WeightError, Weights, mse};
+use ga_image::plane::{Plane, PlaneError};
+use ga_image::quality::{Weights, mse};
 use ga_image::sample::Pixel;
 
 use super::measures::{Measures, Meter, psnr_of};
@@ -73,10 +73,10 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             return Err(differ("sampling", reference, distorted));
         }
         let range = f64::from((1u32 << first.bit_depth) - 1);
-        let problem = |problem: WeightError| VideoError::Unmeasured { frame: 0, problem };
+        let problem = |problem: PlaneError| VideoError::Unmeasured { frame: 0, problem };
         let meter = match map {
             Some(map) => Meter::with_map(map, range),
-            None => Meter::new(first.size, range).map_err(|error| problem(error.into()))?,
+            None => Meter::new(first.size, range).map_err(problem)?,
         };
         Ok(Self {
             reference,
@@ -157,7 +157,7 @@ fn planes<T: Pixel>(
     reference: &Planes<T>,
     distorted: &Planes<T>,
     luma: &Plane<u8>,
-) -> Result<(Measures, Option<[f64; 2]>), WeightError> {
+) -> Result<(Measures, Option<[f64; 2]>), PlaneError> {
     let measures = meter.compare(&reference.luma, &distorted.luma, luma)?;
     if reference.differences[0].is_empty() {
         return Ok((measures, None));

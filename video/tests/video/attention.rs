@@ -1,7 +1,6 @@
 //! Attention: contours attract it, and what moves otherwise than the camera.
 
-use ga_image::plane::{Plane, SizeError};
-use ga_image::quality::WeightError;
+use ga_image::plane::{Plane, PlaneError};
 use ga_video::attention::Attention;
 
 /// A texture that is smooth over several pixels, without a period, from 60 to 180.
@@ -158,10 +157,10 @@ fn flat_and_tiny_frames_have_weights() {
     }
     assert!(Attention::new([0, 4]).is_err());
     let mut attention = Attention::new([4, 4]).unwrap();
-    let differs = WeightError::Size(SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [5, 4],
         second: [4, 4],
-    });
+    };
     let other = Plane::filled(5, 4, 0u8);
     assert_eq!(attention.next(&other).unwrap_err(), differs);
 }

@@ -2,7 +2,7 @@
 
 use super::outlier::Outlier;
 use ga_camera::CameraError;
-use ga_image::filter::SigmaError;
+use ga_image::plane::PlaneError;
 use ga_numerics::least_squares::LeastSquaresError;
 
 /// Why a calibration failed, or no chessboard was found for one.
@@ -127,7 +127,7 @@ pub enum CalibrationError {
     },
     /// The blur of a picture failed.
     #[error(transparent)]
-    Blur(#[from] SigmaError),
+    Blur(#[from] PlaneError),
 }
 
 /// The least number of boards from which a camera is calibrated.

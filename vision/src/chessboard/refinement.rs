@@ -1,7 +1,7 @@
 //! The corners of a chessboard to a small part of a pixel.
 
-use ga_image::filter::{Border, Gaussian, SigmaError};
-use ga_image::plane::Plane;
+use ga_image::filter::{Border, Gaussian};
+use ga_image::plane::{Plane, PlaneError};
 use ga_runtime::vga2::Vector;
 
 use super::BoardSize;
@@ -22,7 +22,7 @@ const STEPS: usize = 60;
 pub(super) struct Gradient(Plane<[f32; 2]>);
 
 impl Gradient {
-    pub(super) fn new(picture: &Plane<f32>) -> Result<Self, SigmaError> {
+    pub(super) fn new(picture: &Plane<f32>) -> Result<Self, PlaneError> {
         let smooth = Gaussian::new(SIGMA)?.blur(picture, Border::Mirror);
         let [right, bottom] = [smooth.width(), smooth.height()].map(|k| k.saturating_sub(1));
         Ok(Self(Plane::from_fn(

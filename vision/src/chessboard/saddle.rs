@@ -4,9 +4,9 @@
 //! image operators", 1978; it is negative at a saddle point. The examination on a circle is our
 //! own.
 
-use ga_image::filter::{Border, Gaussian, SigmaError};
+use ga_image::filter::{Border, Gaussian};
 use ga_image::interpolation::bilinear;
-use ga_image::plane::Plane;
+use ga_image::plane::{Plane, PlaneError};
 use ga_runtime::vga2::Vector;
 
 /// The standard deviation in pixels of the blur before derivatives are taken.
@@ -34,7 +34,7 @@ pub(super) struct Saddle {
 }
 
 /// The saddle points of a picture in which a board has a number of corners, the strongest first.
-pub(super) fn saddles(picture: &Plane<f32>, corners: usize) -> Result<Vec<Saddle>, SigmaError> {
+pub(super) fn saddles(picture: &Plane<f32>, corners: usize) -> Result<Vec<Saddle>, PlaneError> {
     let smooth = Gaussian::new(SIGMA)?.blur(picture, Border::Mirror);
     let strengths = strengths(&smooth);
     let greatest = strengths.values().iter().fold(0.0_f32, |a, b| a.max(*b));

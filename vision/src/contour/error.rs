@@ -2,7 +2,7 @@
 
 use ga_camera::CameraError;
 use ga_camera::triangulation::TriangulationError;
-use ga_image::filter::SigmaError;
+use ga_image::plane::PlaneError;
 
 /// Why a picture has no outline, points no ellipse, a snake does not move, or two contours are not
 /// those of a curve in space. Points are counted from 0.
@@ -121,7 +121,7 @@ pub enum ContourError {
     },
     /// The picture cannot be blurred so.
     #[error(transparent)]
-    Sigma(#[from] SigmaError),
+    Sigma(#[from] PlaneError),
     /// A contour has too few points.
     #[error("{count} points are too few for the contour of the {view} view; {least} are needed")]
     ContourTooFew {

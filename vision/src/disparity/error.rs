@@ -1,7 +1,7 @@
 //! What can go wrong with matching, and with files of disparity maps.
 
 use ga_files::WriteError;
-use ga_image::file::{DecodeError, EncodeError};
+use ga_image::file::FormatError;
 
 /// Why views cannot be matched, or a file does not take or hold a disparity map.
 #[derive(Debug, thiserror::Error)]
@@ -66,9 +66,9 @@ pub enum StereoError {
     /// The threads could not be started.
     #[error("the threads of the matcher cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    /// The bytes are not a picture.
+    /// The bytes are not a picture, or a map without pixels has no file.
     #[error(transparent)]
-    Decode(#[from] DecodeError),
+    Format(#[from] FormatError),
     /// The picture has more than one number for each pixel.
     #[error("a disparity map has one number for each pixel, and this picture is {kind}")]
     Kind {
@@ -81,9 +81,6 @@ pub enum StereoError {
         /// The scale.
         scale: f64,
     },
-    /// The map has no pixels.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
     /// The file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),

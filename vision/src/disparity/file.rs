@@ -9,7 +9,7 @@
 use std::path::Path;
 
 use ga_files::ReadError;
-use ga_image::file::{self, EncodeError};
+use ga_image::file::{self, FormatError};
 use ga_image::pfm::{self, ByteOrder};
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
@@ -21,7 +21,7 @@ use crate::disparity::StereoError;
 ///
 /// # Errors
 ///
-/// [`StereoError::Decode`] with what is wrong with the bytes, and
+/// [`StereoError::Format`] with what is wrong with the bytes, and
 /// [`StereoError::Kind`] for a PFM file in colour.
 pub fn decode(bytes: &[u8]) -> Result<DisparityMap, StereoError> {
     match pfm::decode(bytes)? {
@@ -49,8 +49,8 @@ pub fn decode(bytes: &[u8]) -> Result<DisparityMap, StereoError> {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Size`] when the map has no pixels.
-pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, EncodeError> {
+/// [`FormatError::Size`] when the map has no pixels.
+pub fn encode(map: &DisparityMap) -> Result<Vec<u8>, FormatError> {
     if map.known() == map.plane().values().len() {
         return pfm::encode(map.plane(), ByteOrder::Little);
     }
@@ -72,7 +72,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<DisparityMap, ReadError<StereoErro
 ///
 /// # Errors
 ///
-/// [`StereoError::Encode`] and [`StereoError::Write`].
+/// [`StereoError::Format`] and [`StereoError::Write`].
 pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), StereoError> {
     Ok(ga_files::write(path, &encode(map)?)?)
 }
@@ -92,7 +92,7 @@ pub fn write(path: impl AsRef<Path>, map: &DisparityMap) -> Result<(), StereoErr
 ///
 /// # Errors
 ///
-/// [`StereoError::Decode`], [`StereoError::Kind`] and [`StereoError::Scale`].
+/// [`StereoError::Format`], [`StereoError::Kind`] and [`StereoError::Scale`].
 pub fn decode_truth(bytes: &[u8], scale: f64) -> Result<DisparityMap, StereoError> {
     if !(scale > 0.0 && scale.is_finite()) {
         return Err(StereoError::Scale { scale });

@@ -1,6 +1,6 @@
 //! What cannot be made of a disparity map.
 
-use ga_image::plane::SizeError;
+use ga_image::plane::PlaneError;
 use ga_mesh::MeshError;
 
 /// Why a disparity map cannot be evaluated, has no modelling points, or is not a surface.
@@ -8,13 +8,13 @@ use ga_mesh::MeshError;
 pub enum DisparityMapError {
     /// The map and the truth have different sizes.
     #[error("the map and the truth cannot be compared: {0}")]
-    TruthSize(#[source] SizeError),
+    TruthSize(#[source] PlaneError),
     /// No pixel of the truth has a disparity that is finite and not 0.
     #[error("the truth has no pixel whose disparity is finite and not 0")]
     NoTruth,
     /// The map and the weights have different sizes.
     #[error("the disparities and their weights do not fit together: {0}")]
-    WeightsSize(#[source] SizeError),
+    WeightsSize(#[source] PlaneError),
     /// A weight is negative or not finite.
     #[error(
         "the weight {weight} of the pixel in column {column} and row {row} is negative or not finite"

@@ -31,7 +31,7 @@ use ga_image::plane::{Plane, PlaneView};
 /// assert_eq!(map.get(0, 0), Some(1.5));
 /// assert_eq!(map.get(1, 0), None);
 /// assert_eq!((map.known(), map.range()), (2, Some([1.5, 4.0])));
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct DisparityMap {

@@ -1,6 +1,6 @@
 //! What a pair of rectified views needs before its disparities are a surface.
 
-use ga_image::plane::{Plane, PlaneView, SizeError, same_size};
+use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
 use ga_image::pyramid::halved;
 use ga_numerics::order_statistics::Sorted;
 
@@ -79,11 +79,11 @@ pub fn disparity_range(
 /// ([`Warp::inside`](ga_image::warp::Warp::inside)).
 ///
 /// # Errors
-/// [`SizeError::Differs`] for planes of different sizes.
+/// [`PlaneError::Differs`] for planes of different sizes.
 pub fn seen_by_both(
     map: &DisparityMap,
     inside: [PlaneView<'_, bool>; 2],
-) -> Result<DisparityMap, SizeError> {
+) -> Result<DisparityMap, PlaneError> {
     let [left, right] = inside;
     same_size(map.view(), left)?;
     same_size(map.view(), right)?;

@@ -1,9 +1,8 @@
 //! Why a mesh cannot be textured from views.
 
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_mesh::MeshError;
-use ga_mesh::atlas::AtlasError;
-use ga_mesh::bake::BakeError;
+use ga_mesh::TextureSpaceError;
 
 /// Why a mesh cannot be textured from views, or a textured mesh is not a model. Views are named as
 /// their [`View`](super::View) is.
@@ -75,16 +74,14 @@ pub enum TextureError {
         /// How many charts there are.
         charts: usize,
     },
-    /// There is no atlas, such as for a texture that is too small for its charts.
+    /// There is no atlas, such as for a texture that is too small for its charts, or the mesh's own
+    /// texture coordinates cannot be used.
     #[error(transparent)]
-    Atlas(#[from] AtlasError),
-    /// The mesh's own texture coordinates cannot be used.
-    #[error(transparent)]
-    Coordinates(#[from] BakeError),
+    TextureSpace(#[from] TextureSpaceError),
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The texture has no form in PNG.
     #[error(transparent)]
-    Encode(#[from] EncodeError),
+    Encode(#[from] FormatError),
 }

@@ -42,7 +42,7 @@
 //! // A square of side 2, seen from the front at a distance of 4: 20 pixels for each unit.
 //! let text = b"v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
 //!     f 1/1 2/2 3/3 4/4\n";
-//! let square = obj::parse(text)?;
+//! let square = obj::decode(text)?;
 //! let intrinsics = Intrinsics::new([80.0, 80.0], [32.0, 32.0])?;
 //! let (eye, target) = (Point::new(0.0, 0.0, 4.0), Point::default());
 //! let camera = Camera::look_at(intrinsics, eye, target, [0.0, 1.0, 0.0]).ok_or("no view")?;

@@ -254,7 +254,7 @@ fn models_survive_their_files() {
         for ending in ["ply", "obj", "glb"] {
             let path = folder.path().join(format!("{name}.{ending}"));
             format::write(&path, mesh, &format::Options::default()).unwrap();
-            let again = format::read(&path).unwrap().mesh;
+            let again = format::read(&path).unwrap().0;
             assert_eq!(
                 again.vertex_count(),
                 surface.points().len(),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_image::colour::{LinearColour, SrgbEncoder, linear_from_srgb};
 use ga_image::plane::Plane;
-use ga_mesh::atlas::AtlasError;
+use ga_mesh::TextureSpaceError;
 use ga_mesh::query::Bvh;
 use ga_mesh::{Faces, Mesh, obj};
 use ga_runtime::cga3::Point;
@@ -23,7 +23,7 @@ fn cube() -> Mesh {
         .map(|[x, y, z]| format!("v {x} {y} {z}\n"))
         .collect();
     text += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-    obj::parse(text.as_bytes()).unwrap()
+    obj::decode(text.as_bytes()).unwrap()
 }
 
 /// The linear light of a place: smooth, and different everywhere.
@@ -236,7 +236,7 @@ pub(super) const WALL: &[u8] = b"v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nf 1 2 3
 
 #[test]
 fn what_hides_a_surface_is_not_painted_on_it() {
-    let mesh = obj::parse(WALL).unwrap();
+    let mesh = obj::decode(WALL).unwrap();
     let red_in_front = |[_, _, z]: [f64; 3]| {
         if z > 0.5 {
             [0.8, 0.0, 0.0]
@@ -303,7 +303,7 @@ fn textures_are_the_same_for_any_number_of_threads() {
 fn own_coordinates_are_used_unless_a_new_atlas_is_asked_for() {
     let text = b"v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
         f 1/1 2/2 3/3 4/4\n";
-    let mesh = obj::parse(text).unwrap();
+    let mesh = obj::decode(text).unwrap();
     let views = [view(
         "front",
         &mesh,
@@ -357,31 +357,33 @@ fn bad_input_is_named() {
         "{message}"
     );
     assert!(message.ends_with("is inside the mesh"), "{message}");
-    let points = obj::parse(b"v 0 0 0\nv 1 0 0\np 1 2\n").unwrap();
-    let line = obj::parse(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").unwrap();
+    let points = obj::decode(b"v 0 0 0\nv 1 0 0\np 1 2\n").unwrap();
+    let line = obj::decode(b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").unwrap();
     assert!(run(&points, &views[..1], 64).contains("no triangles"));
     assert!(run(&line, &views[..1], 64).contains("degenerate"));
 
     let too_small = texture_mesh(&mesh, &views[..1], &Options::with_size(8), |_| ());
     assert!(matches!(
         too_small,
-        Err(TextureError::Atlas(AtlasError::DoesNotFit { .. }))
+        Err(TextureError::TextureSpace(
+            TextureSpaceError::DoesNotFit { .. }
+        ))
     ));
     // Two squares whose own coordinates are less than a texel apart.
     let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\n\
         vt 0 0\nvt 0.001 0\nvt 0.001 0.001\nvt 0.002 0\nvt 0.003 0\nvt 0.003 0.001\n\
         f 1/1 2/2 3/3\nf 4/4 5/5 6/6\n";
-    let close = obj::parse(text).unwrap();
+    let close = obj::decode(text).unwrap();
     let message = run(&close, &views[..1], 64);
     assert!(message.contains("64 × 64 texels is too small"), "{message}");
     assert!(message.contains("1 of 2 charts"), "{message}");
     // Two squares with the same place in the texture.
     let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\nv 2 1 0\n\
         vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n";
-    let message = run(&obj::parse(text).unwrap(), &views[..1], 64);
+    let message = run(&obj::decode(text).unwrap(), &views[..1], 64);
     assert!(message.starts_with("1 of 2 charts"), "{message}");
     assert!(message.contains("lie under others"), "{message}");
-    let tiled = obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nf 1/1 2/2 3/3\n");
+    let tiled = obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nf 1/1 2/2 3/3\n");
     assert!(run(&tiled.unwrap(), &views[..1], 64).contains("outside of the unit square"));
 }
 

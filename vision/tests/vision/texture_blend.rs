@@ -25,7 +25,7 @@ fn evenly(name: &str, camera: Camera, colour: [u8; 3]) -> View {
 /// Of even colours a texel shows the mean with the weights f² cos²θ/r².
 #[test]
 fn views_count_by_their_pixels_and_by_the_angle_of_incidence() {
-    let mesh = obj::parse(SQUARE).unwrap();
+    let mesh = obj::decode(SQUARE).unwrap();
     let ahead = camera([0.0, 0.0, 5.0], [0.0; 3], Lens::Pinhole);
     let (sine, cosine) = 1.0_f64.sin_cos();
     let aside = camera([5.0 * sine, 0.0, 5.0 * cosine], [0.0; 3], Lens::Pinhole);
@@ -72,7 +72,7 @@ fn weights_fall_smoothly_where_something_hides_the_surface() {
             "f 5 6 7 8",
             "vt 0.8 0.8\nvt 1 0.8\nvt 1 1\nvt 0.8 1\nf 5/5 6/6 7/7 8/8",
         );
-    let mesh = obj::parse(text.as_bytes()).unwrap();
+    let mesh = obj::decode(text.as_bytes()).unwrap();
     let one = camera([0.0, 0.0, 5.0], [0.0; 3], Lens::Pinhole);
     let other = camera([2.5, 0.0, 4.5], [0.0; 3], Lens::Pinhole);
     let views = [
@@ -106,7 +106,7 @@ fn the_border_of_a_chart_is_continued() {
         .replace("vt 1 0", &["vt", large, small].concat())
         .replace("vt 1 1", &["vt", large, large].concat())
         .replace("vt 0 1", &["vt", small, large].concat());
-    let mesh = obj::parse(inner.as_bytes()).unwrap();
+    let mesh = obj::decode(inner.as_bytes()).unwrap();
     let camera = camera([0.0, 0.0, 5.0], [0.0; 3], Lens::Pinhole);
     let paint = |[x, _, _]: [f64; 3]| [0.3 + 0.2 * x, 0.2, 0.6 - 0.2 * x];
     let picture = photograph(&mesh, &camera, 1.0, paint);
@@ -135,7 +135,7 @@ fn holes_are_filled_across_the_seams_of_the_atlas() {
     let text = b"v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 0 -1 -1\nv 0 1 -1\n\
         vt 0 0\nvt 0.4 0\nvt 0.4 0.4\nvt 0 0.4\nvt 0.6 0.55\nvt 1 0.55\nvt 1 0.95\n\
         vt 0.6 0.95\nf 1/1 2/2 3/3 4/4\nf 2/5 5/6 6/7 3/8\n";
-    let mesh = obj::parse(text).unwrap();
+    let mesh = obj::decode(text).unwrap();
     let camera = camera([-1.5, 0.0, 5.0], [-0.5, 0.0, 0.0], Lens::Pinhole);
     let paint = |[_, y, _]: [f64; 3]| [0.4 + 0.3 * y, 0.3, 0.4 - 0.3 * y];
     let picture = photograph(&mesh, &camera, 1.0, paint);

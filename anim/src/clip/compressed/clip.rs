@@ -30,7 +30,7 @@ impl CompressedClip {
     /// [`ClipError::NotAClip`], [`ClipError::Version`], [`ClipError::Truncated`],
     /// [`ClipError::TooLong`], [`ClipError::Checksum`], [`ClipError::Invalid`] and
     /// [`ClipError::Header`].
-    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, ClipError> {
+    pub fn decode(bytes: Vec<u8>) -> Result<Self, ClipError> {
         let (header, segments) = file::parse(&bytes)?;
         let tracks: Vec<(bool, f64)> = header
             .tracks
@@ -49,9 +49,9 @@ impl CompressedClip {
     ///
     /// # Errors
     ///
-    /// [`ReadError::Io`], or [`ReadError::Contents`] as [`from_bytes`](Self::from_bytes) gives.
+    /// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`](Self::decode) gives.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<ClipError>> {
-        ga_files::read(path, |bytes| Self::from_bytes(bytes.to_vec()))
+        ga_files::read(path, |bytes| Self::decode(bytes.to_vec()))
     }
 
     /// Writes the clip to a file, whole or not at all.

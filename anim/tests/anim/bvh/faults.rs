@@ -130,19 +130,19 @@ fn every_fault_is_named_with_its_line() {
         (20, "1 2 NaN 4", "line 20: \"NaN\" is not a finite number"),
         (20, "1 2 3 \0", "line 20: the file is not UTF-8 text"),
     ] {
-        let error = bvh::parse(small_with(line, text).as_bytes()).unwrap_err();
+        let error = bvh::decode(small_with(line, text).as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message);
     }
     let still = SMALL
         .replace("CHANNELS 3 Xposition Zrotation Xrotation", "CHANNELS 0")
         .replace("1 Xrotation", "0");
-    let message = bvh::parse(still.as_bytes()).unwrap_err().to_string();
+    let message = bvh::decode(still.as_bytes()).unwrap_err().to_string();
     assert_eq!(message, "line 16: no joint has a channel");
     assert_eq!(
-        bvh::parse(b"").unwrap_err().to_string(),
+        bvh::decode(b"").unwrap_err().to_string(),
         "line 1: the file ends; expected HIERARCHY"
     );
-    let binary = bvh::parse(b"HIERARCHY\nROOT \xff\n").unwrap_err();
+    let binary = bvh::decode(b"HIERARCHY\nROOT \xff\n").unwrap_err();
     assert_eq!(binary.to_string(), "line 2: the file is not UTF-8 text");
 }
 
@@ -152,7 +152,7 @@ fn a_file_cut_short_anywhere_is_an_error_or_one_frame_short() {
     let end = SMALL.trim_end().len();
     let first_frame = SMALL.find("5 6 7 8").unwrap();
     for length in 0..end {
-        let cut = bvh::parse(&SMALL.as_bytes()[..length]);
+        let cut = bvh::decode(&SMALL.as_bytes()[..length]);
         if (first_frame - 1..=first_frame).contains(&length) {
             let motion = cut.unwrap();
             assert_eq!((motion.frame_count(), motion.warnings().len()), (1, 1));
@@ -161,7 +161,7 @@ fn a_file_cut_short_anywhere_is_an_error_or_one_frame_short() {
         }
     }
     assert!(
-        bvh::parse(&SMALL.as_bytes()[..end])
+        bvh::decode(&SMALL.as_bytes()[..end])
             .unwrap()
             .warnings()
             .is_empty()
@@ -172,7 +172,7 @@ fn a_file_cut_short_anywhere_is_an_error_or_one_frame_short() {
 fn a_frame_more_or_fewer_than_announced_is_a_warning() {
     for announced in [1, 3] {
         let motion =
-            bvh::parse(small_with(17, &format!("Frames: {announced}")).as_bytes()).unwrap();
+            bvh::decode(small_with(17, &format!("Frames: {announced}")).as_bytes()).unwrap();
         assert_eq!(motion.frame_count(), 2);
         assert_eq!(motion.frame(1).unwrap(), [5.0, 6.0, 7.0, 8.0]);
         assert_eq!(
@@ -191,7 +191,7 @@ fn a_frame_more_or_fewer_than_announced_is_a_warning() {
     // A recording without frames is not one frame short.
     let text = small_with(17, "Frames: 1");
     let empty = &text[..text.find("1 2 3 4").unwrap()];
-    let message = bvh::parse(empty.as_bytes()).unwrap_err().to_string();
+    let message = bvh::decode(empty.as_bytes()).unwrap_err().to_string();
     assert_eq!(message, "line 18: the file announces 1 frames and has 0");
 }
 

@@ -189,8 +189,8 @@ fn positions_below_the_root_are_added_to_offsets_or_take_their_place() {
     let added = [[0.5, 9.0, 1.0], [0.0; 3], [0.1, 0.0, 0.0]];
     // In place of the offsets, the root's as well.
     let in_place = [[0.5, 10.0, 1.0], [0.0, -4.0, 1.0], [3.1, 0.0, 0.0]];
-    let added = bvh::parse(six_channels(added, 1.0).as_bytes()).unwrap();
-    let in_place = bvh::parse(six_channels(in_place, 1.0).as_bytes()).unwrap();
+    let added = bvh::decode(six_channels(added, 1.0).as_bytes()).unwrap();
+    let in_place = bvh::decode(six_channels(in_place, 1.0).as_bytes()).unwrap();
     assert_eq!(added.position_channels(), PositionChannels::Added);
     assert_eq!(in_place.position_channels(), PositionChannels::InPlace);
     for (motion, positions) in [
@@ -232,7 +232,7 @@ fn poses_of_its_skeleton_are_those_of_the_recording() {
         texts.push(std::fs::read_to_string(path).unwrap());
     }
     for text in texts {
-        let motion = bvh::parse(text.as_bytes()).unwrap();
+        let motion = bvh::decode(text.as_bytes()).unwrap();
         let skeleton = motion.skeleton().unwrap();
         for frame in (0..motion.frame_count()).step_by(500) {
             let bones = motion.pose(frame).unwrap().bones(&skeleton).unwrap();
@@ -259,7 +259,7 @@ fn layout_and_case_of_keywords_do_not_matter() {
     let dense = "hierarchy root Hip { Offset 0 0 0 channels 3 xposition ZROTATION Xrotation
         joint Knee { OFFSET 0 -4 0 CHANNELS 1 Xrotation end site { OFFSET 0 -3 0 } } }
         motion frames: 2 frame time: 0.01\r\n\r\n1 2 3 4\r\n\n5 6 7 8";
-    assert_eq!(bvh::parse(dense.as_bytes()), bvh::parse(SMALL.as_bytes()));
+    assert_eq!(bvh::decode(dense.as_bytes()), bvh::decode(SMALL.as_bytes()));
 }
 
 #[test]
@@ -268,7 +268,7 @@ fn names_may_be_of_several_words_and_roots_may_be_several() {
         "MOTION",
         "ROOT  left hand\n{ CHANNELS 0 OFFSET 1 2 3 }\nMOTION",
     );
-    let motion = bvh::parse(text.as_bytes()).unwrap();
+    let motion = bvh::decode(text.as_bytes()).unwrap();
     let hand = motion.index("left hand").unwrap();
     assert_eq!((hand, motion.joints()[hand].parent), (2, None));
 }
@@ -282,7 +282,7 @@ fn a_deep_hierarchy_is_no_danger() {
         "HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 0 {joints} {} }} MOTION Frames: 0 Frame Time: 1",
         "}".repeat(depth).replace('}', "} ")
     );
-    let motion = bvh::parse(text.as_bytes()).unwrap();
+    let motion = bvh::decode(text.as_bytes()).unwrap();
     assert_eq!(
         (motion.joints().len(), motion.frame_count()),
         (depth + 1, 0)

@@ -72,12 +72,12 @@ fn check(motion: &Bvh, joints: &[Link], frames: &[Vec<f64>]) -> Result<(), TestC
 proptest! {
     #[test]
     fn what_was_written_is_read((text, joints, frames) in chains()) {
-        check(&bvh::parse(text.as_bytes()).unwrap(), &joints, &frames)?;
+        check(&bvh::decode(text.as_bytes()).unwrap(), &joints, &frames)?;
     }
 
     #[test]
     fn any_order_of_channels_is_obeyed((text, joints, frames) in chains()) {
-        let motion = bvh::parse(text.as_bytes()).unwrap();
+        let motion = bvh::decode(text.as_bytes()).unwrap();
         for (index, frame) in frames.iter().enumerate() {
             let places = motion.joint_positions(index).unwrap();
             for (ours, known) in places.iter().zip(places_by_matrices(&joints, frame)) {
@@ -98,7 +98,7 @@ proptest! {
             let place = place.index(bytes.len());
             bytes[place] = byte;
         }
-        if let Ok(motion) = bvh::parse(&bytes) {
+        if let Ok(motion) = bvh::decode(&bytes) {
             for frame in 0..motion.frame_count() {
                 prop_assert!(motion.frame(frame).unwrap().iter().all(|x| x.is_finite()));
             }
@@ -107,6 +107,6 @@ proptest! {
 
     #[test]
     fn no_bytes_make_it_panic(bytes in vec(any::<u8>(), 0..200)) {
-        let _ = bvh::parse(&bytes);
+        let _ = bvh::decode(&bytes);
     }
 }

@@ -17,7 +17,7 @@ fn small() -> CompressedClip {
 #[test]
 fn a_file_reads_back_as_it_was_written() {
     let clip = small();
-    let back = CompressedClip::from_bytes(clip.as_bytes().to_vec()).unwrap();
+    let back = CompressedClip::decode(clip.as_bytes().to_vec()).unwrap();
     assert_eq!(back, clip);
     assert_eq!(back.names(), ["joint 0", "joint 1", "joint 2"]);
     assert_eq!(back.parents(), tree(3));
@@ -39,7 +39,7 @@ fn a_cut_at_any_byte_is_an_error_that_says_where() {
     let clip = small();
     let bytes = clip.as_bytes();
     for length in 0..bytes.len() {
-        let error = CompressedClip::from_bytes(bytes[..length].to_vec()).unwrap_err();
+        let error = CompressedClip::decode(bytes[..length].to_vec()).unwrap_err();
         match error {
             ClipError::NotAClip => assert_eq!(length, 0),
             ClipError::Truncated {
@@ -56,7 +56,7 @@ fn a_cut_at_any_byte_is_an_error_that_says_where() {
     }
     let mut longer = bytes.to_vec();
     longer.push(0);
-    let error = CompressedClip::from_bytes(longer).unwrap_err();
+    let error = CompressedClip::decode(longer).unwrap_err();
     let (expected, found) = (bytes.len() as u64, bytes.len() as u64 + 1);
     assert_eq!(error, ClipError::TooLong { expected, found });
 }
@@ -68,7 +68,7 @@ fn any_changed_byte_is_an_error() {
     for at in 0..bytes.len() {
         for change in [1, 0x80, 0xff] {
             bytes[at] ^= change;
-            let error = CompressedClip::from_bytes(bytes.clone()).unwrap_err();
+            let error = CompressedClip::decode(bytes.clone()).unwrap_err();
             match error {
                 ClipError::NotAClip => assert!(at < 8),
                 ClipError::Checksum { .. } => assert!(at >= 8),
@@ -105,7 +105,7 @@ fn a_whole_file_of_another_version_or_with_impossible_numbers_is_an_error() {
     let with = |at: usize, number: [u8; 4]| {
         let mut bytes = clip.as_bytes().to_vec();
         bytes[at..at + 4].copy_from_slice(&number);
-        CompressedClip::from_bytes(sealed(bytes))
+        CompressedClip::decode(sealed(bytes))
             .unwrap_err()
             .to_string()
     };
@@ -150,7 +150,7 @@ proptest! {
             let place = place.index(bytes.len());
             bytes[place] = byte;
         }
-        if let Ok(clip) = CompressedClip::from_bytes(sealed(bytes)) {
+        if let Ok(clip) = CompressedClip::decode(sealed(bytes)) {
             let mut sampler = ga_anim::clip::compressed::Sampler::new(&clip);
             for time in [0.0, 0.1, 0.205, 1e9] {
                 sampler.sample(time);

@@ -3,7 +3,7 @@
 
 use ga_anim::gltf::{Placement, Player};
 use ga_anim::skin::Method;
-use ga_mesh::gltf::parse;
+use ga_mesh::gltf::decode;
 use serde_json::{Value, json};
 
 use super::reference;
@@ -190,7 +190,7 @@ fn file(form: Form) -> Vec<u8> {
 #[test]
 fn integers_and_sparse_numbers_mean_what_floats_mean() {
     let [integers, floats] = [Form::Integers, Form::Floats].map(file);
-    let [parsed, plain] = [&integers, &floats].map(|file| parse(file).unwrap());
+    let [parsed, plain] = [&integers, &floats].map(|file| decode(file).unwrap());
     assert_eq!(parsed.meshes, plain.meshes);
     assert_eq!(parsed.animations, plain.animations);
     for time in [-1.0, 0.0, 0.3, 0.5, 1.1, 2.0, 5.0] {

@@ -4,7 +4,7 @@ use ga_anim::gltf::{Placed, Placement, Player};
 use ga_anim::skin::Method;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, Mode, MorphTarget, Node, Primitive,
-    Skin, Transform, parse, to_glb,
+    Skin, Transform, decode, encode,
 };
 use proptest::prelude::*;
 
@@ -238,9 +238,9 @@ proptest! {
         animation in prop_oneof![Just(None), Just(Some(0)), Just(Some(1))],
         time in time(),
     ) {
-        let file = to_glb(&document(numbers)).unwrap();
+        let file = encode(&document(numbers)).unwrap();
         let expected = reference::vertices(&file, animation, time);
-        let placed = place(&parse(&file).unwrap(), animation, time, Method::Linear);
+        let placed = place(&decode(&file).unwrap(), animation, time, Method::Linear);
         prop_assert_eq!(placed.positions.len(), expected.len());
         for (found, expected) in placed.positions.iter().zip(expected) {
             for (found, expected) in found.coordinates().into_iter().zip(expected.to_array()) {

@@ -14,7 +14,7 @@ use ga_anim::gltf::{animation, joint_nodes, vertex_weights};
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_anim::weights::SkinWeights;
-use ga_mesh::gltf::model::{Animation, JointNode, Material, Model, Skin, to_glb};
+use ga_mesh::gltf::model::{Animation, Dielectric, JointNode, Model, Skin, encode};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -105,11 +105,11 @@ fn file(
         positions,
         normals: &normals,
         triangles: &[[0, 1, 2]],
-        material: Material::default(),
+        material: Dielectric::default(),
         skin: Some(Skin { joints, weights }),
         animations,
     };
-    to_glb(&model).unwrap()
+    encode(&model).unwrap()
 }
 
 fn assert_near(found: &[DVec3], expected: &[DVec3], tolerance: f64) {

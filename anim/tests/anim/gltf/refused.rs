@@ -3,6 +3,7 @@
 use ga_anim::MotionFileError;
 use ga_anim::gltf::{Placement, Player};
 use ga_anim::skin::Method;
+use ga_mesh::FormatError;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Element, Interpolation, Keys, Mesh, Node, Primitive, Problem,
     Skin, Transform,
@@ -74,10 +75,14 @@ fn error(method: Method, change: impl FnOnce(&mut Document)) -> MotionFileError 
 
 #[track_caller]
 fn assert_document(error: MotionFileError, element: Element, problem: Problem) {
-    let MotionFileError::Document(error) = error else {
+    let MotionFileError::Document(FormatError::Gltf {
+        path,
+        problem: found,
+    }) = error
+    else {
         panic!("{error}");
     };
-    assert_eq!((error.element(), &error.problem), (&element, &problem));
+    assert_eq!((path.last(), &found), (Some(&element), &problem));
 }
 
 const CHANNEL: Element = Element::Channel {

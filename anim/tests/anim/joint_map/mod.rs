@@ -235,7 +235,7 @@ fn recording(names: &[&str]) -> Bvh {
         text += &(0..3 * BODY.len()).map(angle).collect::<Vec<_>>().join(" ");
         text.push('\n');
     }
-    bvh::parse(text.as_bytes()).unwrap()
+    bvh::decode(text.as_bytes()).unwrap()
 }
 
 fn skeleton(names: &[&str]) -> Skeleton {
@@ -357,7 +357,7 @@ fn bones_in_between_move_with_the_one_above() {
 #[test]
 fn maps_from_json_and_their_faults() {
     let (motion, target) = (recording(&NAMES[0].1), skeleton(&NAMES[4].1));
-    let map = |text: &str| JointMap::from_json(text.as_bytes(), &motion, &target);
+    let map = |text: &str| JointMap::decode(text.as_bytes(), &motion, &target);
     let found =
         map(r#"{"mixamorig:LeftArm": "Bip01 R Thigh", "mixamorig:Hips": "Bip01 Pelvis"}"#).unwrap();
     assert_eq!(found.source_of()[0], Some(0));
@@ -412,6 +412,6 @@ fn a_map_is_written_as_it_is_read() {
     let (motion, target) = (recording(&NAMES[0].1), skeleton(&NAMES[4].1));
     let text =
         r#"{"mixamorig:Hips":["Bip01 Pelvis","Bip01 R Thigh"],"mixamorig:LeftArm":"Bip01 Head"}"#;
-    let map = JointMap::from_json(text.as_bytes(), &motion, &target).unwrap();
+    let map = JointMap::decode(text.as_bytes(), &motion, &target).unwrap();
     assert_eq!(map.to_json(&motion, &target).to_string(), text);
 }

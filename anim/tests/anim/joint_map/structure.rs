@@ -125,7 +125,7 @@ fn bones_in_between_in_the_source_bend_none_of_the_target() {
             .collect::<Vec<_>>()
             .join(" ")
     );
-    let motion = bvh::parse(text.as_bytes()).unwrap();
+    let motion = bvh::decode(text.as_bytes()).unwrap();
     let target = skeleton(&NAMES[1].1);
     let soles = Soles::of_skeleton(&target);
     let map = JointMap::by_names(&motion, &target);

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, ensure};
-use ga_mesh::format::{self, Loaded, Options};
+use ga_mesh::format::{self, Options};
 use ga_mesh::gltf::{
-    Animation, Channel, Document, Interpolation, Keys, Node, Target, Transform, to_glb,
+    Animation, Channel, Document, Interpolation, Keys, Node, Target, Transform, encode,
 };
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::{CornerAttribute, Mesh};
@@ -58,7 +58,7 @@ impl Surface {
         rest: &[Point<f64>],
         quiet: bool,
     ) -> Result<Self> {
-        let Loaded { mesh, warnings } = format::read(path)?;
+        let (mesh, warnings) = format::read(path)?;
         if !quiet {
             for warning in warnings {
                 eprintln!("warning: {}: {warning}", path.display());
@@ -283,7 +283,7 @@ impl Surface {
                 extras: None,
             });
         }
-        Ok(to_glb(&document)?)
+        Ok(encode(&document)?)
     }
 }
 

@@ -179,7 +179,7 @@ fn map(
 ) -> Result<(JointMap, &'static str)> {
     let skeleton = &target.skeleton;
     if let Some(path) = &arguments.map {
-        let map = ga_files::read(path, |bytes| JointMap::from_json(bytes, source, skeleton))?;
+        let map = ga_files::read(path, |bytes| JointMap::decode(bytes, source, skeleton))?;
         return Ok((map, "file"));
     }
     let map = JointMap::by_names_or_structure(source, skeleton);
@@ -313,7 +313,7 @@ fn write(
     match format {
         Format::Glb => {
             let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
-            output::write(out, &ga_mesh::gltf::to_glb(&document).with_context(shown)?)?;
+            output::write(out, &ga_mesh::gltf::encode(&document).with_context(shown)?)?;
         }
         Format::Gltf => {
             let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
@@ -331,7 +331,7 @@ fn write(
             output::write(out, clip.with_context(shown)?.as_bytes())?;
         }
         _ => {
-            let text = target.to_bvh(clip).with_context(shown)?.to_text();
+            let text = target.to_bvh(clip).with_context(shown)?.encode();
             output::write(out, text.as_bytes())?;
         }
     }

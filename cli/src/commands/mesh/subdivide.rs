@@ -4,11 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, ensure};
 use clap::ValueEnum;
-use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
-use ga_mesh::subdivision::{
-    Boundary, CreaseMethod, Rules, Scheme, Subdivision, SubdivisionError, TagText,
-};
+use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, Subdivision, TagText};
+use ga_mesh::{Mesh, MeshError};
 
 use super::input;
 use crate::files::Files;
@@ -86,7 +84,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     progress.step("reading");
     let (mesh, _) = input::read(input)?;
     let tags = match &arguments.creases {
-        Some(path) => ga_files::read(path, TagText::parse)?,
+        Some(path) => ga_files::read(path, TagText::decode)?,
         None => TagText::default(),
     };
 
@@ -152,14 +150,14 @@ fn check_size(mesh: &Mesh, scheme: Scheme, levels: u32) -> Result<()> {
 
 /// An error with the file it comes from, and the line where that is known.
 fn located(
-    error: SubdivisionError,
+    error: MeshError,
     input: &Path,
     creases: Option<&Path>,
     tags: &TagText,
 ) -> anyhow::Error {
     let line = match error {
-        SubdivisionError::NoEdge { crease, .. } => tags.crease_lines.get(crease),
-        SubdivisionError::NoVertex { corner, .. } => tags.corner_lines.get(corner),
+        MeshError::NoEdge { crease, .. } => tags.crease_lines.get(crease),
+        MeshError::NoVertex { corner, .. } => tags.corner_lines.get(corner),
         _ => None,
     };
     match (line, creases) {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use ga_runtime::cga3::{Direction, Infinity, Point};
 
 use super::element::{circle, coefficients, line, motor, plane, sphere};
-use super::error::{ElementError, SceneError};
+use super::error::{ElementProblem, SceneError};
 use super::format::{ElementText, SceneText};
 use super::made::{Made, blade, general, plain};
 use super::relation::{Named, known, meet, moved};
@@ -61,11 +61,11 @@ pub(super) fn scene(text: SceneText) -> Result<Scene, SceneError> {
     Ok(scene)
 }
 
-fn add(scene: &mut Scene, named: &mut Named, element: ElementText) -> Result<(), ElementError> {
+fn add(scene: &mut Scene, named: &mut Named, element: ElementText) -> Result<(), ElementProblem> {
     if let Some(name) = &element.name
         && named.contains_key(name)
     {
-        return Err(ElementError::DuplicateName);
+        return Err(ElementProblem::DuplicateName);
     }
     let style = Style {
         label: element.label.clone().or_else(|| element.name.clone()),
@@ -90,9 +90,9 @@ fn within(
     low: f64,
     high: f64,
     expected: &'static str,
-) -> Result<Option<f64>, ElementError> {
+) -> Result<Option<f64>, ElementProblem> {
     match value {
-        Some(value) if !(low..=high).contains(&value) => Err(ElementError::Number {
+        Some(value) if !(low..=high).contains(&value) => Err(ElementProblem::Number {
             member,
             value,
             expected,
@@ -101,9 +101,9 @@ fn within(
     }
 }
 
-fn made(element: ElementText, named: &Named) -> Result<Made, ElementError> {
+fn made(element: ElementText, named: &Named) -> Result<Made, ElementProblem> {
     let mut found = Vec::new();
-    let mut note = |kind: &'static str, made: Option<Result<Made, ElementError>>| {
+    let mut note = |kind: &'static str, made: Option<Result<Made, ElementProblem>>| {
         found.extend(made.map(|made| (kind, made)));
     };
     note(
@@ -155,7 +155,7 @@ fn made(element: ElementText, named: &Named) -> Result<Made, ElementError> {
     let kinds: Vec<_> = found.iter().map(|(kind, _)| format!("`{kind}`")).collect();
     match (found.pop(), kinds.len()) {
         (Some((_, made)), 1) => made,
-        (None, _) => Err(ElementError::Kinds("none".to_owned())),
-        _ => Err(ElementError::Kinds(kinds.join(" and "))),
+        (None, _) => Err(ElementProblem::Kinds("none".to_owned())),
+        _ => Err(ElementProblem::Kinds(kinds.join(" and "))),
     }
 }

@@ -6,23 +6,23 @@ use ga_runtime::Element;
 use ga_runtime::cga3::{Circle, Line, Motor, Multivector, Plane, Point, Rotor, Sphere, Translator};
 use ga_runtime::vga3::Vector;
 
-use super::error::ElementError;
+use super::error::ElementProblem;
 use super::format::{CircleText, LineText, MotorText, PlaneText, SphereText};
 use super::made::{Made, blade, general};
 use crate::shape::NotDrawable;
 
-fn positive(radius: f64) -> Result<f64, ElementError> {
+fn positive(radius: f64) -> Result<f64, ElementProblem> {
     if radius >= 0.0 {
         return Ok(radius);
     }
-    Err(ElementError::Number {
+    Err(ElementProblem::Number {
         member: "radius",
         value: radius,
         expected: "at least 0",
     })
 }
 
-pub(super) fn circle(text: CircleText) -> Result<Made, ElementError> {
+pub(super) fn circle(text: CircleText) -> Result<Made, ElementProblem> {
     match text {
         CircleText::Through { through } => {
             let [p, q, r] = through.map(Point::from);
@@ -34,7 +34,7 @@ pub(super) fn circle(text: CircleText) -> Result<Made, ElementError> {
             radius,
         } => {
             if normal == [0.0; 3] {
-                return Err(ElementError::NoDirection("normal"));
+                return Err(ElementProblem::NoDirection("normal"));
             }
             let circle =
                 Circle::from_centre_normal_radius(centre.into(), normal, positive(radius)?);
@@ -43,7 +43,7 @@ pub(super) fn circle(text: CircleText) -> Result<Made, ElementError> {
     }
 }
 
-pub(super) fn sphere(text: SphereText) -> Result<Made, ElementError> {
+pub(super) fn sphere(text: SphereText) -> Result<Made, ElementProblem> {
     match text {
         SphereText::Through { through } => {
             let [p, q, r, s] = through.map(Point::from);
@@ -55,7 +55,7 @@ pub(super) fn sphere(text: SphereText) -> Result<Made, ElementError> {
     }
 }
 
-pub(super) fn line(text: LineText) -> Result<Made, ElementError> {
+pub(super) fn line(text: LineText) -> Result<Made, ElementProblem> {
     match text {
         LineText::Through { through } => {
             let [p, q] = through.map(Point::from);
@@ -67,7 +67,7 @@ pub(super) fn line(text: LineText) -> Result<Made, ElementError> {
     }
 }
 
-pub(super) fn plane(text: PlaneText) -> Result<Made, ElementError> {
+pub(super) fn plane(text: PlaneText) -> Result<Made, ElementProblem> {
     match text {
         PlaneText::Through { through } => {
             let [p, q, r] = through.map(Point::from);
@@ -77,7 +77,7 @@ pub(super) fn plane(text: PlaneText) -> Result<Made, ElementError> {
         PlaneText::Distant { normal, distance } => {
             let unit = Vector::from(normal)
                 .normalized()
-                .ok_or(ElementError::NoDirection("normal"))?;
+                .ok_or(ElementProblem::NoDirection("normal"))?;
             blade(Plane::from_point_normal(
                 (unit * distance).into(),
                 unit.into(),
@@ -86,23 +86,23 @@ pub(super) fn plane(text: PlaneText) -> Result<Made, ElementError> {
     }
 }
 
-pub(super) fn motor(text: &MotorText) -> Result<Motor<f64>, ElementError> {
+pub(super) fn motor(text: &MotorText) -> Result<Motor<f64>, ElementProblem> {
     let rotor = match text.axis {
         Some(axis) => {
             let rotor = Rotor::from_axis_angle(axis, text.degrees.to_radians());
-            rotor.ok_or(ElementError::NoDirection("axis"))?
+            rotor.ok_or(ElementProblem::NoDirection("axis"))?
         }
         None if text.degrees == 0.0 => Rotor::default(),
-        None => return Err(ElementError::NoDirection("axis")),
+        None => return Err(ElementProblem::NoDirection("axis")),
     };
     let about = Motor::about(text.through.into(), rotor);
     Ok(Translator::from_displacement(text.translation) * about)
 }
 
-pub(super) fn coefficients(blades: BTreeMap<String, f64>) -> Result<Made, ElementError> {
+pub(super) fn coefficients(blades: BTreeMap<String, f64>) -> Result<Made, ElementProblem> {
     let mut sum = BTreeMap::new();
     for (name, value) in blades {
-        let blade = blade_of(&name).ok_or(ElementError::UnknownBlade(name))?;
+        let blade = blade_of(&name).ok_or(ElementProblem::UnknownBlade(name))?;
         sum.insert(blade, value);
     }
     general(Multivector::from_coefficients_unchecked(&mut |blade| {

@@ -28,14 +28,14 @@ pub enum SceneError {
         /// Its name, where it has one.
         name: Option<String>,
         /// What is wrong.
-        problem: ElementError,
+        problem: ElementProblem,
     },
 }
 
 /// The reason why an element of a scene is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum ElementError {
+pub enum ElementProblem {
     /// It has a member for none of the kinds, or for more than one.
     #[error("it must have exactly one kind of element, but has {0}")]
     Kinds(String),

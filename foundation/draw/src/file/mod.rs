@@ -8,7 +8,7 @@ mod made;
 mod relation;
 mod trajectory;
 
-pub use error::{ElementError, SceneError};
+pub use error::{ElementProblem, SceneError};
 
 use crate::scene::Scene;
 
@@ -22,7 +22,7 @@ impl Scene {
     ///
     /// ```
     /// use ga_draw::Scene;
-    /// let scene = Scene::from_json(br#"{"elements": [
+    /// let scene = Scene::decode(br#"{"elements": [
     ///     {"name": "S", "sphere": {"centre": [0, 0, 0], "radius": 1}},
     ///     {"name": "l", "line": {"through": [[-2, 0, 0], [2, 0, 0]]}},
     ///     {"meet": ["S", "l"]}
@@ -30,7 +30,7 @@ impl Scene {
     /// assert_eq!(scene.shapes().nth(2).unwrap().kind(), "point pair");
     /// # Ok::<(), ga_draw::SceneError>(())
     /// ```
-    pub fn from_json(bytes: &[u8]) -> Result<Self, SceneError> {
+    pub fn decode(bytes: &[u8]) -> Result<Self, SceneError> {
         build::scene(serde_json::from_slice(bytes)?)
     }
 }

@@ -7,7 +7,7 @@ use ga_runtime::cga3::{Circle, Infinity, Motor, Multivector, Point, PointPair, T
 use ga_runtime::geometry::relation::Tolerance;
 use ga_runtime::geometry::relation::meet::{CircleAndCircle, LineAndCircle, LineAndLine};
 
-use super::error::ElementError;
+use super::error::ElementProblem;
 use super::made::{Made, general};
 use crate::shape::{NotDrawable, whole};
 
@@ -15,19 +15,19 @@ use crate::shape::{NotDrawable, whole};
 pub(super) type Named = BTreeMap<String, Option<Multivector<f64>>>;
 
 /// The blade of an element by its name.
-pub(super) fn known(name: &str, named: &Named) -> Result<Multivector<f64>, ElementError> {
+pub(super) fn known(name: &str, named: &Named) -> Result<Multivector<f64>, ElementProblem> {
     match named.get(name) {
-        None => Err(ElementError::UnknownName(name.to_owned())),
-        Some(None) => Err(ElementError::NotABlade(name.to_owned())),
+        None => Err(ElementProblem::UnknownName(name.to_owned())),
+        Some(None) => Err(ElementProblem::NotABlade(name.to_owned())),
         Some(Some(blade)) => Ok(*blade),
     }
 }
 
 /// What two elements meet in.
-pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementError> {
+pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementProblem> {
     let (first, second) = (known(&a, named)?, known(&b, named)?);
     if let Some(found) = curves_meet(first, second) {
-        return found.map_or(Err(ElementError::NoMeet(a, b)), general);
+        return found.map_or(Err(ElementProblem::NoMeet(a, b)), general);
     }
     let meet = first & second;
     let is_null = |vector: &Multivector<f64>| {
@@ -38,11 +38,11 @@ pub(super) fn meet([a, b]: [String; 2], named: &Named) -> Result<Made, ElementEr
     let has_vector = [meet.e1, meet.e2, meet.e3, meet.eo, meet.ei] != [0.0; 5];
     // In direct form a vector stands for a point; one that is not null contains no point.
     if has_vector && !is_null(&meet) {
-        return Err(ElementError::NoMeet(a, b));
+        return Err(ElementProblem::NoMeet(a, b));
     }
     match general(meet) {
-        Err(ElementError::NotDrawable(NotDrawable::Zero | NotDrawable::NeitherBladeNorMotor)) => {
-            Err(ElementError::NoMeet(a, b))
+        Err(ElementProblem::NotDrawable(NotDrawable::Zero | NotDrawable::NeitherBladeNorMotor)) => {
+            Err(ElementProblem::NoMeet(a, b))
         }
         other => other,
     }
@@ -102,7 +102,7 @@ fn is_flat(c: Trivector<f64>) -> bool {
 }
 
 /// An element moved by a motor, as the type that it is, so that a flat element stays flat.
-pub(super) fn moved(element: Multivector<f64>, motor: Motor<f64>) -> Result<Made, ElementError> {
+pub(super) fn moved(element: Multivector<f64>, motor: Motor<f64>) -> Result<Made, ElementProblem> {
     let moved = whole(&motor).sandwich(element);
     let infinity = Multivector::from_coefficients_unchecked(&mut |blade| {
         f64::from(u8::from(blade == 0b10000))

@@ -5,17 +5,17 @@ use ga_runtime::geometry::Screw;
 use ga_runtime::vga3::Vector;
 
 use super::element::motor;
-use super::error::ElementError;
+use super::error::ElementProblem;
 use super::format::{Place, ScrewText, TrajectoryText};
 use crate::shape::{NotDrawable, Trajectory};
 
 /// The largest number of steps of a trajectory.
 const MOST_STEPS: u32 = 20_000;
 
-pub(super) fn trajectory(text: TrajectoryText) -> Result<Trajectory, ElementError> {
+pub(super) fn trajectory(text: TrajectoryText) -> Result<Trajectory, ElementProblem> {
     let count = |steps: Option<u32>, default| match steps.unwrap_or(default) {
         steps @ 1..=MOST_STEPS => Ok(steps),
-        steps => Err(ElementError::Number {
+        steps => Err(ElementProblem::Number {
             member: "steps",
             value: steps.into(),
             expected: "from 1 to 20000",
@@ -55,9 +55,9 @@ pub(super) fn trajectory(text: TrajectoryText) -> Result<Trajectory, ElementErro
     })
 }
 
-fn generator(screw: &ScrewText) -> Result<MotorGenerator<f64>, ElementError> {
+fn generator(screw: &ScrewText) -> Result<MotorGenerator<f64>, ElementProblem> {
     let axis = Vector::from(screw.axis).normalized();
-    let axis = axis.ok_or(ElementError::NoDirection("axis"))?;
+    let axis = axis.ok_or(ElementProblem::NoDirection("axis"))?;
     let screw = Screw {
         axis: Line::from_point_direction(screw.through.into(), axis.into()),
         angle: screw.degrees.to_radians(),

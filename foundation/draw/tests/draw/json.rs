@@ -1,6 +1,6 @@
 //! Scenes read from JSON, and the errors of those that cannot be read.
 
-use ga_draw::{ElementError, Scene, SceneError, Shape};
+use ga_draw::{ElementProblem, Scene, SceneError, Shape};
 use ga_runtime::cga3::Point;
 
 use crate::{assert_well_formed, close, parsed};
@@ -198,7 +198,7 @@ fn errors_name_the_place_and_the_value() {
         parsed(r#"{"name": "m", "motor": {}}, {"meet": ["m", "m"]}"#),
         Err(SceneError::Element {
             index: 1,
-            problem: ElementError::NotABlade(_),
+            problem: ElementProblem::NotABlade(_),
             ..
         })
     ));
@@ -220,7 +220,7 @@ fn errors_of_the_text_name_the_line_or_the_member() {
         ("{\"elements\": [], \"size\": [1, 1]}", "`size` is [1, 1]"),
         ("{\"elements\": [], \"view\": {\"zoom\": 0}}", "`zoom` is 0"),
     ] {
-        let message = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        let message = Scene::decode(text.as_bytes()).unwrap_err().to_string();
         assert!(message.contains(part), "{message}");
     }
 }
@@ -262,7 +262,7 @@ fn errors_of_the_text_name_the_unknown_member_and_no_type() {
         (r#"{"view": {"up": "x"}, "elements": []}"#.to_owned(), "`x`"),
     ];
     for (text, part) in cases {
-        let message = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        let message = Scene::decode(text.as_bytes()).unwrap_err().to_string();
         assert!(message.contains(part), "{text}: {message}");
         for word in ["Text", "Members", "struct", "enum", "Projection", "Up"] {
             assert!(!message.contains(word), "{text}: {message}");

@@ -10,7 +10,7 @@ use ga_draw::{Scene, SceneError};
 
 /// The scene of these elements in JSON.
 fn parsed(elements: &str) -> Result<Scene, SceneError> {
-    Scene::from_json(format!("{{\"elements\": [{elements}]}}").as_bytes())
+    Scene::decode(format!("{{\"elements\": [{elements}]}}").as_bytes())
 }
 
 fn close(a: impl Into<[f64; 3]>, b: [f64; 3]) -> bool {

@@ -5,7 +5,7 @@ mod hysteresis;
 use ga_runtime::batch::{Batch, Work};
 
 use crate::filter::{Border, Gradient, SlopeRows};
-use crate::plane::{Plane, PlaneView, SizeError, same_size};
+use crate::plane::{Plane, PlaneError, PlaneView, same_size};
 use hysteresis::{COLUMNS, Hysteresis};
 
 /// Edges after J. Canny, "A computational approach to edge detection", 1986:
@@ -35,7 +35,7 @@ use hysteresis::{COLUMNS, Hysteresis};
 /// });
 /// let edges = Canny::new(100.0, 300.0)?.edges(&square);
 /// assert_eq!(edges.row(10).iter().filter(|value| **value == 255).count(), 2);
-/// # Ok::<(), ga_image::canny::ThresholdError>(())
+/// # Ok::<(), ga_image::canny::PlaneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Canny {
@@ -44,18 +44,6 @@ pub struct Canny {
     high: i32,
     hysteresis: Hysteresis,
     rows: [Row; 3],
-}
-
-/// Thresholds of slopes that are negative, not in order or not numbers.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "the thresholds {low} and {high} of slopes are not two numbers from 0 on in ascending order"
-)]
-pub struct ThresholdError {
-    /// The lower threshold.
-    pub low: f64,
-    /// The upper threshold.
-    pub high: f64,
 }
 
 /// Squares of slopes, continued by one pixel on both sides, and the slopes.
@@ -75,10 +63,10 @@ impl Canny {
     ///
     /// # Errors
     ///
-    /// [`ThresholdError`] unless 0 ≤ `low` ≤ `high`, which NaN is not. They may be infinite.
-    pub fn new(low: f64, high: f64) -> Result<Self, ThresholdError> {
+    /// [`PlaneError::Thresholds`] unless 0 ≤ `low` ≤ `high`, which NaN is not. They may be infinite.
+    pub fn new(low: f64, high: f64) -> Result<Self, PlaneError> {
         if !(0.0 <= low && low <= high) {
-            return Err(ThresholdError { low, high });
+            return Err(PlaneError::Thresholds { low, high });
         }
         let [low, high] = [low, high].map(|threshold| (threshold * threshold).floor() as i32);
         Ok(Self {
@@ -102,12 +90,12 @@ impl Canny {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the plane has another size.
+    /// [`PlaneError::Differs`] when the plane has another size.
     pub fn edges_into<'a>(
         &mut self,
         picture: impl Into<PlaneView<'a, u8>>,
         edges: &mut Plane<u8>,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         let picture = picture.into();
         same_size(picture, edges.view())?;
         self.run(picture, edges);

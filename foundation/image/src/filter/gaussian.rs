@@ -2,7 +2,7 @@
 
 use super::Border;
 use super::separable::convolve;
-use crate::plane::{Plane, PlaneView};
+use crate::plane::{Plane, PlaneError, PlaneView};
 use crate::sample::Pixel;
 
 /// A Gaussian of standard deviation σ pixels along each axis, cut off at a radius and divided by
@@ -19,21 +19,11 @@ use crate::sample::Pixel;
 /// let blurred = gaussian.blur(&plane, Border::Reflect);
 /// let peak = gaussian.weights()[6];
 /// assert!((blurred.get(10, 10).unwrap()[0] - (peak * peak) as f32).abs() < 1e-7);
-/// # Ok::<(), ga_image::filter::SigmaError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gaussian {
     weights: Vec<f64>,
-}
-
-/// A standard deviation that no Gaussian has, or one too large to cut off.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("σ = {sigma}, cut off at {truncate} σ, is not a Gaussian of radius 0 to 65536")]
-pub struct SigmaError {
-    /// The standard deviation.
-    pub sigma: f64,
-    /// The radius divided by it.
-    pub truncate: f64,
 }
 
 impl Gaussian {
@@ -41,8 +31,8 @@ impl Gaussian {
     ///
     /// # Errors
     ///
-    /// [`SigmaError`] unless σ is positive and not above 16384.
-    pub fn new(sigma: f64) -> Result<Self, SigmaError> {
+    /// [`PlaneError::Gaussian`] unless σ is positive and not above 16384.
+    pub fn new(sigma: f64) -> Result<Self, PlaneError> {
         Self::truncated(sigma, 4.0)
     }
 
@@ -50,11 +40,11 @@ impl Gaussian {
     ///
     /// # Errors
     ///
-    /// [`SigmaError`] unless σ is positive and the radius is between 0 and 65536.
-    pub fn truncated(sigma: f64, truncate: f64) -> Result<Self, SigmaError> {
+    /// [`PlaneError::Gaussian`] unless σ is positive and the radius is between 0 and 65536.
+    pub fn truncated(sigma: f64, truncate: f64) -> Result<Self, PlaneError> {
         let radius = (truncate * sigma + 0.5).floor();
         if !(sigma > 0.0 && (0.0..=65536.0).contains(&radius)) {
-            return Err(SigmaError { sigma, truncate });
+            return Err(PlaneError::Gaussian { sigma, truncate });
         }
         let radius = radius as i32;
         let weight = |d: i32| (-0.5 * (f64::from(d) / sigma).powi(2)).exp();

@@ -3,7 +3,7 @@
 use ga_runtime::batch::{Batch, Work};
 
 use super::Border;
-use crate::plane::{Plane, PlaneView, SizeError, same_size};
+use crate::plane::{Plane, PlaneError, PlaneView, same_size};
 
 /// Weights of 3 × 3 pixels whose sum is a multiple of the slope. Along the direction of the slope
 /// they are −1, 0, 1; across it the slopes of three rows or columns are added with weights w:
@@ -54,14 +54,14 @@ impl Gradient {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when a plane has another size.
+    /// [`PlaneError::Differs`] when a plane has another size.
     pub fn of_into<'a>(
         self,
         picture: impl Into<PlaneView<'a, u8>>,
         border: Border,
         dx: &mut Plane<i16>,
         dy: &mut Plane<i16>,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         let picture = picture.into();
         same_size(picture, dx.view())?;
         same_size(picture, dy.view())?;
@@ -73,13 +73,13 @@ impl Gradient {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the plane has another size.
+    /// [`PlaneError::Differs`] when the plane has another size.
     pub fn horizontal_into<'a>(
         self,
         picture: impl Into<PlaneView<'a, u8>>,
         border: Border,
         dx: &mut Plane<i16>,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         let picture = picture.into();
         same_size(picture, dx.view())?;
         self.run(picture, border, Some(dx), None);
@@ -90,13 +90,13 @@ impl Gradient {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the plane has another size.
+    /// [`PlaneError::Differs`] when the plane has another size.
     pub fn vertical_into<'a>(
         self,
         picture: impl Into<PlaneView<'a, u8>>,
         border: Border,
         dy: &mut Plane<i16>,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         let picture = picture.into();
         same_size(picture, dy.view())?;
         self.run(picture, border, None, Some(dy));

@@ -7,7 +7,7 @@ mod separable;
 mod tent;
 
 pub use border::Border;
-pub use gaussian::{Gaussian, SigmaError};
+pub use gaussian::Gaussian;
 pub use gradient::Gradient;
 pub(crate) use gradient::SlopeRows;
 pub(crate) use separable::{Continued, to_floats};

@@ -2,7 +2,7 @@
 
 mod convert;
 
-use crate::plane::{Plane, PlaneView, SizeError};
+use crate::plane::{Plane, PlaneError, PlaneView};
 use crate::warp::Warp;
 
 macro_rules! kinds {
@@ -74,8 +74,8 @@ macro_rules! kinds {
             ///
             /// # Errors
             ///
-            /// [`SizeError::Differs`] where the map is for pictures of another size.
-            pub fn warped(&self, warp: &Warp) -> Result<Picture, SizeError> {
+            /// [`PlaneError::Differs`] where the map is for pictures of another size.
+            pub fn warped(&self, warp: &Warp) -> Result<Picture, PlaneError> {
                 Ok(match self {
                     $(Self::$kind(plane) => {
                         Picture::$kind(warp.warped(*plane, Default::default())?)

@@ -3,7 +3,7 @@
 mod error;
 mod view;
 
-pub use error::SizeError;
+pub use error::PlaneError;
 pub use view::{PlaneView, PlaneViewMut, same_size};
 
 /// A grid of pixels, row by row without gaps.
@@ -57,8 +57,8 @@ impl<T: Copy> Plane<T> {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Length`] when their number is not `width * height`.
-    pub fn from_values(width: usize, height: usize, values: Vec<T>) -> Result<Self, SizeError> {
+    /// [`PlaneError::Length`] when their number is not `width * height`.
+    pub fn from_values(width: usize, height: usize, values: Vec<T>) -> Result<Self, PlaneError> {
         if width.checked_mul(height) == Some(values.len()) {
             Ok(Self {
                 width,
@@ -66,7 +66,7 @@ impl<T: Copy> Plane<T> {
                 values,
             })
         } else {
-            Err(SizeError::Length {
+            Err(PlaneError::Length {
                 width,
                 height,
                 length: values.len(),
@@ -208,16 +208,16 @@ impl<T: Copy, const N: usize> Plane<[T; N]> {
     /// let picture = Plane::interleaved([&grey, &grey.map(|v| v + 1), &grey])?;
     /// assert_eq!(picture.values(), [[7, 8, 7]; 2]);
     /// assert_eq!(picture.channel(1).unwrap().values(), [8, 8]);
-    /// # Ok::<(), ga_image::plane::SizeError>(())
+    /// # Ok::<(), ga_image::plane::PlaneError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the planes have different sizes, and [`SizeError::TooSmall`]
+    /// [`PlaneError::Differs`] when the planes have different sizes, and [`PlaneError::TooSmall`]
     /// when there are none.
-    pub fn interleaved(channels: [&Plane<T>; N]) -> Result<Self, SizeError> {
+    pub fn interleaved(channels: [&Plane<T>; N]) -> Result<Self, PlaneError> {
         let Some(first) = channels.first() else {
-            return Err(SizeError::TooSmall {
+            return Err(PlaneError::TooSmall {
                 width: 0,
                 height: 0,
                 least: 1,

@@ -1,6 +1,6 @@
 //! Borrowed planes, and rectangles of them, without copying.
 
-use super::SizeError;
+use super::PlaneError;
 
 /// The pixels of a plane, or of a rectangle in a plane, borrowed.
 ///
@@ -30,14 +30,14 @@ impl<'a, T: Copy> PlaneView<'a, T> {
     ///
     /// # Errors
     ///
-    /// [`SizeError`] when the rows overlap (the stride is less than the width) or `values` ends
+    /// [`PlaneError`] when the rows overlap (the stride is less than the width) or `values` ends
     /// before the last row does.
     pub fn new(
         values: &'a [T],
         width: usize,
         height: usize,
         stride: usize,
-    ) -> Result<Self, SizeError> {
+    ) -> Result<Self, PlaneError> {
         check(values.len(), width, height, stride)?;
         Ok(Self {
             values,
@@ -162,7 +162,7 @@ impl<'a, T: Copy> PlaneViewMut<'a, T> {
         width: usize,
         height: usize,
         stride: usize,
-    ) -> Result<Self, SizeError> {
+    ) -> Result<Self, PlaneError> {
         check(values.len(), width, height, stride)?;
         Ok(Self {
             values,
@@ -247,8 +247,8 @@ impl<'a, T: Copy> PlaneViewMut<'a, T> {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the sizes differ; nothing is changed then.
-    pub fn copy_from<'b>(&mut self, source: impl Into<PlaneView<'b, T>>) -> Result<(), SizeError>
+    /// [`PlaneError::Differs`] when the sizes differ; nothing is changed then.
+    pub fn copy_from<'b>(&mut self, source: impl Into<PlaneView<'b, T>>) -> Result<(), PlaneError>
     where
         T: 'b,
     {
@@ -287,22 +287,22 @@ impl<'a, T: Copy> PlaneViewMut<'a, T> {
 ///
 /// # Errors
 ///
-/// [`SizeError::Differs`].
+/// [`PlaneError::Differs`].
 pub fn same_size<T: Copy, U: Copy>(
     a: PlaneView<'_, T>,
     b: PlaneView<'_, U>,
-) -> Result<(), SizeError> {
+) -> Result<(), PlaneError> {
     let (first, second) = ([a.width, a.height], [b.width, b.height]);
     if first == second {
         Ok(())
     } else {
-        Err(SizeError::Differs { first, second })
+        Err(PlaneError::Differs { first, second })
     }
 }
 
-fn check(length: usize, width: usize, height: usize, stride: usize) -> Result<(), SizeError> {
+fn check(length: usize, width: usize, height: usize, stride: usize) -> Result<(), PlaneError> {
     if stride < width {
-        return Err(SizeError::Stride { stride, width });
+        return Err(PlaneError::Stride { stride, width });
     }
     let needed = match height {
         0 => Some(0),
@@ -313,7 +313,7 @@ fn check(length: usize, width: usize, height: usize, stride: usize) -> Result<()
     };
     match needed {
         Some(needed) if needed <= length => Ok(()),
-        _ => Err(SizeError::Length {
+        _ => Err(PlaneError::Length {
             width,
             height,
             length,
@@ -341,7 +341,7 @@ mod tests {
         assert!(PlaneView::new(&values, 4, 2, 6).is_ok());
         assert_eq!(
             PlaneView::new(&values, 4, 3, 4),
-            Err(SizeError::Length {
+            Err(PlaneError::Length {
                 width: 4,
                 height: 3,
                 length: 10
@@ -349,7 +349,7 @@ mod tests {
         );
         assert_eq!(
             PlaneView::new(&values, 4, 2, 3),
-            Err(SizeError::Stride {
+            Err(PlaneError::Stride {
                 stride: 3,
                 width: 4
             })

@@ -5,8 +5,8 @@ use std::borrow::Borrow;
 use png::{Encoder, Filter};
 
 use super::encode::{kind, raw};
-use crate::error::EncodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::picture::PictureView;
 use crate::plane::Plane;
 use crate::size::size_for;
@@ -36,7 +36,7 @@ impl Default for Animation {
 ///
 /// # Errors
 ///
-/// [`EncodeError::Frames`] when there are none, [`EncodeError::FrameSize`] when a frame differs in
+/// [`FormatError::Frames`] when there are none, [`FormatError::FrameSize`] when a frame differs in
 /// size from the first, and as [`encode`](super::encode).
 ///
 /// # Examples
@@ -53,14 +53,14 @@ impl Default for Animation {
 pub fn encode_animation<P: Copy, F: Borrow<Plane<P>>>(
     frames: impl IntoIterator<Item = F, IntoIter: ExactSizeIterator>,
     animation: Animation,
-) -> Result<Vec<u8>, EncodeError>
+) -> Result<Vec<u8>, FormatError>
 where
     for<'a> PictureView<'a>: From<&'a Plane<P>>,
 {
     let mut frames = frames.into_iter();
     let count = frames.len();
     let (Ok(declared), Some(first)) = (u32::try_from(count), frames.next()) else {
-        return Err(EncodeError::Frames {
+        return Err(FormatError::Frames {
             format: Format::Png,
             frames: count,
         });
@@ -84,7 +84,7 @@ where
         let picture = PictureView::from(frame.borrow());
         let this = [picture.width(), picture.height()];
         if this != size {
-            return Err(EncodeError::FrameSize {
+            return Err(FormatError::FrameSize {
                 frame: index + 1,
                 size: this,
                 first: size,

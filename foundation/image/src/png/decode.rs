@@ -4,8 +4,8 @@ use std::io::Cursor;
 
 use png::{BitDepth, ColorType, Decoder, Transformations};
 
-use crate::error::DecodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::picture::Picture;
 use crate::plane::Plane;
 use crate::size::check_claim;
@@ -19,9 +19,9 @@ const BYTES_FROM_ONE: f64 = 1032.0;
 ///
 /// # Errors
 ///
-/// [`DecodeError::Png`] with what is wrong, and [`DecodeError::Claim`] when the header states more
+/// [`FormatError::Png`] with what is wrong, and [`FormatError::Claim`] when the header states more
 /// pixels than the bytes can hold.
-pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
@@ -37,7 +37,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     )?;
     let mut reader = decoder.read_info()?;
     let (colour, depth) = reader.output_color_type();
-    let length = reader.output_buffer_size().ok_or(DecodeError::Claim {
+    let length = reader.output_buffer_size().ok_or(FormatError::Claim {
         format: Format::Png,
         width: size[0],
         height: size[1],
@@ -57,21 +57,21 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         }
         (ColorType::Rgb, BitDepth::Sixteen) => picture(size, pixels::<_, 3>(&words(&data))),
         (ColorType::Rgba, BitDepth::Sixteen) => picture(size, pixels::<_, 4>(&words(&data))),
-        _ => Err(DecodeError::Unsupported {
+        _ => Err(FormatError::Unsupported {
             format: Format::Png,
             what: format!("{colour:?} with {depth:?} bits"),
         }),
     }
 }
 
-fn picture<P: Copy>([width, height]: [usize; 2], values: Vec<P>) -> Result<Picture, DecodeError>
+fn picture<P: Copy>([width, height]: [usize; 2], values: Vec<P>) -> Result<Picture, FormatError>
 where
     Picture: From<Plane<P>>,
 {
     // The decoder fills the whole picture or fails.
     Plane::from_values(width, height, values)
         .map(Picture::from)
-        .map_err(|_| DecodeError::Syntax {
+        .map_err(|_| FormatError::Syntax {
             format: Format::Png,
             offset: 0,
             problem: "the default image does not fill the picture",

@@ -2,8 +2,8 @@
 
 use png::{BitDepth, ColorType, Encoder, Filter};
 
-use crate::error::EncodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::picture::PictureView;
 use crate::plane::PlaneView;
 use crate::sample::Pixel;
@@ -13,7 +13,7 @@ use crate::size::size_for;
 ///
 /// # Errors
 ///
-/// [`EncodeError::Kind`] for pictures of floats, [`EncodeError::Size`] when there are no pixels.
+/// [`FormatError::Kind`] for pictures of floats, [`FormatError::Size`] when there are no pixels.
 ///
 /// # Examples
 ///
@@ -25,7 +25,7 @@ use crate::size::size_for;
 /// assert_eq!(png::decode(&png::encode(&deep)?)?, deep.into());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, EncodeError> {
+pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, FormatError> {
     let picture = picture.into();
     let (colour, depth) = kind(&picture)?;
     let [width, height] = size_for(Format::Png, [picture.width(), picture.height()])?;
@@ -44,8 +44,8 @@ pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, Encode
 ///
 /// # Errors
 ///
-/// [`EncodeError::Palette`] when there are not 1 to 256 colours or a pixel names none of them,
-/// [`EncodeError::Size`] when there are no pixels.
+/// [`FormatError::Palette`] when there are not 1 to 256 colours or a pixel names none of them,
+/// [`FormatError::Size`] when there are no pixels.
 ///
 /// # Examples
 ///
@@ -61,12 +61,12 @@ pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, Encode
 pub fn encode_indexed<'a>(
     indices: impl Into<PlaneView<'a, u8>>,
     palette: &[[u8; 3]],
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     let indices = indices.into();
     let [width, height] = size_for(Format::Png, [indices.width(), indices.height()])?;
     let index = indices.rows().flatten().copied().max().unwrap_or(0);
     if usize::from(index) >= palette.len() || palette.len() > 256 {
-        return Err(EncodeError::Palette {
+        return Err(FormatError::Palette {
             index,
             colours: palette.len(),
         });
@@ -85,7 +85,7 @@ pub fn encode_indexed<'a>(
 }
 
 /// How PNG names a kind of pixel.
-pub(super) fn kind(picture: &PictureView<'_>) -> Result<(ColorType, BitDepth), EncodeError> {
+pub(super) fn kind(picture: &PictureView<'_>) -> Result<(ColorType, BitDepth), FormatError> {
     Ok(match picture {
         PictureView::Grey8(_) => (ColorType::Grayscale, BitDepth::Eight),
         PictureView::GreyAlpha8(_) => (ColorType::GrayscaleAlpha, BitDepth::Eight),
@@ -96,7 +96,7 @@ pub(super) fn kind(picture: &PictureView<'_>) -> Result<(ColorType, BitDepth), E
         PictureView::Rgb16(_) => (ColorType::Rgb, BitDepth::Sixteen),
         PictureView::Rgba16(_) => (ColorType::Rgba, BitDepth::Sixteen),
         PictureView::GreyF32(_) | PictureView::RgbF32(_) => {
-            return Err(EncodeError::Kind {
+            return Err(FormatError::Kind {
                 format: Format::Png,
                 kind: picture.kind(),
             });

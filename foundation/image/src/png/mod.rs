@@ -12,13 +12,13 @@ pub(crate) use encode::{big_endian, bytes_of};
 pub use encode::{encode, encode_indexed};
 
 use crate::picture::PictureView;
-use crate::save::{SaveError, save};
+use crate::save::{FileError, save};
 
 /// Writes a PNG file, whole or not at all.
 ///
 /// # Errors
 ///
-/// Any [`SaveError`].
+/// Any [`FileError`].
 ///
 /// # Examples
 ///
@@ -34,6 +34,6 @@ use crate::save::{SaveError, save};
 pub fn write<'a>(
     path: impl AsRef<Path>,
     picture: impl Into<PictureView<'a>>,
-) -> Result<(), SaveError> {
+) -> Result<(), FileError> {
     save(path.as_ref(), encode(picture))
 }

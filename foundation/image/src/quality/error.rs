@@ -2,7 +2,7 @@
 
 use ga_runtime::batch::{Batch, Work};
 
-use crate::plane::{PlaneView, SizeError, same_size};
+use crate::plane::{PlaneError, PlaneView, same_size};
 use crate::sample::{Pixel, Sample};
 
 /// The mean squared error: the mean over all pixels and channels of (a − b)². For integers the sum
@@ -10,15 +10,15 @@ use crate::sample::{Pixel, Sample};
 ///
 /// # Errors
 ///
-/// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when there are no pixels.
+/// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when there are no pixels.
 pub fn mse<'a, P: Pixel>(
     a: impl Into<PlaneView<'a, P>>,
     b: impl Into<PlaneView<'a, P>>,
-) -> Result<f64, SizeError> {
+) -> Result<f64, PlaneError> {
     let (a, b) = (a.into(), b.into());
     same_size(a, b)?;
     if a.is_empty() {
-        return Err(SizeError::TooSmall {
+        return Err(PlaneError::TooSmall {
             width: a.width(),
             height: a.height(),
             least: 1,
@@ -45,7 +45,7 @@ pub fn mse<'a, P: Pixel>(
 /// let b = Plane::filled(8, 8, 101u8);
 /// assert!((psnr(&a, &b, 255.0)? - 48.1308).abs() < 1e-4);
 /// assert_eq!(psnr(&a, &a, 255.0)?, f64::INFINITY);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 ///
 /// # Errors
@@ -55,7 +55,7 @@ pub fn psnr<'a, P: Pixel>(
     a: impl Into<PlaneView<'a, P>>,
     b: impl Into<PlaneView<'a, P>>,
     range: f64,
-) -> Result<f64, SizeError> {
+) -> Result<f64, PlaneError> {
     Ok(peak_ratio(mse(a, b)?, range))
 }
 

@@ -2,7 +2,7 @@
 
 use ga_runtime::batch::{Batch, Work};
 
-use crate::plane::{PlaneView, SizeError, same_size};
+use crate::plane::{PlaneError, PlaneView, same_size};
 
 /// What the levels of two pictures say about each other, from the histogram of the pairs of levels
 /// at the same places.
@@ -46,7 +46,7 @@ impl Information {
 /// assert_eq!(information.compare(&a, &a)?.mutual_bits(), 2.0);
 /// assert_eq!(information.compare(&a, &b)?.joint_bits, 5.0);
 /// assert_eq!(information.compare(&a, &b)?.mutual_bits(), 0.0);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct MutualInformation {
@@ -90,17 +90,17 @@ impl MutualInformation {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when there are no
+    /// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when there are no
     /// pixels.
     pub fn compare<'a>(
         &mut self,
         a: impl Into<PlaneView<'a, u8>>,
         b: impl Into<PlaneView<'a, u8>>,
-    ) -> Result<Information, SizeError> {
+    ) -> Result<Information, PlaneError> {
         let (a, b) = (a.into(), b.into());
         same_size(a, b)?;
         if a.is_empty() {
-            return Err(SizeError::TooSmall {
+            return Err(PlaneError::TooSmall {
                 width: a.width(),
                 height: a.height(),
                 least: 1,
@@ -139,7 +139,7 @@ impl MutualInformation {
 pub fn mutual_information<'a>(
     a: impl Into<PlaneView<'a, u8>>,
     b: impl Into<PlaneView<'a, u8>>,
-) -> Result<f64, SizeError> {
+) -> Result<f64, PlaneError> {
     Ok(MutualInformation::new().compare(a, b)?.mutual_bits())
 }
 

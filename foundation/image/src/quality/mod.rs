@@ -12,4 +12,4 @@ pub use error::{mse, psnr};
 pub use information::{Information, MutualInformation, mutual_information};
 pub use multiscale::{MULTISCALE_LEAST_SIDE, MultiScale, SCALES};
 pub use ssim::{Similarity, Ssim, WeightedSimilarity};
-pub use weighted::{WeightError, Weights, weighted_mse, weighted_psnr};
+pub use weighted::{Weights, weighted_mse, weighted_psnr};

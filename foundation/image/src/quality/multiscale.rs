@@ -4,7 +4,7 @@ use ga_runtime::batch::{Batch, Work};
 
 use super::ssim::WINDOW;
 use super::{Similarity, Ssim};
-use crate::plane::{Plane, PlaneView, SizeError, same_size};
+use crate::plane::{Plane, PlaneError, PlaneView, same_size};
 use crate::sample::{Pixel, Sample};
 
 /// The number of scales of [`MultiScale`].
@@ -37,7 +37,7 @@ pub const MULTISCALE_LEAST_SIDE: usize = WINDOW << (SCALES - 1);
 /// assert_eq!(ssim.multiscale(&picture, &picture)?.ms_ssim(), 1.0);
 /// let scales = ssim.multiscale(&picture, &noisy)?;
 /// assert_eq!(scales.similarities()[0], ssim.compare(&picture, &noisy)?);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiScale {
@@ -72,14 +72,14 @@ impl Ssim {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when a side has less
-    /// than [`MULTISCALE_LEAST_SIDE`] = 176 pixels, [`SizeError::Range`] for a range that is not
+    /// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when a side has less
+    /// than [`MULTISCALE_LEAST_SIDE`] = 176 pixels, [`PlaneError::Range`] for a range that is not
     /// positive and finite.
     pub fn multiscale<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
-    ) -> Result<MultiScale, SizeError> {
+    ) -> Result<MultiScale, PlaneError> {
         let (a, b) = (a.into(), b.into());
         check(a, b)?;
         let finest = self.compare(a, b)?;
@@ -97,7 +97,7 @@ impl Ssim {
         finest: Similarity,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
-    ) -> Result<MultiScale, SizeError> {
+    ) -> Result<MultiScale, PlaneError> {
         let (a, b) = (a.into(), b.into());
         check(a, b)?;
         let mut similarities = [finest; SCALES];
@@ -123,10 +123,10 @@ impl Ssim {
     }
 }
 
-fn check<P: Pixel>(a: PlaneView<'_, P>, b: PlaneView<'_, P>) -> Result<(), SizeError> {
+fn check<P: Pixel>(a: PlaneView<'_, P>, b: PlaneView<'_, P>) -> Result<(), PlaneError> {
     same_size(a, b)?;
     if a.width().min(a.height()) < MULTISCALE_LEAST_SIDE {
-        return Err(SizeError::TooSmall {
+        return Err(PlaneError::TooSmall {
             width: a.width(),
             height: a.height(),
             least: MULTISCALE_LEAST_SIDE,

@@ -3,9 +3,9 @@
 use ga_runtime::batch::{Batch, Work};
 use ga_runtime::scalar::Lanes;
 
-use super::weighted::{WeightError, Weights, weighted_sums};
+use super::weighted::{Weights, weighted_sums};
 use crate::filter::{Border, Gaussian};
-use crate::plane::{Plane, PlaneView, SizeError, same_size};
+use crate::plane::{Plane, PlaneError, PlaneView, same_size};
 use crate::sample::{Pixel, Sample};
 
 /// The structural similarity index of two pictures (Wang, Bovik, Sheikh, Simoncelli 2004).
@@ -30,7 +30,7 @@ use crate::sample::{Pixel, Sample};
 /// assert_eq!(ssim.compare(&picture, &picture)?.ssim, 1.0);
 /// assert!(ssim.compare(&picture, &noisy)?.ssim < 0.999);
 /// assert_eq!(ssim.map(&picture, &noisy)?.width(), 40);
-/// # Ok::<(), ga_image::plane::SizeError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ssim {
@@ -73,13 +73,13 @@ impl Ssim {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when a side has less
-    /// than 11 pixels, [`SizeError::Range`] for a range that is not positive and finite.
+    /// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when a side has less
+    /// than 11 pixels, [`PlaneError::Range`] for a range that is not positive and finite.
     pub fn compare<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
-    ) -> Result<Similarity, SizeError> {
+    ) -> Result<Similarity, PlaneError> {
         let (a, b) = (a.into(), b.into());
         self.check(a, b, WINDOW)?;
         let mut sums = [0.0; 2];
@@ -98,14 +98,14 @@ impl Ssim {
     ///
     /// # Errors
     ///
-    /// [`WeightError::Size`] as [`compare`](Self::compare), or when the weights have another size;
-    /// [`WeightError::Zero`] when all weights that take part are zero.
+    /// As [`compare`](Self::compare), [`PlaneError::Differs`] when the weights have another size;
+    /// [`PlaneError::ZeroWeights`] when all weights that take part are zero.
     pub fn compare_weighted<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
         weights: &Weights,
-    ) -> Result<WeightedSimilarity, WeightError> {
+    ) -> Result<WeightedSimilarity, PlaneError> {
         let (a, b) = (a.into(), b.into());
         self.check(a, b, WINDOW)?;
         let weights = weights.plane();
@@ -129,7 +129,7 @@ impl Ssim {
                 similarity: Similarity::of_sums(sums, a),
             })
         } else {
-            Err(WeightError::Zero)
+            Err(PlaneError::ZeroWeights)
         }
     }
 
@@ -140,13 +140,13 @@ impl Ssim {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Differs`] when the sizes differ, [`SizeError::TooSmall`] when there are no
-    /// pixels, [`SizeError::Range`] for a range that is not positive and finite.
+    /// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when there are no
+    /// pixels, [`PlaneError::Range`] for a range that is not positive and finite.
     pub fn map<'a, P: Pixel>(
         &self,
         a: impl Into<PlaneView<'a, P>>,
         b: impl Into<PlaneView<'a, P>>,
-    ) -> Result<Plane, SizeError> {
+    ) -> Result<Plane, PlaneError> {
         let (a, b) = (a.into(), b.into());
         self.check(a, b, 1)?;
         let (continued_a, continued_b) = (continued(a), continued(b));
@@ -168,14 +168,14 @@ impl Ssim {
         a: PlaneView<'_, P>,
         b: PlaneView<'_, P>,
         least: usize,
-    ) -> Result<(), SizeError> {
+    ) -> Result<(), PlaneError> {
         if !(self.range > 0.0 && self.range.is_finite()) {
             let range = self.range.to_string();
-            return Err(SizeError::Range { range });
+            return Err(PlaneError::Range { range });
         }
         same_size(a, b)?;
         if a.width().min(a.height()) < least {
-            return Err(SizeError::TooSmall {
+            return Err(PlaneError::TooSmall {
                 width: a.width(),
                 height: a.height(),
                 least,

@@ -3,7 +3,7 @@
 use ga_runtime::batch::{Batch, Work};
 
 use super::peak_ratio;
-use crate::plane::{Plane, PlaneView, SizeError, same_size};
+use crate::plane::{Plane, PlaneError, PlaneView, same_size};
 use crate::sample::{Pixel, Sample};
 
 /// A weight for each pixel, such as how much attention people pay to it: not negative, finite, and
@@ -24,37 +24,14 @@ pub struct Weights {
     plane: Plane,
 }
 
-/// Weights with which nothing can be weighted.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum WeightError {
-    /// The sizes of the pictures and of the weights, or the range of the numbers.
-    #[error(transparent)]
-    Size(#[from] SizeError),
-    /// A weight is negative or not finite.
-    #[error(
-        "the weight {weight} in column {column} and row {row} is not a number from 0 to infinity"
-    )]
-    Weight {
-        /// The column of the pixel.
-        column: usize,
-        /// The row of the pixel.
-        row: usize,
-        /// Its weight.
-        weight: f32,
-    },
-    /// All weights that take part are zero.
-    #[error("all weights are zero")]
-    Zero,
-}
-
 impl Weights {
     /// The weights of the pixels of a picture.
     ///
     /// # Errors
     ///
-    /// [`WeightError::Weight`] for the first weight that is negative or not finite,
-    /// [`WeightError::Zero`] when no weight is positive.
-    pub fn new(plane: Plane) -> Result<Self, WeightError> {
+    /// [`PlaneError::Weight`] for the first weight that is negative or not finite,
+    /// [`PlaneError::ZeroWeights`] when no weight is positive.
+    pub fn new(plane: Plane) -> Result<Self, PlaneError> {
         let mut range = [f32::INFINITY, f32::NEG_INFINITY];
         let mut finite = true;
         Batch::new().run(Extremes {
@@ -67,7 +44,7 @@ impl Weights {
             let sound = |weight: &f32| weight.is_finite() && *weight >= 0.0;
             let index = plane.values().iter().position(|weight| !sound(weight));
             let index = index.unwrap_or_default();
-            return Err(WeightError::Weight {
+            return Err(PlaneError::Weight {
                 column: index % plane.width(),
                 row: index / plane.width(),
                 weight: plane.values()[index],
@@ -76,7 +53,7 @@ impl Weights {
         if range[1] > 0.0 {
             Ok(Self { plane })
         } else {
-            Err(WeightError::Zero)
+            Err(PlaneError::ZeroWeights)
         }
     }
 
@@ -97,13 +74,13 @@ impl Weights {
 ///
 /// # Errors
 ///
-/// [`WeightError::Size`] when the sizes of the pictures and of the weights are not all equal or
-/// there are no pixels.
+/// [`PlaneError::Differs`] when the sizes of the pictures and of the weights are not all equal,
+/// [`PlaneError::ZeroWeights`] when there are no pixels.
 pub fn weighted_mse<'a, P: Pixel>(
     a: impl Into<PlaneView<'a, P>>,
     b: impl Into<PlaneView<'a, P>>,
     weights: &Weights,
-) -> Result<f64, WeightError> {
+) -> Result<f64, PlaneError> {
     let (a, b) = (a.into(), b.into());
     same_size(a, b)?;
     same_size(a, weights.plane.view())?;
@@ -118,7 +95,7 @@ pub fn weighted_mse<'a, P: Pixel>(
     if weights > 0.0 {
         Ok(errors / (weights * P::CHANNELS as f64))
     } else {
-        Err(WeightError::Zero)
+        Err(PlaneError::ZeroWeights)
     }
 }
 
@@ -127,19 +104,19 @@ pub fn weighted_mse<'a, P: Pixel>(
 ///
 /// # Errors
 ///
-/// As [`weighted_mse`], and [`SizeError::Range`] for a range that is not positive and finite.
+/// As [`weighted_mse`], and [`PlaneError::Range`] for a range that is not positive and finite.
 pub fn weighted_psnr<'a, P: Pixel>(
     a: impl Into<PlaneView<'a, P>>,
     b: impl Into<PlaneView<'a, P>>,
     weights: &Weights,
     range: f64,
-) -> Result<f64, WeightError> {
+) -> Result<f64, PlaneError> {
     let mse = weighted_mse(a, b, weights)?;
     if range > 0.0 && range.is_finite() {
         Ok(peak_ratio(mse, range))
     } else {
         let range = range.to_string();
-        Err(SizeError::Range { range }.into())
+        Err(PlaneError::Range { range })
     }
 }
 

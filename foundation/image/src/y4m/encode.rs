@@ -4,10 +4,10 @@ use std::borrow::Borrow;
 use std::path::Path;
 
 use super::{Film, Sampling};
-use crate::error::EncodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::plane::Plane;
-use crate::save::{SaveError, save};
+use crate::save::{FileError, save};
 use crate::size::size_for;
 use crate::ycbcr::{Range, rounded};
 
@@ -16,8 +16,8 @@ use crate::ycbcr::{Range, rounded};
 ///
 /// # Errors
 ///
-/// [`EncodeError::Frames`] when there are none, [`EncodeError::Size`] when they have no pixels,
-/// [`EncodeError::FrameSize`] when a frame differs in size from the first.
+/// [`FormatError::Frames`] when there are none, [`FormatError::Size`] when they have no pixels,
+/// [`FormatError::FrameSize`] when a frame differs in size from the first.
 ///
 /// # Examples
 ///
@@ -35,7 +35,7 @@ use crate::ycbcr::{Range, rounded};
 pub fn encode<F: Borrow<Plane<[u8; 3]>>>(
     frames: impl IntoIterator<Item = F>,
     film: Film,
-) -> Result<Vec<u8>, EncodeError> {
+) -> Result<Vec<u8>, FormatError> {
     let mut bytes = Vec::new();
     let mut first = None;
     for (index, frame) in frames.into_iter().enumerate() {
@@ -43,7 +43,7 @@ pub fn encode<F: Borrow<Plane<[u8; 3]>>>(
         let size = [frame.width(), frame.height()];
         let expected = *first.get_or_insert(size);
         if size != expected {
-            return Err(EncodeError::FrameSize {
+            return Err(FormatError::FrameSize {
                 frame: index,
                 size,
                 first: expected,
@@ -58,7 +58,7 @@ pub fn encode<F: Borrow<Plane<[u8; 3]>>>(
     }
     match first {
         Some(_) => Ok(bytes),
-        None => Err(EncodeError::Frames {
+        None => Err(FormatError::Frames {
             format: Format::Y4m,
             frames: 0,
         }),
@@ -69,12 +69,12 @@ pub fn encode<F: Borrow<Plane<[u8; 3]>>>(
 ///
 /// # Errors
 ///
-/// Any [`SaveError`].
+/// Any [`FileError`].
 pub fn write<F: Borrow<Plane<[u8; 3]>>>(
     path: impl AsRef<Path>,
     frames: impl IntoIterator<Item = F>,
     film: Film,
-) -> Result<(), SaveError> {
+) -> Result<(), FileError> {
     save(path.as_ref(), encode(frames, film))
 }
 

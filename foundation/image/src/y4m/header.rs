@@ -3,8 +3,8 @@
 use std::str::FromStr;
 
 use super::{Film, Sampling};
-use crate::error::DecodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::ycbcr::Range;
 
 /// What the first line of a film says.
@@ -42,7 +42,7 @@ pub enum Interlacing {
 pub(super) const MAGIC: &str = "YUV4MPEG2";
 
 /// Reads the first line, without its end.
-pub(super) fn parse(line: &[u8]) -> Result<Header, DecodeError> {
+pub(super) fn parse(line: &[u8]) -> Result<Header, FormatError> {
     let text = str::from_utf8(line)
         .ok()
         .and_then(|line| line.strip_prefix(MAGIC))
@@ -65,8 +65,8 @@ pub(super) fn parse(line: &[u8]) -> Result<Header, DecodeError> {
     Ok(header)
 }
 
-pub(super) fn syntax(offset: usize, problem: &'static str) -> DecodeError {
-    DecodeError::Syntax {
+pub(super) fn syntax(offset: usize, problem: &'static str) -> FormatError {
+    FormatError::Syntax {
         format: Format::Y4m,
         offset,
         problem,
@@ -87,7 +87,7 @@ impl Default for Header {
 }
 
 impl Header {
-    fn read_word(&mut self, word: &str, offset: usize) -> Result<(), DecodeError> {
+    fn read_word(&mut self, word: &str, offset: usize) -> Result<(), FormatError> {
         let mut letters = word.chars();
         let (name, value) = (letters.next(), letters.as_str());
         match name {
@@ -118,7 +118,7 @@ impl Header {
     }
 }
 
-fn sampling(value: &str) -> Result<(Sampling, u32), DecodeError> {
+fn sampling(value: &str) -> Result<(Sampling, u32), FormatError> {
     Ok(match value {
         "420" | "420jpeg" | "420mpeg2" | "420paldv" => (Sampling::Quarter, 8),
         "422" => (Sampling::Half, 8),
@@ -129,7 +129,7 @@ fn sampling(value: &str) -> Result<(Sampling, u32), DecodeError> {
         "444p10" => (Sampling::Full, 10),
         "mono10" => (Sampling::Grey, 10),
         _ => {
-            return Err(DecodeError::Unsupported {
+            return Err(FormatError::Unsupported {
                 format: Format::Y4m,
                 what: format!("the sampling {value}"),
             });
@@ -138,7 +138,7 @@ fn sampling(value: &str) -> Result<(Sampling, u32), DecodeError> {
 }
 
 /// A rate, or `None` where it is said to be unknown.
-fn rate(value: &str, offset: usize) -> Result<Option<[u32; 2]>, DecodeError> {
+fn rate(value: &str, offset: usize) -> Result<Option<[u32; 2]>, FormatError> {
     let (numerator, denominator) = value
         .split_once(':')
         .ok_or_else(|| syntax(offset, "the rate of frames is not a ratio"))?;
@@ -149,7 +149,7 @@ fn rate(value: &str, offset: usize) -> Result<Option<[u32; 2]>, DecodeError> {
     }
 }
 
-fn number<N: FromStr>(word: &str, offset: usize) -> Result<N, DecodeError> {
+fn number<N: FromStr>(word: &str, offset: usize) -> Result<N, FormatError> {
     // `parse` would accept a sign.
     let digits = Some(word).filter(|word| word.bytes().all(|byte| byte.is_ascii_digit()));
     digits.and_then(|word| word.parse().ok()).ok_or_else(|| {

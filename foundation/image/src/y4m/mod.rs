@@ -19,8 +19,8 @@ mod writer;
 pub use encode::{encode, write};
 pub use header::{Header, Interlacing};
 pub use reader::{Frame, Reader};
-pub use stream::{MAX_LINE, MAX_SIDE, Number, Stream, StreamError};
-pub use writer::{Writer, WriterError};
+pub use stream::{MAX_LINE, MAX_SIDE, Number, Stream};
+pub use writer::Writer;
 
 pub(crate) use reader::decode_first;
 

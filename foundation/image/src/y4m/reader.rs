@@ -2,8 +2,8 @@
 
 use super::header::{Header, parse, syntax};
 use super::{Film, Sampling};
-use crate::error::DecodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::picture::Picture;
 use crate::plane::{Plane, PlaneView};
 use crate::size::check_claim;
@@ -34,16 +34,16 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     ///
-    /// [`DecodeError::Syntax`] when it is wrong, [`DecodeError::Claim`] when the file is too short
-    /// for one frame, [`DecodeError::Unsupported`] for other samplings than those of [`Sampling`]
+    /// [`FormatError::Syntax`] when it is wrong, [`FormatError::Claim`] when the file is too short
+    /// for one frame, [`FormatError::Unsupported`] for other samplings than those of [`Sampling`]
     /// and for other depths than 8 bits.
-    pub fn new(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+    pub fn new(bytes: &'a [u8]) -> Result<Self, FormatError> {
         let Some(end) = bytes.iter().position(|byte| *byte == b'\n') else {
             return Err(syntax(0, "the first line does not end"));
         };
         let header = parse(&bytes[..end])?;
         if header.bit_depth != 8 {
-            return Err(DecodeError::Unsupported {
+            return Err(FormatError::Unsupported {
                 format: Format::Y4m,
                 what: format!("a depth of {} bits", header.bit_depth),
             });
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         self.film
     }
 
-    fn frame(&mut self) -> Result<Frame<'a>, DecodeError> {
+    fn frame(&mut self) -> Result<Frame<'a>, FormatError> {
         let start = self.at;
         let rest = &self.bytes[start..];
         let line = rest.iter().position(|byte| *byte == b'\n');
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn plane(&mut self, [width, height]: [usize; 2]) -> Result<PlaneView<'a, u8>, DecodeError> {
+    fn plane(&mut self, [width, height]: [usize; 2]) -> Result<PlaneView<'a, u8>, FormatError> {
         // The first plane fits into the file, so this does not overflow.
         let length = width * height;
         let plane = PlaneView::new(&self.bytes[self.at..], width, height, width);
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
 }
 
 impl<'a> Iterator for Reader<'a> {
-    type Item = Result<Frame<'a>, DecodeError>;
+    type Item = Result<Frame<'a>, FormatError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         (self.at < self.bytes.len()).then(|| {
@@ -136,7 +136,7 @@ impl Frame<'_> {
 }
 
 /// The first frame as a picture: in grey where the film is grey.
-pub(crate) fn decode_first(bytes: &[u8]) -> Result<Picture, DecodeError> {
+pub(crate) fn decode_first(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut reader = Reader::new(bytes)?;
     let film = reader.film();
     let frame = reader

@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, BufReader, Read};
 
 use super::header::{Header, MAGIC, parse, syntax};
-use crate::error::DecodeError;
+use crate::format_error::FormatError;
 use crate::plane::Plane;
 
 /// The greatest number of bytes in the header, and in the line that begins a frame.
@@ -51,71 +51,6 @@ pub struct Stream<R> {
     has_ended: bool,
 }
 
-/// Why a film cannot be read further. Frames are counted from 0.
-#[derive(Debug, thiserror::Error)]
-pub enum StreamError {
-    /// The bytes could not be read.
-    #[error("frame {frame} cannot be read: {source}")]
-    Read {
-        /// The frame.
-        frame: usize,
-        /// What the operating system said.
-        source: io::Error,
-    },
-    /// The header is wrong.
-    #[error(transparent)]
-    Header(#[from] DecodeError),
-    /// The film ends within a frame.
-    #[error("the film ends within frame {frame}, after {found} of {expected} bytes")]
-    Truncated {
-        /// The frame.
-        frame: usize,
-        /// Bytes that are there, of the three planes.
-        found: usize,
-        /// Bytes that three planes have.
-        expected: usize,
-    },
-    /// A frame does not begin with the line FRAME.
-    #[error("frame {frame} does not begin with a line FRAME")]
-    Marker {
-        /// The frame.
-        frame: usize,
-    },
-    /// A second header states another size.
-    #[error(
-        "frame {frame} has {} × {} pixels, the first has {} × {}",
-        size[0], size[1], first[0], first[1]
-    )]
-    Size {
-        /// The frame.
-        frame: usize,
-        /// Its columns and rows.
-        size: [usize; 2],
-        /// Columns and rows of the first frame.
-        first: [usize; 2],
-    },
-    /// A second header states another rate, sampling, depth or range.
-    #[error("the header before frame {frame} differs from the first header")]
-    Differs {
-        /// The frame.
-        frame: usize,
-    },
-    /// A number is greater than its bits allow.
-    #[error("frame {frame} has the number {value}, which needs more than 10 bits")]
-    Number {
-        /// The frame.
-        frame: usize,
-        /// The number.
-        value: u16,
-    },
-    /// The planes are for another depth than the film has.
-    #[error("the film has {bit_depth} bits for each number, which the planes do not have")]
-    Depth {
-        /// The bits of the film.
-        bit_depth: u32,
-    },
-}
-
 /// A number of a film: `u8` for 8 bits, `u16` for 10.
 pub trait Number: Copy + Default + private::Sealed {
     /// The bits of the numbers.
@@ -135,9 +70,9 @@ impl<R: Read> Stream<R> {
     ///
     /// # Errors
     ///
-    /// [`StreamError::Header`] when it is wrong, longer than [`MAX_LINE`] or states more columns or
-    /// rows than [`MAX_SIDE`]; [`StreamError::Read`] when it cannot be read.
-    pub fn new(reader: R) -> Result<Self, StreamError> {
+    /// [`FormatError::Syntax`] and the like when it is wrong, longer than [`MAX_LINE`] or states more columns or
+    /// rows than [`MAX_SIDE`]; [`FormatError::Read`] when it cannot be read.
+    pub fn new(reader: R) -> Result<Self, FormatError> {
         let mut stream = Self {
             reader: BufReader::with_capacity(1 << 16, reader),
             header: Header::default(),
@@ -182,15 +117,15 @@ impl<R: Read> Stream<R> {
     ///
     /// # Errors
     ///
-    /// Any [`StreamError`] except [`Header`](StreamError::Header) for the first line. What the
+    /// Any [`FormatError`] of a frame or of a header before it. What the
     /// planes then hold is not specified.
-    pub fn read<T: Number>(&mut self, planes: [&mut Plane<T>; 3]) -> Result<bool, StreamError> {
+    pub fn read<T: Number>(&mut self, planes: [&mut Plane<T>; 3]) -> Result<bool, FormatError> {
         if self.has_ended {
             return Ok(false);
         }
         self.has_ended = true;
         if T::BIT_DEPTH != self.header.bit_depth {
-            return Err(StreamError::Depth {
+            return Err(FormatError::Depth {
                 bit_depth: self.header.bit_depth,
             });
         }
@@ -214,12 +149,12 @@ impl<R: Read> Stream<R> {
     }
 
     /// Reads a line with its end, or what there is before the end of the film.
-    fn read_line(&mut self) -> Result<(), StreamError> {
+    fn read_line(&mut self) -> Result<(), FormatError> {
         self.line.clear();
         let mut limited = (&mut self.reader).take(MAX_LINE as u64);
         match limited.read_until(b'\n', &mut self.line) {
             Ok(_) => Ok(()),
-            Err(source) => Err(StreamError::Read {
+            Err(source) => Err(FormatError::Read {
                 frame: self.frame,
                 source,
             }),
@@ -228,7 +163,7 @@ impl<R: Read> Stream<R> {
 
     /// Reads the line that begins a frame, and before it headers that repeat the first one, as they
     /// stand between films that were joined. Returns whether there is a frame.
-    fn begin_frame(&mut self) -> Result<bool, StreamError> {
+    fn begin_frame(&mut self) -> Result<bool, FormatError> {
         let frame = self.frame;
         loop {
             self.read_line()?;
@@ -239,25 +174,25 @@ impl<R: Read> Stream<R> {
                     _ if rest.starts_with(b"FRAME") || b"FRAME".starts_with(rest) => {
                         Err(self.truncated(0))
                     }
-                    _ => Err(StreamError::Marker { frame }),
+                    _ => Err(FormatError::Marker { frame }),
                 };
             };
             if line == b"FRAME" || line.starts_with(b"FRAME ") {
                 return Ok(true);
             }
             if !line.starts_with(MAGIC.as_bytes()) {
-                return Err(StreamError::Marker { frame });
+                return Err(FormatError::Marker { frame });
             }
             let (next, first) = (parse(line)?, self.header);
             if next.size != first.size {
-                return Err(StreamError::Size {
+                return Err(FormatError::FrameSize {
                     frame,
                     size: next.size,
                     first: first.size,
                 });
             }
             if next != first {
-                return Err(StreamError::Differs { frame });
+                return Err(FormatError::Differs { frame });
             }
         }
     }
@@ -269,7 +204,7 @@ impl<R: Read> Stream<R> {
         plane: &mut Plane<T>,
         [width, height]: [usize; 2],
         before: usize,
-    ) -> Result<usize, StreamError> {
+    ) -> Result<usize, FormatError> {
         let length = width * height;
         let bytes_of_number = size_of::<T>();
         let mut values = std::mem::take(plane).into_values();
@@ -280,14 +215,14 @@ impl<R: Read> Stream<R> {
             let known = values.len().max(2 * read).max(piece).min(length);
             values.resize(known, T::default());
             let found = T::fill(&mut self.reader, &mut values[read..])
-                .map_err(|source| StreamError::Read { frame, source })?;
+                .map_err(|source| FormatError::Read { frame, source })?;
             if found < (known - read) * bytes_of_number {
                 return Err(self.truncated(before + read * bytes_of_number + found));
             }
             read = known;
         }
         if let Some(value) = T::too_large(&values) {
-            return Err(StreamError::Number { frame, value });
+            return Err(FormatError::Number { frame, value });
         }
         // The length is that of the size.
         if let Ok(filled) = Plane::from_values(width, height, values) {
@@ -296,8 +231,8 @@ impl<R: Read> Stream<R> {
         Ok(length * bytes_of_number)
     }
 
-    fn truncated(&self, found: usize) -> StreamError {
-        StreamError::Truncated {
+    fn truncated(&self, found: usize) -> FormatError {
+        FormatError::Truncated {
             frame: self.frame,
             found,
             expected: self.frame_length(),

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use super::encode::header;
 use super::{Film, Number};
-use crate::error::EncodeError;
 use crate::format::Format;
+use crate::format_error::FormatError;
 use crate::plane::Plane;
 use crate::size::size_for;
 
@@ -39,34 +39,18 @@ pub struct Writer<W> {
     bytes: Vec<u8>,
 }
 
-/// Why a film cannot be written further. Frames are counted from 0.
-#[derive(Debug, thiserror::Error)]
-pub enum WriterError {
-    /// The film or a frame has no form in the format.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
-    /// The bytes could not be written.
-    #[error("frame {frame} cannot be written: {source}")]
-    Write {
-        /// The frame.
-        frame: usize,
-        /// What the operating system said.
-        source: io::Error,
-    },
-}
-
 impl<W: Write> Writer<W> {
     /// Writes the first line, for frames of this size with numbers of 8 or 10 bits.
     ///
     /// # Errors
     ///
-    /// [`WriterError::Encode`] for frames without pixels and for other depths.
+    /// [`FormatError::Size`] for frames without pixels, [`FormatError::Kind`] for other depths.
     pub fn new(
         writer: W,
         size: [usize; 2],
         bit_depth: u32,
         film: Film,
-    ) -> Result<Self, WriterError> {
+    ) -> Result<Self, FormatError> {
         size_for(Format::Y4m, size)?;
         if ![8, 10].contains(&bit_depth) {
             return Err(depth_error());
@@ -88,9 +72,10 @@ impl<W: Write> Writer<W> {
     ///
     /// # Errors
     ///
-    /// [`WriterError::Encode`] where the planes have another size or depth than those of the film;
+    /// [`FormatError::FrameSize`] and [`FormatError::Kind`] where the planes have another size or depth
+    /// than those of the film;
     /// nothing is written then.
-    pub fn write<T: Number>(&mut self, planes: [&Plane<T>; 3]) -> Result<(), WriterError> {
+    pub fn write<T: Number>(&mut self, planes: [&Plane<T>; 3]) -> Result<(), FormatError> {
         if T::BIT_DEPTH != self.bit_depth {
             return Err(depth_error());
         }
@@ -101,11 +86,11 @@ impl<W: Write> Writer<W> {
         {
             let size = [plane.width(), plane.height()];
             if size != expected {
-                return Err(WriterError::Encode(EncodeError::FrameSize {
+                return Err(FormatError::FrameSize {
                     frame: self.frame,
                     size,
                     first: expected,
-                }));
+                });
             }
         }
         self.bytes.clear();
@@ -118,16 +103,16 @@ impl<W: Write> Writer<W> {
         Ok(())
     }
 
-    fn send(&mut self) -> Result<(), WriterError> {
+    fn send(&mut self) -> Result<(), FormatError> {
         let frame = self.frame;
         let written = self.writer.write_all(&self.bytes);
-        written.map_err(|source| WriterError::Write { frame, source })
+        written.map_err(|source| FormatError::Write { frame, source })
     }
 }
 
-fn depth_error() -> WriterError {
-    WriterError::Encode(EncodeError::Kind {
+fn depth_error() -> FormatError {
+    FormatError::Kind {
         format: Format::Y4m,
         kind: "numbers of this depth",
-    })
+    }
 }

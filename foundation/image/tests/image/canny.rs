@@ -1,7 +1,7 @@
 //! Canny's edges, compared with their definition, pixel by pixel.
 
-use ga_image::canny::{Canny, ThresholdError};
-use ga_image::plane::{Plane, PlaneView};
+use ga_image::canny::Canny;
+use ga_image::plane::{Plane, PlaneError, PlaneView};
 use proptest::prelude::*;
 
 /// Sobel's slopes at a pixel, `[dx, dy]`, of a picture whose outermost pixels are repeated.
@@ -189,7 +189,7 @@ fn pictures_of_one_level_have_no_edges() {
 #[test]
 fn thresholds_that_are_no_order_are_errors_with_their_values() {
     for [low, high] in [[2.0, 1.0], [-1.0, 1.0], [f64::NAN, 1.0], [0.0, f64::NAN]] {
-        let error: ThresholdError = Canny::new(low, high).unwrap_err();
+        let error: PlaneError = Canny::new(low, high).unwrap_err();
         let text = error.to_string();
         assert!(text.contains(&format!("{low} and {high}")), "{text}");
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use ga_image::canny::Canny;
 use ga_image::filter::{Border, Gradient};
 use ga_image::grey::Luma;
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::threshold::{adaptive, histogram, otsu};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -213,7 +213,7 @@ proptest! {
 fn planes_of_other_sizes_and_thresholds_out_of_order_are_errors() {
     let picture = Plane::filled(4, 3, 7u8);
     let mut slopes = Plane::filled(3, 4, 0);
-    let differs = SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [4, 3],
         second: [3, 4],
     };

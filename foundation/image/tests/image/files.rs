@@ -1,6 +1,6 @@
 //! Pictures read from files that other programs wrote, and written and read again.
 
-use ga_image::file::{self, DecodeError, EncodeError, SaveError};
+use ga_image::file::{self, FileError, FormatError};
 use ga_image::grey::Luma;
 use ga_image::pfm::ByteOrder;
 use ga_image::picture::{Picture, PictureView};
@@ -229,8 +229,8 @@ fn a_picture_without_a_form_in_the_format_writes_nothing() {
     let error = file::write(&path, &Plane::filled(2, 2, 0.5f32)).unwrap_err();
     assert!(matches!(
         error,
-        SaveError::Encode {
-            problem: EncodeError::Kind { .. },
+        FileError::Contents {
+            problem: FormatError::Kind { .. },
             ..
         }
     ));
@@ -241,7 +241,7 @@ fn a_picture_without_a_form_in_the_format_writes_nothing() {
     );
     assert!(!path.exists());
     let error = file::write(folder.path().join("a.jpg"), &Plane::filled(2, 2, 0u8)).unwrap_err();
-    assert!(matches!(error, SaveError::Ending { .. }));
+    assert!(matches!(error, FileError::Unknown { .. }));
     assert!(png::encode(&Plane::filled(0, 2, 0u8)).is_err());
     assert!(pnm::encode(&Plane::filled(1, 2, [0u8; 2])).is_err());
     assert!(pnm::encode_text(&Plane::filled(1, 2, 0.0f32)).is_err());
@@ -254,7 +254,7 @@ fn a_picture_without_a_form_in_the_format_writes_nothing() {
 #[test]
 fn a_file_of_no_known_format_says_how_it_begins() {
     let error = file::decode(b"GIF89a").unwrap_err();
-    assert!(matches!(error, DecodeError::UnknownFormat { .. }));
+    assert!(matches!(error, FormatError::UnknownFormat { .. }));
     assert!(error.to_string().contains("[47, 49, 46, 38, 39, 61]"));
     assert!(file::decode(b"").is_err());
 }

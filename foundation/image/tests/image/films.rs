@@ -1,6 +1,6 @@
 //! Films: Y4M and animated PNG.
 
-use ga_image::file::{self, EncodeError};
+use ga_image::file::{self, FormatError};
 use ga_image::grey::Luma;
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
@@ -95,15 +95,15 @@ fn frames_of_different_sizes_make_no_film() {
     frames[1] = Plane::filled(7, 6, [0; 3]);
     assert!(matches!(
         y4m::encode(&frames, Film::default()),
-        Err(EncodeError::FrameSize { frame: 1, .. })
+        Err(FormatError::FrameSize { frame: 1, .. })
     ));
     assert!(matches!(
         png::encode_animation(&frames, Animation::default()),
-        Err(EncodeError::FrameSize { frame: 1, .. })
+        Err(FormatError::FrameSize { frame: 1, .. })
     ));
     assert!(matches!(
         png::encode_animation(&frames[..0], Animation::default()),
-        Err(EncodeError::Frames { frames: 0, .. })
+        Err(FormatError::Frames { frames: 0, .. })
     ));
     assert!(y4m::encode(&frames[..0], Film::default()).is_err());
 }

@@ -1,7 +1,7 @@
 //! Files that lie about their size, end early or are not what they seem: an error, no panic, and no
 //! memory for what is not there.
 
-use ga_image::file::{self, DecodeError};
+use ga_image::file::{self, FormatError};
 use ga_image::plane::Plane;
 use ga_image::{pfm, png, pnm, y4m};
 use nullcone_shared_data::shared;
@@ -30,7 +30,7 @@ fn claims_that_the_file_cannot_hold_are_errors() {
     claims.push(jpeg);
     for bytes in claims {
         let error = file::decode(&bytes).unwrap_err();
-        assert!(matches!(error, DecodeError::Claim { .. }), "{error}");
+        assert!(matches!(error, FormatError::Claim { .. }), "{error}");
     }
 }
 

@@ -2,10 +2,9 @@
 
 use std::io::{self, Read};
 
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
-use ga_image::y4m::{
-    self, Film, Interlacing, MAX_LINE, Number, Reader, Sampling, Stream, StreamError,
-};
+use ga_image::y4m::{self, Film, Interlacing, MAX_LINE, Number, Reader, Sampling, Stream};
 use ga_image::ycbcr::{Range, YCbCr};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -13,7 +12,7 @@ use proptest::prelude::*;
 type Planes<T> = [Plane<T>; 3];
 
 /// All frames until the end or an error.
-fn frames<T: Number>(bytes: impl Read) -> (Vec<Planes<T>>, Result<(), StreamError>) {
+fn frames<T: Number>(bytes: impl Read) -> (Vec<Planes<T>>, Result<(), FormatError>) {
     let mut frames = Vec::new();
     let mut stream = match Stream::new(bytes) {
         Ok(stream) => stream,
@@ -74,7 +73,7 @@ fn ten_bits_are_two_bytes_the_low_one_first() {
     assert_eq!((header.bit_depth, header.has_rate), (10, true));
     assert!(matches!(
         frames::<u8>(&bytes[..]).1,
-        Err(StreamError::Depth { bit_depth: 10 })
+        Err(FormatError::Depth { bit_depth: 10 })
     ));
 }
 
@@ -196,7 +195,7 @@ fn no_memory_is_taken_for_what_is_not_there() {
     let outcome = stream.read([&mut luma, &mut cb, &mut cr]);
     assert!(matches!(
         outcome,
-        Err(StreamError::Truncated {
+        Err(FormatError::Truncated {
             frame: 0,
             found: 2,
             ..
@@ -276,7 +275,7 @@ fn films_may_end_anywhere() {
         if length > header && !is_between {
             let found = end.unwrap_err();
             assert!(
-                matches!(found, StreamError::Truncated { frame, .. } if frame == whole),
+                matches!(found, FormatError::Truncated { frame, .. } if frame == whole),
                 "{length}: {found}"
             );
         }

@@ -2,7 +2,7 @@
 
 use ga_image::interpolation::bilinear;
 use ga_image::picture::Picture;
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::warp::Warp;
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -128,7 +128,7 @@ fn sizes_are_checked() {
     let warp = Warp::new([4, 3], [5, 5], Some);
     assert_eq!((warp.size(), warp.source_size()), ([4, 3], [5, 5]));
     let small = Plane::filled(4, 5, 0u8);
-    let differs = SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [4, 5],
         second: [5, 5],
     };

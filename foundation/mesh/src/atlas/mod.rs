@@ -21,7 +21,6 @@
 
 mod chart;
 mod embed;
-mod error;
 mod flatten;
 mod grow;
 mod mask;
@@ -34,17 +33,14 @@ mod reduce;
 mod relax;
 mod surface;
 
-pub use error::AtlasError;
+pub use crate::texture_space_error::MAX_SIZE;
 pub use measure::Report;
 
-use crate::TextureCoordinates;
+use crate::{TextureCoordinates, TextureSpaceError};
 use chart::Flat;
 use flatten::Flattened;
 use pack::Effort;
 use surface::{NONE, Surface, Vector};
-
-/// The longest side of a texture, in texels.
-pub const MAX_SIZE: u32 = 16_384;
 
 /// What an atlas is made for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,7 +116,7 @@ impl Atlas {
 ///
 /// # Errors
 ///
-/// [`AtlasError`] for an empty mesh, one without area, coordinates that are not finite, indices out
+/// [`TextureSpaceError`] for an empty mesh, one without area, coordinates that are not finite, indices out
 /// of range, a size that is not allowed, and charts that do not fit.
 ///
 /// # Examples
@@ -132,16 +128,16 @@ impl Atlas {
 /// let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 /// let atlas = unwrap(&tetrahedron, &triangles, &Options::default())?;
 /// assert_eq!((atlas.report.flipped, atlas.report.overlapping_texels), (0, 0));
-/// # Ok::<(), ga_mesh::atlas::AtlasError>(())
+/// # Ok::<(), ga_mesh::atlas::TextureSpaceError>(())
 /// ```
 pub fn unwrap(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     options: &Options,
-) -> Result<Atlas, AtlasError> {
+) -> Result<Atlas, TextureSpaceError> {
     let Options { size, .. } = *options;
     if !(1..=MAX_SIZE).contains(&size) {
-        return Err(AtlasError::Size { size });
+        return Err(TextureSpaceError::Size { size });
     }
     let surface = Surface::new(positions, triangles)?;
     let mut charts = Vec::new();
@@ -184,7 +180,7 @@ pub fn unwrap(
     {
         best = Some(closer);
     }
-    let best = best.ok_or(AtlasError::DoesNotFit {
+    let best = best.ok_or(TextureSpaceError::DoesNotFit {
         charts: charts.len(),
         margin_texels: options.margin_texels,
         size,
@@ -197,19 +193,19 @@ pub fn unwrap(
 ///
 /// # Errors
 ///
-/// As [`unwrap`], and [`AtlasError::Coordinates`], [`AtlasError::OutsideSquare`].
+/// As [`unwrap`], and [`TextureSpaceError::Coordinates`], [`TextureSpaceError::OutsideSquare`].
 pub fn measure(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     coordinates: &[[[f64; 2]; 3]],
     options: &Options,
-) -> Result<Report, AtlasError> {
+) -> Result<Report, TextureSpaceError> {
     let Options { size, .. } = *options;
     if !(1..=MAX_SIZE).contains(&size) {
-        return Err(AtlasError::Size { size });
+        return Err(TextureSpaceError::Size { size });
     }
     if coordinates.len() != triangles.len() {
-        return Err(AtlasError::Coordinates {
+        return Err(TextureSpaceError::Coordinates {
             expected: triangles.len(),
             found: coordinates.len(),
         });
@@ -219,7 +215,7 @@ pub fn measure(
         numbers.all(|x| (0.0..=1.0).contains(x))
     };
     if let Some(face) = coordinates.iter().position(|corners| !is_inside(corners)) {
-        return Err(AtlasError::OutsideSquare { face });
+        return Err(TextureSpaceError::OutsideSquare { face });
     }
     let surface = Surface::new(positions, triangles)?;
     let of_face = |face: u32| coordinates[surface.originals[face as usize] as usize];

@@ -1,9 +1,8 @@
 //! A triangle mesh prepared for cutting: only faces with area, and who lies across each side.
 
-use super::AtlasError;
 use crate::places::first_of_equal;
 use crate::topology::Edges;
-use crate::{MeshError, bounds};
+use crate::{MeshError, TextureSpaceError, bounds};
 
 pub(super) type Vector = ga_runtime::vga3::Vector<f64>;
 
@@ -31,7 +30,10 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    pub(super) fn new(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Self, AtlasError> {
+    pub(super) fn new(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+    ) -> Result<Self, TextureSpaceError> {
         check(positions, triangles)?;
         let positions = normalized(positions);
         let representative = first_of_equal(positions.iter().map(|p| p.coordinates()));
@@ -65,7 +67,7 @@ impl Surface {
         }
         if surface.triangles.is_empty() {
             let faces = triangles.len();
-            return Err(AtlasError::NoArea { faces });
+            return Err(TextureSpaceError::NoArea { faces });
         }
         surface.across = across(&surface.triangles, surface.positions.len())?;
         Ok(surface)
@@ -105,23 +107,23 @@ impl Surface {
     }
 }
 
-fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), AtlasError> {
+fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), TextureSpaceError> {
     let vertices = positions.len();
     for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
         if count >= NONE as usize {
-            return Err(AtlasError::TooLarge { what, count });
+            return Err(TextureSpaceError::TooLarge { what, count });
         }
     }
     if triangles.is_empty() {
-        return Err(AtlasError::NoFaces);
+        return Err(TextureSpaceError::NoFaces);
     }
     let finite = |position: &[f64; 3]| position.iter().all(|x| x.is_finite());
     if let Some(vertex) = positions.iter().position(|position| !finite(position)) {
-        return Err(AtlasError::NotFinite { vertex });
+        return Err(TextureSpaceError::NotFinite { vertex });
     }
     for (face, triangle) in triangles.iter().enumerate() {
         if let Some(&index) = triangle.iter().find(|&&index| index as usize >= vertices) {
-            return Err(AtlasError::IndexOutOfRange {
+            return Err(TextureSpaceError::IndexOutOfRange {
                 face,
                 index,
                 vertices,
@@ -149,10 +151,10 @@ fn normalized(positions: &[[f64; 3]]) -> Vec<Vector> {
     positions.iter().map(scaled).collect()
 }
 
-fn across(triangles: &[[u32; 3]], vertices: usize) -> Result<Vec<u32>, AtlasError> {
+fn across(triangles: &[[u32; 3]], vertices: usize) -> Result<Vec<u32>, TextureSpaceError> {
     let edges = Edges::of_triangles(triangles, vertices).map_err(|error| match error {
-        MeshError::TooLarge { what, count } => AtlasError::TooLarge { what, count },
-        _ => AtlasError::NoFaces,
+        MeshError::TooLarge { what, count } => TextureSpaceError::TooLarge { what, count },
+        _ => TextureSpaceError::NoFaces,
     })?;
     let start = |side: u32| triangles[side as usize / 3][side as usize % 3];
     let mut across = vec![NONE; 3 * triangles.len()];

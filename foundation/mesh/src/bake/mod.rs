@@ -28,9 +28,9 @@
 //!
 //! let corners = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 //! let square = b"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-//! let coarse = Coarse::from_mesh(&obj::parse(&[&corners[..], square].concat())?, 0)?;
+//! let coarse = Coarse::from_mesh(&obj::decode(&[&corners[..], square].concat())?, 0)?;
 //! // A slope that rises by 0.01 along x.
-//! let fine = obj::parse(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
+//! let fine = obj::decode(b"v 0 0 0\nv 1 0 0.01\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n")?;
 //! let fine = Fine::from_mesh(&fine)?;
 //! let bake = Bake::new(&coarse, &fine, &Options::with_size(16))?;
 //!
@@ -41,13 +41,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod error;
 mod map;
 mod occlusion;
 mod surface;
 mod texel;
 
-pub use error::BakeError;
 pub use map::Map;
 pub use occlusion::OcclusionOptions;
 pub use surface::{Coarse, CoarseCorner, Fine, FinePoint, corner_colours, corner_coordinates};
@@ -55,6 +53,7 @@ pub use texel::{Texel, Texels};
 
 use ga_runtime::vga3::Vector;
 
+use crate::TextureSpaceError;
 use occlusion::Hemisphere;
 
 /// What is baked.
@@ -117,15 +116,19 @@ impl<'a> Bake<'a> {
     ///
     /// # Errors
     ///
-    /// [`BakeError`] for options that are not allowed, a coarse surface without triangles, and
+    /// [`TextureSpaceError`] for options that are not allowed, a coarse surface without triangles, and
     /// texture coordinates outside of the unit square.
-    pub fn new(coarse: &'a Coarse, fine: &'a Fine, options: &Options) -> Result<Self, BakeError> {
+    pub fn new(
+        coarse: &'a Coarse,
+        fine: &'a Fine,
+        options: &Options,
+    ) -> Result<Self, TextureSpaceError> {
         let size = options.size;
         let cage = options
             .cage_distance
             .unwrap_or_else(|| default_cage(coarse));
         if !(cage >= 0.0 && cage.is_finite()) {
-            return Err(BakeError::Number {
+            return Err(TextureSpaceError::Number {
                 what: "cage distance",
                 value: cage,
             });
@@ -134,7 +137,7 @@ impl<'a> Bake<'a> {
         let coordinates: Vec<_> = corners.map(|t| t.map(|corner| corner.coordinate)).collect();
         let texels = Texels::new(&coordinates, size)?;
         if texels.is_empty() {
-            return Err(BakeError::NoTriangles { surface: "coarse" });
+            return Err(TextureSpaceError::NoTriangles { surface: "coarse" });
         }
         let mut samples = Vec::with_capacity(texels.len());
         let mut nearest = 0;
@@ -239,8 +242,8 @@ impl<'a> Bake<'a> {
     ///
     /// # Errors
     ///
-    /// [`BakeError::Number`] for options that are not allowed.
-    pub fn occlusion(&self, options: &OcclusionOptions) -> Result<Map<1>, BakeError> {
+    /// [`TextureSpaceError::Number`] for options that are not allowed.
+    pub fn occlusion(&self, options: &OcclusionOptions) -> Result<Map<1>, TextureSpaceError> {
         let hemisphere = Hemisphere::new(options)?;
         let bounds = self.fine.bvh.bounds().unwrap_or_default();
         let lift = 1e-5 * bounds[0].distance(bounds[1]);

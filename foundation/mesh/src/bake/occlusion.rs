@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use crate::TextureSpaceError;
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
-
-use super::BakeError;
 
 /// How ambient occlusion is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +37,7 @@ pub(super) struct Hemisphere {
 }
 
 impl Hemisphere {
-    pub(super) fn new(options: &OcclusionOptions) -> Result<Self, BakeError> {
+    pub(super) fn new(options: &OcclusionOptions) -> Result<Self, TextureSpaceError> {
         let OcclusionOptions {
             rays,
             seed,
@@ -47,11 +46,11 @@ impl Hemisphere {
         if rays == 0 || rays > 1 << 16 {
             let value = f64::from(rays);
             let what = "number of rays";
-            return Err(BakeError::Number { what, value });
+            return Err(TextureSpaceError::Number { what, value });
         }
         if distance <= 0.0 || distance.is_nan() {
             let what = "distance of occlusion";
-            return Err(BakeError::Number {
+            return Err(TextureSpaceError::Number {
                 what,
                 value: distance,
             });

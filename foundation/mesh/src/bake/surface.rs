@@ -2,11 +2,10 @@
 
 use ga_runtime::vga3::Vector;
 
-use super::BakeError;
 use crate::normals::vertex_normals;
 use crate::query::Bvh;
 use crate::tangents::mikktspace;
-use crate::{Mesh, Rgba, Tangent};
+use crate::{Mesh, Rgba, Tangent, TextureSpaceError};
 
 /// A corner of a triangle of the coarse surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +36,8 @@ impl Coarse {
     ///
     /// # Errors
     ///
-    /// [`BakeError::Tangents`], and [`BakeError::NoTriangles`] where none is left.
-    pub fn from_mesh(mesh: &Mesh, set: usize) -> Result<Self, BakeError> {
+    /// [`TextureSpaceError::Tangents`], and [`TextureSpaceError::NoTriangles`] where none is left.
+    pub fn from_mesh(mesh: &Mesh, set: usize) -> Result<Self, TextureSpaceError> {
         let computed;
         let tangents = match mesh.tangents() {
             Some(tangents) => tangents,
@@ -48,7 +47,7 @@ impl Coarse {
             }
         };
         let Some(coordinates) = mesh.texture_coordinate_sets().get(set) else {
-            return Err(crate::tangents::TangentError::NoTextureCoordinates { set }.into());
+            return Err(crate::MeshError::NoTextureCoordinates { set }.into());
         };
         let normals = corner_normals(mesh);
         let mut triangles = Vec::new();
@@ -74,7 +73,7 @@ impl Coarse {
             }
         }
         if triangles.is_empty() {
-            return Err(BakeError::NoTriangles { surface: "coarse" });
+            return Err(TextureSpaceError::NoTriangles { surface: "coarse" });
         }
         Ok(Self { triangles })
     }
@@ -94,17 +93,17 @@ impl Fine {
     ///
     /// # Errors
     ///
-    /// [`BakeError::NoTriangles`], [`BakeError::Length`], and [`BakeError::Mesh`] for a corner that
+    /// [`TextureSpaceError::NoTriangles`], [`TextureSpaceError::Length`], and [`TextureSpaceError::Mesh`] for a corner that
     /// is not finite.
     pub fn new(
         corners: Vec<[Vector<f64>; 3]>,
         mut normals: Vec<[Vector<f64>; 3]>,
-    ) -> Result<Self, BakeError> {
+    ) -> Result<Self, TextureSpaceError> {
         if corners.is_empty() {
-            return Err(BakeError::NoTriangles { surface: "fine" });
+            return Err(TextureSpaceError::NoTriangles { surface: "fine" });
         }
         if corners.len() != normals.len() {
-            return Err(BakeError::Length {
+            return Err(TextureSpaceError::Length {
                 what: "triples of normals",
                 expected: corners.len(),
                 found: normals.len(),
@@ -128,7 +127,7 @@ impl Fine {
     /// # Errors
     ///
     /// As [`Fine::new`].
-    pub fn from_mesh(mesh: &Mesh) -> Result<Self, BakeError> {
+    pub fn from_mesh(mesh: &Mesh) -> Result<Self, TextureSpaceError> {
         let corner = |vertex: u32| Vector::from(mesh.positions()[vertex as usize]);
         let corners = mesh.triangles().iter().map(|t| t.map(corner)).collect();
         Self::new(corners, corner_normals(mesh))

@@ -2,8 +2,8 @@
 
 use ga_runtime::vga3::Vector;
 
-use super::BakeError;
 use super::map::dilation;
+use crate::TextureSpaceError;
 use crate::atlas::{MAX_SIZE, raster};
 use crate::query::closest_weights;
 
@@ -53,17 +53,17 @@ impl Texels {
     ///
     /// # Errors
     ///
-    /// [`BakeError::Size`] and [`BakeError::OutsideSquare`].
-    pub fn new(coordinates: &[[[f64; 2]; 3]], size: u32) -> Result<Self, BakeError> {
+    /// [`TextureSpaceError::MapSize`] and [`TextureSpaceError::CornerOutsideSquare`].
+    pub fn new(coordinates: &[[[f64; 2]; 3]], size: u32) -> Result<Self, TextureSpaceError> {
         if !(1..=MAX_SIZE).contains(&size) {
-            return Err(BakeError::Size { size });
+            return Err(TextureSpaceError::MapSize { size });
         }
         let side = f64::from(size);
         let mut places = Vec::with_capacity(coordinates.len());
         for (triangle, &corners) in coordinates.iter().enumerate() {
             for coordinate in corners {
                 if !coordinate.iter().all(|x| (0.0..=1.0).contains(x)) {
-                    return Err(BakeError::OutsideSquare {
+                    return Err(TextureSpaceError::CornerOutsideSquare {
                         triangle,
                         coordinate,
                     });

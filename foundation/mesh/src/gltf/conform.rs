@@ -1,6 +1,7 @@
 //! Mends what the Khronos validator reports although a document can be shown.
 
-use super::{Document, GltfError, Keys, Node, Primitive, Transform, hierarchy};
+use super::{Document, Keys, Node, Primitive, Transform, hierarchy};
+use crate::FormatError;
 
 impl Document {
     /// The same motion without what the Khronos validator reports in many files:
@@ -32,9 +33,9 @@ impl Document {
     /// let mended = &document.conformed()?.meshes[0].primitives[0];
     /// assert_eq!(mended.joints[0], [[2, 1, 0, 0]]);
     /// assert_eq!(mended.weights[0], [[0.25, 0.75, 0.0, 0.0]]);
-    /// # Ok::<(), ga_mesh::gltf::GltfError>(())
+    /// # Ok::<(), ga_mesh::gltf::FormatError>(())
     /// ```
-    pub fn conformed(&self) -> Result<Self, GltfError> {
+    pub fn conformed(&self) -> Result<Self, FormatError> {
         self.validate()?;
         let mut document = self.clone();
         for mesh in &mut document.meshes {

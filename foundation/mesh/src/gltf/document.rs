@@ -1,6 +1,6 @@
 //! Documents: nodes, scenes and cameras, and the lists of everything that they refer to.
 
-use super::{Animation, Extras, Image, Material, Mesh, Sampler, Skin, Texture};
+use super::{Animation, Extras, Image, MaterialElement, Mesh, Sampler, Skin, TextureElement};
 
 /// The contents of a glTF file. Elements refer to each other by their index in these lists.
 ///
@@ -20,9 +20,9 @@ use super::{Animation, Extras, Image, Material, Mesh, Sampler, Skin, Texture};
 ///     scene: Some(0),
 ///     ..Document::default()
 /// };
-/// let file = gltf::to_glb(&document)?;
-/// assert_eq!(gltf::parse(&file)?.meshes, document.meshes);
-/// # Ok::<(), gltf::GltfError>(())
+/// let file = gltf::encode(&document)?;
+/// assert_eq!(gltf::decode(&file)?.meshes, document.meshes);
+/// # Ok::<(), gltf::FormatError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
@@ -41,9 +41,9 @@ pub struct Document {
     /// The animations.
     pub animations: Vec<Animation>,
     /// The materials.
-    pub materials: Vec<Material>,
+    pub materials: Vec<MaterialElement>,
     /// The textures.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<TextureElement>,
     /// How textures are sampled.
     pub samplers: Vec<Sampler>,
     /// The images.

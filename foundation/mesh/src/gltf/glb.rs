@@ -1,7 +1,7 @@
 //! The container of GLB files: a header, a chunk of JSON and, if there is any, a chunk of bytes.
 
-use super::GltfError;
-use super::error::{Element, Problem};
+use super::problem::{Element, Problem};
+use crate::FormatError;
 
 const MAGIC: &[u8; 4] = b"glTF";
 const JSON: [u8; 4] = *b"JSON";
@@ -16,10 +16,10 @@ pub(super) fn is_glb(file: &[u8]) -> bool {
 
 /// The JSON and the bytes of a GLB file. Chunks of other kinds are skipped, as are bytes behind
 /// the stated length.
-pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<&[u8]>), GltfError> {
+pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<&[u8]>), FormatError> {
     let too_short = |element, needed: usize, found: usize| {
         let (needed, found) = (needed as u64, found as u64);
-        GltfError::new(element, Problem::TooShort { needed, found })
+        FormatError::gltf(element, Problem::TooShort { needed, found })
     };
     let header = file
         .first_chunk::<HEADER>()
@@ -27,7 +27,7 @@ pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<&[u8]>), GltfError> {
     let version = word(&header[4..]);
     if version != 2 {
         let problem = Problem::Version(version.to_string());
-        return Err(GltfError::new(Element::File, problem));
+        return Err(FormatError::gltf(Element::File, problem));
     }
     let length = word(&header[8..]) as usize;
     let mut rest = match file.get(HEADER..length) {
@@ -59,7 +59,7 @@ pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<&[u8]>), GltfError> {
             (None, JSON) => json = Some(chunk),
             (Some(json), BINARY) => return Ok((json, Some(chunk))),
             (Some(_), JSON) | (None, _) => {
-                return Err(GltfError::new(element, Problem::ChunkKind(kind)));
+                return Err(FormatError::gltf(element, Problem::ChunkKind(kind)));
             }
             (Some(_), _) => {}
         }
@@ -68,7 +68,7 @@ pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<&[u8]>), GltfError> {
 }
 
 /// A GLB file of this JSON and these bytes, whose number is a multiple of four.
-pub(super) fn join(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, GltfError> {
+pub(super) fn join(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, FormatError> {
     json.resize(json.len().next_multiple_of(4), b' ');
     let chunks = [(JSON, &json[..]), (BINARY, binary)];
     let chunks = || chunks.iter().filter(|(_, bytes)| !bytes.is_empty());
@@ -78,7 +78,7 @@ pub(super) fn join(mut json: Vec<u8>, binary: &[u8]) -> Result<Vec<u8>, GltfErro
             .sum::<usize>();
     let stated = u32::try_from(length).map_err(|_| {
         let (needed, limit) = (length as u64, u64::from(u32::MAX));
-        GltfError::new(Element::File, Problem::TooLarge { needed, limit })
+        FormatError::gltf(Element::File, Problem::TooLarge { needed, limit })
     })?;
     let mut file = Vec::with_capacity(length);
     file.extend_from_slice(MAGIC);

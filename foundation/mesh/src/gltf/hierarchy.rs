@@ -1,15 +1,16 @@
 //! The tree of the nodes.
 
-use super::error::{Element, Problem};
-use super::{Document, GltfError, Node};
+use super::problem::{Element, Problem};
+use super::{Document, Node};
+use crate::FormatError;
 
 impl Document {
     /// The parent of each node.
     ///
     /// # Errors
     ///
-    /// [`GltfError`] for a child that does not exist, has two parents or is its own ancestor.
-    pub fn parents(&self) -> Result<Vec<Option<usize>>, GltfError> {
+    /// [`FormatError`] for a child that does not exist, has two parents or is its own ancestor.
+    pub fn parents(&self) -> Result<Vec<Option<usize>>, FormatError> {
         parents(&self.nodes)
     }
 
@@ -18,7 +19,7 @@ impl Document {
     /// # Errors
     ///
     /// As [`Document::parents`].
-    pub fn parents_before_children(&self) -> Result<Vec<usize>, GltfError> {
+    pub fn parents_before_children(&self) -> Result<Vec<usize>, FormatError> {
         let parents = self.parents()?;
         parents_before_children(&self.nodes, &parents)
     }
@@ -29,17 +30,17 @@ impl Document {
     /// # Errors
     ///
     /// As [`Document::parents`].
-    pub fn world_matrices(&self) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+    pub fn world_matrices(&self) -> Result<Vec<[[f64; 4]; 3]>, FormatError> {
         world_matrices(&self.nodes)
     }
 }
 
 /// The parent of each node.
-pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, GltfError> {
+pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, FormatError> {
     let mut parents: Vec<Option<usize>> = vec![None; nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
         for &child in &node.children {
-            let fault = |element, problem| Err(GltfError::new(Element::Node(element), problem));
+            let fault = |element, problem| Err(FormatError::gltf(Element::Node(element), problem));
             match parents.get(child) {
                 None => {
                     let problem = Problem::OutOfRange {
@@ -62,7 +63,7 @@ pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, GltfError> {
 }
 
 /// The frame of each node in the world.
-fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
+fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, FormatError> {
     let parents = parents(nodes)?;
     let mut world: Vec<_> = nodes
         .iter()
@@ -81,7 +82,7 @@ fn world_matrices(nodes: &[Node]) -> Result<Vec<[[f64; 4]; 3]>, GltfError> {
 fn parents_before_children(
     nodes: &[Node],
     parents: &[Option<usize>],
-) -> Result<Vec<usize>, GltfError> {
+) -> Result<Vec<usize>, FormatError> {
     let mut order: Vec<usize> = (0..nodes.len()).filter(|&n| parents[n].is_none()).collect();
     let mut next = 0;
     while let Some(&node) = order.get(next) {
@@ -103,7 +104,7 @@ fn parents_before_children(
             first = first.min(node);
         }
     }
-    Err(GltfError::new(Element::Node(first), Problem::Cycle))
+    Err(FormatError::gltf(Element::Node(first), Problem::Cycle))
 }
 
 /// The product of two matrices whose last row is (0, 0, 0, 1).

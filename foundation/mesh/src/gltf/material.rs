@@ -5,7 +5,7 @@ use crate::{AlphaMode, Filter, Minification, Wrap};
 
 /// The appearance of a surface, by the model of metalness and roughness.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Material {
+pub struct MaterialElement {
     /// Its name.
     pub name: Option<String>,
     /// Red, green, blue as linear light, and alpha: a factor of the base colour's texture and of
@@ -70,7 +70,7 @@ pub struct TextureTransform {
 
 /// An image, and how it is sampled.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Texture {
+pub struct TextureElement {
     /// Its name.
     pub name: Option<String>,
     /// The sampler; that of [`Sampler::default`] where absent.
@@ -113,7 +113,7 @@ pub struct Image {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImageSource {
     /// In a file, named by a URI relative to the glTF file. The reader does not open it; see
-    /// [`Document::load_images`](super::Document::load_images).
+    /// [`Document::read_images`](super::Document::read_images).
     Uri(String),
     /// Here, as a file of the named media type, `image/png` or `image/jpeg`.
     Bytes {
@@ -124,7 +124,7 @@ pub enum ImageSource {
     },
 }
 
-impl Default for Material {
+impl Default for MaterialElement {
     /// The material of a primitive without one: a white metal, perfectly rough.
     fn default() -> Self {
         Self {
@@ -149,7 +149,7 @@ impl Default for Material {
     }
 }
 
-impl Material {
+impl MaterialElement {
     /// The textures that the material uses.
     pub(super) fn textures(&self) -> impl Iterator<Item = &TextureInfo> {
         [

@@ -2,14 +2,14 @@
 //!
 //! A [`Document`] holds what a `.gltf` or `.glb` file holds, as plain data: lists of numbers in
 //! single precision in place of accessors and buffers, and references by index. [`read`] and
-//! [`write`](write()) take either form of file, [`parse`] and [`to_glb`] bytes in memory.
+//! [`write`](write()) take either form of file, [`decode`] and [`encode`] bytes in memory.
 //!
 //! | what | types |
 //! | --- | --- |
 //! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`Camera`] |
 //! | geometry | [`Mesh`], [`Primitive`], [`MorphTarget`], [`CustomAttribute`] |
 //! | motion | [`Skin`], [`Animation`], [`Channel`], [`Keys`] |
-//! | appearance | [`Material`], [`Texture`], [`Sampler`], [`Image`] |
+//! | appearance | [`MaterialElement`], [`TextureElement`], [`Sampler`], [`Image`] |
 //! | one skinned mesh | [`model`] |
 //! | a [`Mesh`](crate::Mesh) | [`read_mesh`], [`write_mesh`], [`Document::to_mesh`] |
 //!
@@ -19,11 +19,12 @@
 //! The source is the *glTF 2.0 Specification* of the Khronos Group (ISO/IEC 12113:2022).
 //!
 //! ```
+//! use ga_mesh::FormatError;
 //! use ga_mesh::gltf::{self, Problem};
 //!
 //! let file = br#"{"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]}"#;
-//! let error = gltf::parse(file).unwrap_err();
-//! assert_eq!(error.problem, Problem::Cycle);
+//! let error = gltf::decode(file).unwrap_err();
+//! assert!(matches!(&error, FormatError::Gltf { problem: Problem::Cycle, .. }));
 //! assert_eq!(error.to_string(), "node 0: is an ancestor of itself");
 //! ```
 
@@ -32,7 +33,6 @@ mod codes;
 mod conform;
 mod convert;
 mod document;
-mod error;
 mod extras;
 mod glb;
 mod hierarchy;
@@ -40,6 +40,7 @@ mod json;
 mod material;
 mod mesh;
 pub mod model;
+mod problem;
 mod reader;
 mod uri;
 mod validate;
@@ -49,9 +50,11 @@ pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
 pub(crate) use convert::mesh_files;
 pub use convert::{Target, Vertices, read_mesh, write_mesh};
 pub use document::{Asset, Camera, Document, Node, Projection, Scene, Transform};
-pub use error::{Element, GltfError, Problem};
 pub use extras::Extras;
-pub use material::{Image, ImageSource, Material, Sampler, Texture, TextureInfo, TextureTransform};
+pub use material::{
+    Image, ImageSource, MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform,
+};
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
-pub use reader::{SUPPORTED_EXTENSIONS, parse, read};
-pub use writer::{GltfFiles, WriteGltfError, to_glb, to_gltf, write};
+pub use problem::{Element, Problem};
+pub use reader::{SUPPORTED_EXTENSIONS, decode, read};
+pub use writer::{GltfFiles, encode, encode_files, write};

@@ -1,17 +1,18 @@
 //! Indices that refer to something beyond the end of its list. An element may come before the
 //! vertices it uses, so that these are known only at the end of the file.
 
+use super::ObjProblem;
 use super::lines::Lines;
 use super::statements::{List, Statements};
-use super::{ObjError, ObjProblem};
+use crate::FormatError;
 use crate::words::Words;
 
 /// Finds the first such face, or else the first such polyline, or else the first such point.
-pub(super) fn check_indices(read: &Statements, bytes: &[u8]) -> Result<(), ObjError> {
+pub(super) fn check_indices(read: &Statements, bytes: &[u8]) -> Result<(), FormatError> {
     let beyond = |index: u32, list: List| index as usize >= read.count(list);
     let error = |line: usize, index: u32, list: List| {
         let index = i64::from(index) + 1;
-        Err(ObjError {
+        Err(FormatError::Obj {
             line,
             problem: ObjProblem::IndexOutOfRange {
                 word: index.to_string(),

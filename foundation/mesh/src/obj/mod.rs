@@ -30,7 +30,7 @@
 //!
 //! # Materials
 //!
-//! [`parse`] sees one file only, so that materials have their names and are the default otherwise.
+//! [`decode`] sees one file only, so that materials have their names and are the default otherwise.
 //! [`read`] looks for the libraries beside the file. A library that does not exist and a material
 //! that no library defines are not errors, since many meshes are passed on without them: the
 //! material is then the default one with its name. [`read_with_warnings`] says so in a list of
@@ -44,18 +44,18 @@
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
 mod check;
-mod error;
 mod lines;
 pub mod mtl;
 mod parser;
+mod problem;
 mod read;
 mod statements;
 mod write;
 
-pub use error::{ObjError, ObjProblem};
-pub use read::{Loaded, Warning, parse, parse_with_libraries, read, read_with_warnings};
+pub use problem::ObjProblem;
+pub use read::{Warning, decode, decode_with_libraries, read, read_with_warnings};
 pub(crate) use write::files;
-pub use write::{to_files, to_text, write};
+pub use write::{encode, encode_files, write};
 
 /// A name in a `usemtl` line that stands for no material.
 const NO_MATERIAL: &str = "(null)";

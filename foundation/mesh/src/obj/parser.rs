@@ -4,15 +4,15 @@ use std::collections::HashMap;
 
 use ga_runtime::vga3::Vector;
 
+use super::ObjProblem;
 use super::check::check_indices;
 use super::lines::Lines;
 use super::statements::{List, Statements};
-use super::{ObjError, ObjProblem};
 use crate::lists::Lists;
 use crate::words::{Words, integer, numbers, text};
-use crate::{Faces, Group};
+use crate::{Faces, FormatError, Group};
 
-pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
+pub(super) fn statements(bytes: &[u8]) -> Result<Statements, FormatError> {
     let mut parser = Parser {
         group_faces_left: group_faces(bytes.len()),
         ..Parser::default()
@@ -21,7 +21,7 @@ pub(super) fn statements(bytes: &[u8]) -> Result<Statements, ObjError> {
     for (line, text) in lines.by_ref() {
         parser
             .statement(line, &text)
-            .map_err(|problem| ObjError { line, problem })?;
+            .map_err(|problem| FormatError::Obj { line, problem })?;
     }
     parser.finish(bytes, lines.taken().max(1))
 }
@@ -326,8 +326,8 @@ impl Parser {
         u32::try_from(from_zero).ok()
     }
 
-    fn finish(mut self, bytes: &[u8], last_line: usize) -> Result<Statements, ObjError> {
-        let at_end = |problem| ObjError {
+    fn finish(mut self, bytes: &[u8], last_line: usize) -> Result<Statements, FormatError> {
+        let at_end = |problem| FormatError::Obj {
             line: last_line,
             problem,
         };

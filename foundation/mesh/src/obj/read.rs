@@ -7,20 +7,12 @@ use std::{fmt, io};
 use ga_files::ReadError;
 use ga_runtime::vga3::Vector;
 
+use super::ObjProblem;
+use super::mtl::{self, MtlProblem};
 use super::parser::statements;
 use super::statements::Statements;
-use super::{ObjError, ObjProblem, mtl};
 use crate::colour_space::linear_from_srgb;
-use crate::{CornerAttribute, Image, Material, Mesh, MeshError};
-
-/// A mesh, and what was replaced where its file refers to something that is not there.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Loaded {
-    /// The mesh.
-    pub mesh: Mesh,
-    /// What was replaced.
-    pub warnings: Vec<Warning>,
-}
+use crate::{CornerAttribute, FormatError, Image, Material, Mesh, MeshError};
 
 /// Something that an OBJ file refers to, or should say, and that is not there; and what the mesh
 /// has in its place.
@@ -51,8 +43,10 @@ pub enum Warning {
     Library {
         /// The name of the library.
         library: String,
-        /// What is ignored, and its line in the library.
-        ignored: mtl::MtlError,
+        /// The line in the library.
+        line: usize,
+        /// What is ignored.
+        ignored: MtlProblem,
     },
     /// Some `vn` lines are zero vectors. Corners with one of them have no normal.
     ZeroNormals {
@@ -77,9 +71,11 @@ impl fmt::Display for Warning {
                 f,
                 "material {material:?}: there is no picture {path}; the surface is shown without it"
             ),
-            Warning::Library { library, ignored } => {
-                write!(f, "{library}: {ignored}; this is ignored")
-            }
+            Warning::Library {
+                library,
+                line,
+                ignored,
+            } => write!(f, "{library}: line {line}: {ignored}; this is ignored"),
             Warning::ZeroNormals { count } => write!(
                 f,
                 "{count} normals are zero vectors; corners that refer to them have no normal"
@@ -92,9 +88,9 @@ impl fmt::Display for Warning {
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse_with_libraries`] gives.
-pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<ObjError>> {
-    read_with_warnings(path).map(|loaded| loaded.mesh)
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode_with_libraries`] gives.
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
+    read_with_warnings(path).map(|(mesh, _)| mesh)
 }
 
 /// Reads the mesh in a file as [`read`] does, and says what was replaced.
@@ -102,13 +98,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<ObjError>> {
 /// # Errors
 ///
 /// As [`read`].
-pub fn read_with_warnings(path: impl AsRef<Path>) -> Result<Loaded, ReadError<ObjError>> {
+pub fn read_with_warnings(
+    path: impl AsRef<Path>,
+) -> Result<(Mesh, Vec<Warning>), ReadError<FormatError>> {
     let path = path.as_ref();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut loaded = ga_files::read(path, |bytes| {
-        parse_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
+    let (mesh, mut warnings) = ga_files::read(path, |bytes| {
+        decode_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
     })?;
-    for material in loaded.mesh.materials() {
+    for material in mesh.materials() {
         for texture in material.textures() {
             if let Image::File(path) = &texture.image
                 && !folder.join(path).exists()
@@ -117,13 +115,13 @@ pub fn read_with_warnings(path: impl AsRef<Path>) -> Result<Loaded, ReadError<Ob
                     material: material.name.clone(),
                     path: path.clone(),
                 };
-                if !loaded.warnings.contains(&warning) {
-                    loaded.warnings.push(warning);
+                if !warnings.contains(&warning) {
+                    warnings.push(warning);
                 }
             }
         }
     }
-    Ok(loaded)
+    Ok((mesh, warnings))
 }
 
 /// Reads a mesh from the bytes of a file. Its materials have their names and are the default
@@ -131,21 +129,21 @@ pub fn read_with_warnings(path: impl AsRef<Path>) -> Result<Loaded, ReadError<Ob
 ///
 /// # Errors
 ///
-/// [`ObjError`], for the first faulty line; indices out of range are found after all other errors.
+/// [`FormatError`], for the first faulty line; indices out of range are found after all other errors.
 ///
 /// # Examples
 ///
 /// ```
-/// let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng corner\nf 1 2 -1\n")?;
+/// let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng corner\nf 1 2 -1\n")?;
 /// assert_eq!(mesh.faces().get(0), Some(&[0, 1, 2][..]));
 /// assert_eq!(mesh.group("corner").map(|group| group.faces.len()), Some(1));
 ///
-/// let error = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0\n").unwrap_err();
+/// let error = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0\n").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: a v line has 3, 4, 6 or 7 numbers, but this one has 2");
-/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
-    parse_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|loaded| loaded.mesh)
+pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
+    decode_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|(mesh, _)| mesh)
 }
 
 /// Reads a mesh from the bytes of a file; `open` gives the bytes of a material library by its name.
@@ -156,24 +154,24 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ObjError> {
 ///
 /// # Errors
 ///
-/// As [`parse`]; [`ObjProblem::LibraryUnreadable`] where `open` fails otherwise than with
+/// As [`decode`]; [`ObjProblem::LibraryUnreadable`] where `open` fails otherwise than with
 /// [`NotFound`](io::ErrorKind::NotFound), and [`ObjProblem::Library`] for a fault in a library.
 ///
 /// # Examples
 ///
 /// ```
-/// use ga_mesh::obj::parse_with_libraries;
+/// use ga_mesh::obj::decode_with_libraries;
 ///
 /// let text = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-/// let loaded = parse_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
+/// let loaded = decode_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
 /// let red = loaded.mesh.material(0).map(|material| material.base_colour);
 /// assert_eq!(red, Some([1.0, 0.0, 0.0, 1.0]));
-/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
-pub fn parse_with_libraries(
+pub fn decode_with_libraries(
     bytes: &[u8],
     mut open: impl FnMut(&str) -> io::Result<Vec<u8>>,
-) -> Result<Loaded, ObjError> {
+) -> Result<(Mesh, Vec<Warning>), FormatError> {
     let mut read = statements(bytes)?;
     let mut warnings = Vec::new();
     let mut materials = Vec::new();
@@ -183,11 +181,11 @@ pub fn parse_with_libraries(
     let face_materials = resolve(&mut read, &mut materials, &mut warnings);
     drop_zero_normals(&mut read, &mut warnings);
     let line = read.last_line;
-    let mesh = mesh(read, materials, face_materials).map_err(|error| ObjError {
+    let mesh = mesh(read, materials, face_materials).map_err(|error| FormatError::Obj {
         line,
         problem: ObjProblem::Mesh(error),
     })?;
-    Ok(Loaded { mesh, warnings })
+    Ok((mesh, warnings))
 }
 
 /// Adds the materials of what a `mtllib` line names.
@@ -197,11 +195,11 @@ fn add_library(
     open: &mut impl FnMut(&str) -> io::Result<Vec<u8>>,
     materials: &mut Vec<Material>,
     warnings: &mut Vec<Warning>,
-) -> Result<(), ObjError> {
+) -> Result<(), FormatError> {
     let mut open = |library: &str| match open(library) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(ObjError {
+        Err(error) => Err(FormatError::Obj {
             line,
             problem: ObjProblem::LibraryUnreadable {
                 library: library.to_owned(),
@@ -211,20 +209,23 @@ fn add_library(
     };
     let mut library_warnings = Vec::new();
     let mut add = |library: &str, bytes: Vec<u8>| {
-        let read = mtl::parse_with_warnings(&bytes).map_err(|error| ObjError {
-            line,
-            problem: ObjProblem::Library {
-                library: library.to_owned(),
-                error: Box::new(error),
-            },
+        let (read, ignored) = mtl::library(&bytes).map_err(|(at, problem)| {
+            let library = library.to_owned();
+            let problem = ObjProblem::Library {
+                library,
+                line: at,
+                problem: Box::new(problem),
+            };
+            FormatError::Obj { line, problem }
         })?;
-        materials.extend(read.materials);
-        let ignored = read.warnings.into_iter();
-        library_warnings.extend(ignored.map(|ignored| Warning::Library {
+        materials.extend(read);
+        let ignored = ignored.into_iter();
+        library_warnings.extend(ignored.map(|(line, ignored)| Warning::Library {
             library: library.to_owned(),
+            line,
             ignored,
         }));
-        Ok(())
+        Ok::<(), FormatError>(())
     };
     if name.is_empty() {
         return Ok(());

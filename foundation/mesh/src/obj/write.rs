@@ -11,7 +11,7 @@ use super::{NO_MATERIAL, mtl};
 use crate::colour_space::srgb_from_linear;
 use crate::{CornerAttribute, Group, Image, Mesh};
 
-/// Writes a mesh to an OBJ file, and beside it the files of [`to_files`], all of them or none.
+/// Writes a mesh to an OBJ file, and beside it the files of [`encode_files`], all of them or none.
 ///
 /// # Errors
 ///
@@ -36,7 +36,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteError> {
 /// The names and contents of the files that [`write`] writes, that of the path first.
 pub(crate) fn files(path: &Path, mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let mut files = to_files(mesh, &stem);
+    let mut files = encode_files(mesh, &stem);
     if let (Some((first, _)), Some(name)) = (files.first_mut(), path.file_name()) {
         *first = name.to_string_lossy().into_owned();
     }
@@ -55,15 +55,15 @@ pub(crate) fn files(path: &Path, mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
 /// # Examples
 ///
 /// ```
-/// let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n")?;
+/// let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n")?;
 /// assert_eq!(
-///     ga_mesh::obj::to_text(&mesh),
+///     ga_mesh::obj::encode(&mesh),
 ///     "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 0.5 0.0\nf 1 2 3\n"
 /// );
-/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
 #[must_use]
-pub fn to_text(mesh: &Mesh) -> String {
+pub fn encode(mesh: &Mesh) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
     let _ = write_to(&mut text, mesh, &material_names(mesh));
@@ -82,12 +82,12 @@ pub fn to_text(mesh: &Mesh) -> String {
 /// let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let mesh = Mesh::new(corners, Faces::from_polygons([[0, 1, 2]])?)?
 ///     .with_materials(vec![Material::named("red")], vec![Some(0)])?;
-/// let names = obj::to_files(&mesh, "corner").into_iter().map(|(name, _)| name);
+/// let names = obj::encode_files(&mesh, "corner").into_iter().map(|(name, _)| name);
 /// assert_eq!(names.collect::<Vec<_>>(), ["corner.obj", "corner.mtl"]);
 /// # Ok::<(), ga_mesh::MeshError>(())
 /// ```
 #[must_use]
-pub fn to_files(mesh: &Mesh, stem: &str) -> Vec<(String, Vec<u8>)> {
+pub fn encode_files(mesh: &Mesh, stem: &str) -> Vec<(String, Vec<u8>)> {
     let names = material_names(mesh);
     let first = format!("{stem}.obj");
     let stem = &file_stem(stem);
@@ -117,7 +117,7 @@ pub fn to_files(mesh: &Mesh, stem: &str) -> Vec<(String, Vec<u8>)> {
         }
     };
     let named = names.iter().map(String::as_str).zip(mesh.materials());
-    let library = mtl::to_text(named, path_of);
+    let library = mtl::encode(named, path_of);
     files.push((format!("{stem}.mtl"), library.into_bytes()));
     for (index, (media_type, bytes)) in images.iter().enumerate() {
         files.push((name_of(index, media_type), bytes.to_vec()));

@@ -1,7 +1,8 @@
 //! The numbers after the header.
 
 use super::header::{Element, Header, Scalar};
-use super::{Encoding, Place, PlyError, PlyProblem};
+use super::{Encoding, Place, PlyProblem};
+use crate::FormatError;
 use crate::words::{WordError, Words, number};
 
 /// Reads the elements of a file one after the other.
@@ -33,14 +34,14 @@ impl<'a> Body<'a> {
     }
 
     /// Compares the number of elements with the bytes that are left.
-    pub(super) fn check_count(&self, element: &Element) -> Result<usize, PlyError> {
+    pub(super) fn check_count(&self, element: &Element) -> Result<usize, FormatError> {
         let size = element.least_size(self.encoding);
         let left = self.bytes.len() - self.position;
         let needed = element.count.saturating_mul(size as u64);
         // The last line of text may lack its end.
         let room = left as u64 + u64::from(self.encoding == Encoding::Ascii);
         if element.count > 0 && needed > room {
-            return Err(PlyError {
+            return Err(FormatError::Ply {
                 place: Place::Line(element.line),
                 problem: PlyProblem::TooMany {
                     element: element.name.clone(),
@@ -58,7 +59,7 @@ impl<'a> Body<'a> {
         &mut self,
         element: &Element,
         mut read: impl FnMut(&mut Self) -> Result<(), PlyProblem>,
-    ) -> Result<(), PlyError> {
+    ) -> Result<(), FormatError> {
         let count = self.check_count(element)?;
         for index in 0..count {
             self.index = index;
@@ -66,7 +67,7 @@ impl<'a> Body<'a> {
                 .open()
                 .and_then(|()| read(self))
                 .and_then(|()| self.close());
-            result.map_err(|problem| PlyError {
+            result.map_err(|problem| FormatError::Ply {
                 place: self.place(element),
                 problem,
             })?;

@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::{Place, PlyError, PlyProblem};
+use super::{Place, PlyProblem};
+use crate::FormatError;
 
 /// How the numbers of a file are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -120,9 +121,9 @@ impl Element {
     }
 }
 
-pub(super) fn header(bytes: &[u8]) -> Result<Header, PlyError> {
+pub(super) fn header(bytes: &[u8]) -> Result<Header, FormatError> {
     let at_line = |line: usize| {
-        move |problem| PlyError {
+        move |problem| FormatError::Ply {
             place: Place::Line(line),
             problem,
         }

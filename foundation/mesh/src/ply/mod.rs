@@ -30,8 +30,8 @@
 //! Source: Turk, *The PLY Polygon File Format*, 1994.
 
 mod body;
-mod error;
 mod header;
+mod problem;
 mod read;
 mod write;
 
@@ -39,26 +39,26 @@ use std::path::Path;
 
 use ga_files::{ReadError, WriteError};
 
-use crate::Mesh;
+use crate::{FormatError, Mesh};
 
-pub use error::{Place, PlyError, PlyProblem};
 pub use header::Encoding;
-pub use write::to_bytes;
+pub use problem::{Place, PlyProblem};
+pub use write::encode;
 
 /// Reads the mesh in a file.
 ///
 /// # Errors
 ///
-/// [`ReadError::Io`], or [`ReadError::Contents`] as [`parse`] gives.
-pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
-    ga_files::read(path, parse)
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
+    ga_files::read(path, decode)
 }
 
 /// Reads a mesh from the bytes of a file.
 ///
 /// # Errors
 ///
-/// [`PlyError`], for the first fault; indices out of range are found after all other errors.
+/// [`FormatError`], for the first fault; indices out of range are found after all other errors.
 ///
 /// # Examples
 ///
@@ -66,11 +66,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<PlyError>> {
 /// let text = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
 ///     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
 ///     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-/// let mesh = ga_mesh::ply::parse(text)?;
+/// let mesh = ga_mesh::ply::decode(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
-/// # Ok::<(), ga_mesh::ply::PlyError>(())
+/// # Ok::<(), ga_mesh::ply::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Mesh, PlyError> {
+pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
     read::mesh(bytes)
 }
 
@@ -80,5 +80,5 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, PlyError> {
 ///
 /// [`WriteError`]; an earlier file of that name then stays as it was.
 pub fn write(path: impl AsRef<Path>, mesh: &Mesh, encoding: Encoding) -> Result<(), WriteError> {
-    ga_files::write(path, &to_bytes(mesh, encoding))
+    ga_files::write(path, &encode(mesh, encoding))
 }

@@ -4,11 +4,11 @@ use ga_runtime::vga3::Vector;
 
 use super::body::Body;
 use super::header::{Element, Property, Scalar, header};
-use super::{Place, PlyError, PlyProblem};
+use super::{Place, PlyProblem};
 use crate::colour_space::linear_from_srgb;
-use crate::{CornerAttribute, Faces, Mesh, MeshError, Polylines, Rgba};
+use crate::{CornerAttribute, Faces, FormatError, Mesh, MeshError, Polylines, Rgba};
 
-pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, PlyError> {
+pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, FormatError> {
     let header = header(bytes)?;
     let mut body = Body::new(&header, bytes);
     let mut read = Elements::default();
@@ -31,7 +31,7 @@ pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, PlyError> {
             })?,
         }
     }
-    let in_file = |problem| PlyError {
+    let in_file = |problem| FormatError::Ply {
         place: Place::File,
         problem,
     };
@@ -41,9 +41,9 @@ pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, PlyError> {
         .map_err(|error| in_file(PlyProblem::Mesh(error)))
 }
 
-fn at(element: &Element) -> impl Fn(PlyProblem) -> PlyError {
+fn at(element: &Element) -> impl Fn(PlyProblem) -> FormatError {
     let line = element.line;
-    move |problem| PlyError {
+    move |problem| FormatError::Ply {
         place: Place::Line(line),
         problem,
     }
@@ -87,7 +87,7 @@ fn slot(name: &str) -> Option<usize> {
     })
 }
 
-fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, PlyError> {
+fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatError> {
     let slots: Vec<Option<usize>> = element
         .properties
         .iter()
@@ -161,7 +161,7 @@ fn index(number: f64) -> Result<u32, PlyProblem> {
 }
 
 impl Elements {
-    fn read_faces(&mut self, element: &Element, body: &mut Body<'_>) -> Result<(), PlyError> {
+    fn read_faces(&mut self, element: &Element, body: &mut Body<'_>) -> Result<(), FormatError> {
         let is_polygon = |property: &Property| {
             let name = property.name.as_str();
             property.length.is_some() && matches!(name, "vertex_indices" | "vertex_index")
@@ -217,7 +217,7 @@ impl Elements {
         Ok(())
     }
 
-    fn read_edges(&mut self, element: &Element, body: &mut Body<'_>) -> Result<(), PlyError> {
+    fn read_edges(&mut self, element: &Element, body: &mut Body<'_>) -> Result<(), FormatError> {
         for end in ["vertex1", "vertex2"] {
             let is_end = |property: &Property| property.length.is_none() && property.name == end;
             if !element.properties.iter().any(is_end) {

@@ -12,14 +12,14 @@ use crate::{CornerAttribute, Mesh};
 /// ```
 /// use ga_mesh::{obj, ply};
 ///
-/// let mesh = obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 0.1 0\nf 1 2 3\n")?;
-/// let file = ply::to_bytes(&mesh, ply::Encoding::Ascii);
+/// let mesh = obj::decode(b"v 0 0 0\nv 1 0 0\nv 0 0.1 0\nf 1 2 3\n")?;
+/// let file = ply::encode(&mesh, ply::Encoding::Ascii);
 /// assert!(file.ends_with(b"end_header\n0 0 0\n1 0 0\n0 0.1 0\n3 0 1 2\n"));
-/// assert_eq!(ply::parse(&file).as_ref(), Ok(&mesh));
-/// # Ok::<(), ga_mesh::obj::ObjError>(())
+/// assert_eq!(ply::decode(&file).as_ref(), Ok(&mesh));
+/// # Ok::<(), ga_mesh::obj::FormatError>(())
 /// ```
 #[must_use]
-pub fn to_bytes(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
+pub fn encode(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let vertices = VertexColumns::new(mesh);
     let faces = FaceColumns::new(mesh, &vertices);
     let edges: usize = mesh.polylines().iter().map(|line| line.len() - 1).sum();

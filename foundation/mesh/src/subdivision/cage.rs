@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
-use super::{Boundary, Corner, Crease, Rules, Scheme, SubdivisionError, Tags};
-use crate::Faces;
+use super::{Boundary, Corner, Crease, Rules, Scheme, Tags};
 use crate::topology::{self, Edges};
+use crate::{Faces, MeshError};
 
 /// The faces of a control mesh, with their creases and the rules that refine them.
 ///
@@ -47,10 +47,10 @@ impl Cage {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::Empty`], [`SubdivisionError::Mesh`] for an index out of range,
-    /// [`SubdivisionError::NotATriangle`] in Loop's scheme, [`SubdivisionError::DegenerateFace`]
-    /// and [`SubdivisionError::NonManifoldEdge`].
-    pub fn new(faces: Faces, vertices: usize, rules: Rules) -> Result<Self, SubdivisionError> {
+    /// [`MeshError::NoFaces`], [`MeshError::Mesh`] for an index out of range,
+    /// [`MeshError::NotATriangle`] in Loop's scheme, [`MeshError::DegenerateFace`]
+    /// and [`MeshError::NonManifoldEdge`].
+    pub fn new(faces: Faces, vertices: usize, rules: Rules) -> Result<Self, MeshError> {
         Self::with_smoothing(faces, vertices, rules, Smoothing::Smooth)
     }
 
@@ -59,21 +59,21 @@ impl Cage {
         vertices: usize,
         rules: Rules,
         smoothing: Smoothing,
-    ) -> Result<Self, SubdivisionError> {
+    ) -> Result<Self, MeshError> {
         if faces.is_empty() {
-            return Err(SubdivisionError::Empty);
+            return Err(MeshError::NoFaces);
         }
         if rules.scheme == Scheme::Loop
             && let Some((face, polygon)) = faces.iter().enumerate().find(|(_, f)| f.len() != 3)
         {
             let corners = polygon.len();
-            return Err(SubdivisionError::NotATriangle { face, corners });
+            return Err(MeshError::NotATriangle { face, corners });
         }
         let edges = Edges::new(&faces, vertices)?;
         check_faces(&faces)?;
         if let Some(edge) = edges.non_manifold().next() {
             let ([a, b], faces) = (edges.ends(edge), edges.sides(edge).len());
-            return Err(SubdivisionError::NonManifoldEdge { a, b, faces });
+            return Err(MeshError::NonManifoldEdge { a, b, faces });
         }
         let mut fixed = topology::non_manifold_vertices(&faces, &edges);
         if rules.boundary == Boundary::EdgeAndCorner {
@@ -103,14 +103,14 @@ impl Cage {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::NoEdge`], [`SubdivisionError::NoVertex`] and
-    /// [`SubdivisionError::Sharpness`].
-    pub fn with_tags(mut self, tags: &Tags) -> Result<Self, SubdivisionError> {
+    /// [`MeshError::NoEdge`], [`MeshError::NoVertex`] and
+    /// [`MeshError::Sharpness`].
+    pub fn with_tags(mut self, tags: &Tags) -> Result<Self, MeshError> {
         let check = |kind, index, sharpness: f64| {
             if sharpness >= 0.0 {
                 return Ok(());
             }
-            Err(SubdivisionError::Sharpness {
+            Err(MeshError::Sharpness {
                 kind,
                 index,
                 sharpness,
@@ -128,7 +128,7 @@ impl Cage {
         {
             check("crease", crease, sharpness)?;
             let [a, b] = vertices;
-            let no_edge = SubdivisionError::NoEdge { crease, a, b };
+            let no_edge = MeshError::NoEdge { crease, a, b };
             let edge = edges.between(a, b).ok_or(no_edge)?;
             if !edges.is_boundary(edge) {
                 creases.push((edge, sharpness));
@@ -139,7 +139,7 @@ impl Cage {
             check("corner", corner, sharpness)?;
             if vertex as usize >= self.vertices {
                 let vertices = self.vertices;
-                return Err(SubdivisionError::NoVertex {
+                return Err(MeshError::NoVertex {
                     corner,
                     vertex,
                     vertices,
@@ -205,7 +205,7 @@ impl Cage {
 }
 
 /// No face may have a vertex twice.
-fn check_faces(faces: &Faces) -> Result<(), SubdivisionError> {
+fn check_faces(faces: &Faces) -> Result<(), MeshError> {
     let mut sorted = Vec::new();
     for (face, polygon) in faces.iter().enumerate() {
         let twice = match *polygon {
@@ -226,7 +226,7 @@ fn check_faces(faces: &Faces) -> Result<(), SubdivisionError> {
             }
         };
         if let Some(vertex) = twice {
-            return Err(SubdivisionError::DegenerateFace { face, vertex });
+            return Err(MeshError::DegenerateFace { face, vertex });
         }
     }
     Ok(())

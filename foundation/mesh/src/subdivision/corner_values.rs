@@ -1,9 +1,9 @@
 //! Values at the corners of faces.
 
 use super::cage::Smoothing;
-use super::{Boundary, Cage, Corner, Crease, Rules, Stencils, SubdivisionError, Tags, TextureRule};
-use crate::Faces;
+use super::{Boundary, Cage, Corner, Crease, Rules, Stencils, Tags, TextureRule};
 use crate::topology::DisjointSets;
+use crate::{Faces, MeshError};
 
 /// Values at the corners of faces, such as texture coordinates, which may differ between the faces
 /// at a vertex: OpenSubdiv's face-varying data.
@@ -58,11 +58,11 @@ impl CornerValues {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::Length`] when there are not as many entries as corners.
-    pub fn new(cage: &Cage, corners: &[Option<u32>]) -> Result<Option<Self>, SubdivisionError> {
+    /// [`MeshError::Length`] when there are not as many entries as corners.
+    pub fn new(cage: &Cage, corners: &[Option<u32>]) -> Result<Option<Self>, MeshError> {
         let count = cage.faces().corners().len();
         if corners.len() != count {
-            return Err(SubdivisionError::Length {
+            return Err(MeshError::Length {
                 what: "values",
                 expected: count,
                 found: corners.len(),
@@ -163,8 +163,8 @@ impl CornerValues {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::TooLarge`].
-    pub fn refine(&self) -> Result<(Self, Stencils), SubdivisionError> {
+    /// [`MeshError::RefinedTooLarge`].
+    pub fn refine(&self) -> Result<(Self, Stencils), MeshError> {
         let refined = self.cage.refine()?;
         let sizes = self.sizes.iter().flat_map(|&size| {
             let children = self.cage.rules().scheme.children(size.corners);

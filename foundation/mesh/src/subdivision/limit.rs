@@ -7,7 +7,8 @@ use ga_runtime::vga3::Vector;
 use super::loops::beta;
 use super::sharpness::{Rule, Sharpness};
 use super::stencils::{Builder, StencilLength, Stencils};
-use super::{Cage, Scheme, SubdivisionError};
+use super::{Cage, Scheme};
+use crate::MeshError;
 use crate::topology::{Fan, VertexRings};
 
 /// Where the vertices of a control mesh go when it is refined without end, and two tangents of the
@@ -82,8 +83,8 @@ impl Limit {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::TooLarge`], where a finer level is needed.
-    pub fn new(cage: &Cage) -> Result<Self, SubdivisionError> {
+    /// [`MeshError::RefinedTooLarge`], where a finer level is needed.
+    pub fn new(cage: &Cage) -> Result<Self, MeshError> {
         let of_quadrilaterals = cage.faces().iter().all(|polygon| polygon.len() == 4);
         if cage.rules().scheme == Scheme::CatmullClark && !of_quadrilaterals {
             let fine = cage.refine()?;

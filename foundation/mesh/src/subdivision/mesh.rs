@@ -1,13 +1,13 @@
 //! Meshes with all that they carry.
 
-use super::{Cage, CornerValues, Rules, Stencils, SubdivisionError, Tags};
-use crate::{CornerAttribute, Group, Mesh, Position, Rgba};
+use super::{Cage, CornerValues, Rules, Stencils, Tags};
+use crate::{CornerAttribute, Group, Mesh, MeshError, Position, Rgba};
 
 /// A mesh refined a number of times; see [`Subdivision`] for what it keeps.
 ///
 /// # Errors
 ///
-/// As [`Cage::new`], [`Cage::with_tags`] and [`Cage::refine`]; [`SubdivisionError::TooLarge`] is
+/// As [`Cage::new`], [`Cage::with_tags`] and [`Cage::refine`]; [`MeshError::RefinedTooLarge`] is
 /// found before any level is computed.
 ///
 /// # Examples
@@ -15,23 +15,18 @@ use crate::{CornerAttribute, Group, Mesh, Position, Rgba};
 /// ```
 /// use ga_mesh::subdivision::{Rules, Tags, subdivide};
 ///
-/// let square = ga_mesh::obj::parse(b"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n")?;
+/// let square = ga_mesh::obj::decode(b"v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n")?;
 /// let fine = subdivide(&square, 2, Rules::CATMULL_CLARK, &Tags::default())?;
 /// assert_eq!(fine.faces().len(), 16);
 /// assert_eq!(fine.positions()[0].coordinates(), [0.625, 0.625, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn subdivide(
-    mesh: &Mesh,
-    levels: u32,
-    rules: Rules,
-    tags: &Tags,
-) -> Result<Mesh, SubdivisionError> {
+pub fn subdivide(mesh: &Mesh, levels: u32, rules: Rules, tags: &Tags) -> Result<Mesh, MeshError> {
     // Either scheme gives a face four times as many corners as it has.
     let corners = mesh.faces().corners().len() as u64;
     let corners = corners.saturating_mul(4_u64.saturating_pow(levels));
     if corners > u64::from(u32::MAX) {
-        return Err(SubdivisionError::TooLarge {
+        return Err(MeshError::RefinedTooLarge {
             what: "corners",
             count: corners,
         });
@@ -74,7 +69,7 @@ impl<'a> Subdivision<'a> {
     /// # Errors
     ///
     /// As [`Cage::new`] and [`Cage::with_tags`].
-    pub fn new(mesh: &'a Mesh, rules: Rules, tags: &Tags) -> Result<Self, SubdivisionError> {
+    pub fn new(mesh: &'a Mesh, rules: Rules, tags: &Tags) -> Result<Self, MeshError> {
         let cage = Cage::new(mesh.faces().clone(), mesh.vertex_count(), rules)?.with_tags(tags)?;
         let mut texture = Vec::new();
         for set in mesh.texture_coordinate_sets() {
@@ -114,8 +109,8 @@ impl<'a> Subdivision<'a> {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::TooLarge`].
-    pub fn refined(self) -> Result<Self, SubdivisionError> {
+    /// [`MeshError::RefinedTooLarge`].
+    pub fn refined(self) -> Result<Self, MeshError> {
         let fine = self.cage.refine()?;
         let mut texture = Vec::new();
         for set in self.texture {
@@ -147,8 +142,8 @@ impl<'a> Subdivision<'a> {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::Mesh`] where a coordinate overflows.
-    pub fn into_mesh(self) -> Result<Mesh, SubdivisionError> {
+    /// [`MeshError::Mesh`] where a coordinate overflows.
+    pub fn into_mesh(self) -> Result<Mesh, MeshError> {
         let firsts = self.first_descendants();
         let range = |face: u32| firsts[face as usize]..firsts[face as usize + 1];
         let group = |group: &Group| Group {

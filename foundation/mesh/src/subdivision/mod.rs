@@ -38,7 +38,6 @@
 mod cage;
 mod catmull_clark;
 mod corner_values;
-mod error;
 mod limit;
 mod loops;
 mod mesh;
@@ -46,14 +45,15 @@ mod refinement;
 mod rules;
 mod sharpness;
 mod stencils;
+mod tag_problem;
 mod tags;
 
 pub use cage::Cage;
 pub use corner_values::CornerValues;
-pub use error::SubdivisionError;
 pub use limit::Limit;
 pub use mesh::{Subdivision, subdivide};
 pub use refinement::Refined;
 pub use rules::{Boundary, CreaseMethod, Rules, Scheme, TextureRule};
 pub use stencils::{StencilLength, Stencils, Value};
-pub use tags::{Corner, Crease, INFINITELY_SHARP, TagError, TagProblem, TagText, Tags};
+pub use tag_problem::TagProblem;
+pub use tags::{Corner, Crease, INFINITELY_SHARP, TagText, Tags};

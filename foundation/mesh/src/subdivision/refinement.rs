@@ -3,7 +3,8 @@
 use std::sync::OnceLock;
 
 use super::sharpness::Sharpness;
-use super::{Cage, Scheme, Stencils, SubdivisionError, catmull_clark, loops};
+use super::{Cage, Scheme, Stencils, catmull_clark, loops};
+use crate::MeshError;
 
 /// One step of refinement.
 #[derive(Clone, Debug)]
@@ -26,8 +27,8 @@ impl Cage {
     ///
     /// # Errors
     ///
-    /// [`SubdivisionError::TooLarge`].
-    pub fn refine(&self) -> Result<Refined, SubdivisionError> {
+    /// [`MeshError::RefinedTooLarge`].
+    pub fn refine(&self) -> Result<Refined, MeshError> {
         let edges = self.edges();
         let (old_corners, old_faces) = (self.faces.corners().len() as u64, self.faces.len() as u64);
         let (new_vertices, corners) = match self.rules.scheme {
@@ -37,7 +38,7 @@ impl Cage {
         let vertices = self.vertices as u64 + new_vertices;
         for (what, count) in [("vertices", vertices), ("corners", corners)] {
             if count > u64::from(u32::MAX) {
-                return Err(SubdivisionError::TooLarge { what, count });
+                return Err(MeshError::RefinedTooLarge { what, count });
             }
         }
         let sharpness = Sharpness::new(self);

@@ -1,5 +1,8 @@
 //! Creases and corners, and the text that lists them.
 
+use super::tag_problem::TagProblem;
+use crate::MeshError;
+
 /// The sharpness from which on creases and corners are infinitely sharp, as in OpenSubdiv. It never
 /// falls.
 pub const INFINITELY_SHARP: f64 = 10.0;
@@ -48,50 +51,6 @@ pub struct TagText {
     pub corner_lines: Vec<usize>,
 }
 
-/// What is wrong with a text of tags, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct TagError {
-    /// The line, from 1.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: TagProblem,
-}
-
-/// What can be wrong with a line of tags.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TagProblem {
-    /// The line is not UTF-8.
-    #[error("the line is not UTF-8 text")]
-    NotText,
-    /// The first word is not known.
-    #[error("a line begins with \"crease\" or \"corner\", not with {word:?}")]
-    UnknownTag {
-        /// The word.
-        word: String,
-    },
-    /// The line has too few or too many words.
-    #[error("expected \"{expected}\", but {found} words follow the first")]
-    WrongCount {
-        /// The form of the line.
-        expected: &'static str,
-        /// How many words follow the first.
-        found: usize,
-    },
-    /// A word is in the place of a vertex.
-    #[error("{word:?} is not the number of a vertex")]
-    NotAVertex {
-        /// The word.
-        word: String,
-    },
-    /// A word is in the place of a sharpness.
-    #[error("{word:?} is not a sharpness: a number that is at least 0, or inf")]
-    NotASharpness {
-        /// The word.
-        word: String,
-    },
-}
-
 impl TagText {
     /// Reads lines of the form `crease a b sharpness` and `corner v sharpness`.
     ///
@@ -100,30 +59,30 @@ impl TagText {
     ///
     /// # Errors
     ///
-    /// [`TagError`] for the first faulty line.
+    /// [`MeshError::Tag`] for the first faulty line.
     ///
     /// # Examples
     ///
     /// ```
     /// use ga_mesh::subdivision::TagText;
     ///
-    /// let text = TagText::parse(b"# the lid\ncrease 0 1 2.5\ncorner 3 inf\n")?;
+    /// let text = TagText::decode(b"# the lid\ncrease 0 1 2.5\ncorner 3 inf\n")?;
     /// assert_eq!(text.tags.creases[0].vertices, [0, 1]);
     /// assert_eq!(text.tags.corners[0].sharpness, f64::INFINITY);
     /// assert_eq!(text.corner_lines, [3]);
     ///
-    /// let error = TagText::parse(b"crease 0 1 -1\n").unwrap_err();
+    /// let error = TagText::decode(b"crease 0 1 -1\n").unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
     ///     "line 1: \"-1\" is not a sharpness: a number that is at least 0, or inf"
     /// );
-    /// # Ok::<(), ga_mesh::subdivision::TagError>(())
+    /// # Ok::<(), ga_mesh::MeshError>(())
     /// ```
-    pub fn parse(bytes: &[u8]) -> Result<Self, TagError> {
+    pub fn decode(bytes: &[u8]) -> Result<Self, MeshError> {
         let mut text = Self::default();
         for (line, bytes) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
             text.push_line(line, bytes)
-                .map_err(|problem| TagError { line, problem })?;
+                .map_err(|problem| MeshError::Tag { line, problem })?;
         }
         Ok(text)
     }

@@ -1,7 +1,7 @@
 //! Baked maps against surfaces that are given by formulas.
 
-use ga_mesh::bake::{Bake, BakeError, Coarse, Fine, OcclusionOptions, Options, corner_colours};
-use ga_mesh::{Faces, Mesh, TextureCoordinates};
+use ga_mesh::bake::{Bake, Coarse, Fine, OcclusionOptions, Options, corner_colours};
+use ga_mesh::{Faces, Mesh, MeshError, TextureCoordinates, TextureSpaceError};
 use ga_runtime::vga3::Vector;
 
 /// A grid over the unit square with these heights, of n × n cells, with texture coordinates that
@@ -323,7 +323,7 @@ fn bad_input_is_an_error() {
     let fine = Fine::from_mesh(&sheet(1, |_, _| 0.0)).unwrap();
     for size in [0, 20_000] {
         let error = Bake::new(&coarse, &fine, &Options::with_size(size)).unwrap_err();
-        assert_eq!(error, BakeError::Size { size });
+        assert_eq!(error, TextureSpaceError::MapSize { size });
     }
     for cage in [f64::NAN, -1.0, f64::INFINITY] {
         let mut options = Options::with_size(4);
@@ -331,7 +331,7 @@ fn bad_input_is_an_error() {
         let error = Bake::new(&coarse, &fine, &options).unwrap_err();
         assert!(matches!(
             error,
-            BakeError::Number {
+            TextureSpaceError::Number {
                 what: "cage distance",
                 ..
             }
@@ -340,16 +340,16 @@ fn bad_input_is_an_error() {
     let mut outside = coarse.clone();
     outside.triangles[3][1].coordinate = [0.5, 1.5];
     let error = Bake::new(&outside, &fine, &Options::with_size(4)).unwrap_err();
-    let expected = BakeError::OutsideSquare {
+    let expected = TextureSpaceError::CornerOutsideSquare {
         triangle: 3,
         coordinate: [0.5, 1.5],
     };
     assert_eq!(error, expected);
     let empty = Coarse { triangles: vec![] };
     let error = Bake::new(&empty, &fine, &Options::with_size(4)).unwrap_err();
-    assert_eq!(error, BakeError::NoTriangles { surface: "coarse" });
+    assert_eq!(error, TextureSpaceError::NoTriangles { surface: "coarse" });
     let error = Fine::new(vec![], vec![]).unwrap_err();
-    assert_eq!(error, BakeError::NoTriangles { surface: "fine" });
+    assert_eq!(error, TextureSpaceError::NoTriangles { surface: "fine" });
     let mesh = Mesh::new(
         vec![[0.0; 3]; 3],
         Faces::from_polygons([[0, 1, 2]]).unwrap(),
@@ -357,6 +357,8 @@ fn bad_input_is_an_error() {
     .unwrap();
     assert!(matches!(
         Coarse::from_mesh(&mesh, 0),
-        Err(BakeError::Tangents(_))
+        Err(TextureSpaceError::Mesh(MeshError::NoTextureCoordinates {
+            set: 0
+        }))
     ));
 }

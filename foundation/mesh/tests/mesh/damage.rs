@@ -1,8 +1,8 @@
 //! Files that are cut off or changed at every place: an error or a mesh, never a panic.
 
-use ga_mesh::Mesh;
 use ga_mesh::obj::{self, mtl};
 use ga_mesh::ply::{self, Encoding, Place, PlyProblem};
+use ga_mesh::{FormatError, Mesh};
 
 const OBJ: &[u8] = b"# sample
 mtllib a.mtl
@@ -78,18 +78,17 @@ fn assert_line(line: usize, text: &[u8]) {
 fn damaged_obj_files() {
     let (mut readable, mut faults) = (0, 0);
     damaged(OBJ, |text| {
-        match obj::parse_with_libraries(text, |_| Ok(MTL.to_vec())) {
-            Ok(loaded) => {
-                assert_sound(&loaded.mesh);
+        match obj::decode_with_libraries(text, |_| Ok(MTL.to_vec())) {
+            Ok((mesh, _)) => {
+                assert_sound(&mesh);
                 readable += 1;
             }
             Err(error) => {
-                assert_line(error.line, text);
-                assert!(
-                    error
-                        .to_string()
-                        .starts_with(&format!("line {}: ", error.line))
-                );
+                let FormatError::Obj { line, .. } = error else {
+                    panic!("{error:?}")
+                };
+                assert_line(line, text);
+                assert!(error.to_string().starts_with(&format!("line {line}: ")));
                 faults += 1;
             }
         }
@@ -103,18 +102,20 @@ fn damaged_mtl_files() {
     const NAMED_AT: usize = 2;
     let (mut readable, mut faults) = (0, 0);
     damaged(MTL, |text| {
-        let alone = mtl::parse(text);
-        if let Err(error) = &alone {
-            assert_line(error.line, text);
+        let alone = mtl::decode(text);
+        match &alone {
+            Ok(_) => {}
+            Err(FormatError::Mtl { line, .. }) => assert_line(*line, text),
+            Err(error) => panic!("{error:?}"),
         }
-        match obj::parse_with_libraries(OBJ, |_| Ok(text.to_vec())) {
-            Ok(loaded) => {
-                assert_sound(&loaded.mesh);
+        match obj::decode_with_libraries(OBJ, |_| Ok(text.to_vec())) {
+            Ok((mesh, _)) => {
+                assert_sound(&mesh);
                 assert!(alone.is_ok());
                 readable += 1;
             }
             Err(error) => {
-                assert_eq!(error.line, NAMED_AT);
+                assert!(matches!(&error, FormatError::Obj { line: NAMED_AT, .. }));
                 let fault = alone.expect_err("only the library is damaged").to_string();
                 assert!(error.to_string().ends_with(&fault), "{error}");
                 faults += 1;
@@ -126,13 +127,13 @@ fn damaged_mtl_files() {
 
 #[test]
 fn damaged_ply_files() {
-    let mesh = obj::parse(OBJ).unwrap();
+    let mesh = obj::decode(OBJ).unwrap();
     for encoding in [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian] {
-        let sample = ply::to_bytes(&mesh, encoding);
-        assert!(ply::parse(&sample).is_ok());
-        damaged(&sample, |file| match ply::parse(file) {
+        let sample = ply::encode(&mesh, encoding);
+        assert!(ply::decode(&sample).is_ok());
+        damaged(&sample, |file| match ply::decode(file) {
             Ok(mesh) => assert_sound(&mesh),
-            Err(error) => match error.place {
+            Err(FormatError::Ply { place, problem }) => match place {
                 Place::Line(line) => assert_line(line, file),
                 Place::Element { kind, byte, .. } => {
                     assert!(matches!(&*kind, "vertex" | "face" | "edge"), "{kind}");
@@ -140,16 +141,17 @@ fn damaged_ply_files() {
                 }
                 Place::File => assert!(
                     matches!(
-                        error.problem,
+                        problem,
                         PlyProblem::NotPly
                             | PlyProblem::NoEndOfHeader
                             | PlyProblem::NoFormat
                             | PlyProblem::NoVertices
                             | PlyProblem::Mesh(_)
                     ),
-                    "{error:?}"
+                    "{problem:?}"
                 ),
             },
+            Err(error) => panic!("{error:?}"),
         });
     }
 }

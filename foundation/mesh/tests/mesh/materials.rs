@@ -12,9 +12,9 @@ use ga_runtime::vga3::Vector;
 
 const TRIANGLES: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-fn load(text: &str, library: &str) -> obj::Loaded {
+fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
     let text = format!("{TRIANGLES}{text}");
-    obj::parse_with_libraries(text.as_bytes(), |name| match name {
+    obj::decode_with_libraries(text.as_bytes(), |name| match name {
         "a.mtl" | "two words.mtl" => Ok(library.as_bytes().to_vec()),
         _ => Err(io::ErrorKind::NotFound.into()),
     })
@@ -23,7 +23,7 @@ fn load(text: &str, library: &str) -> obj::Loaded {
 
 #[test]
 fn all_forms_of_lines_are_read() {
-    let materials = mtl::parse(
+    let materials = mtl::decode(
         b"# caf\xe9
 newmtl old paint
 Ka 0.1 0.1 0.1
@@ -127,10 +127,10 @@ fn every_fault_names_both_files_and_lines() {
             "line 2: the file is not UTF-8 text",
         ),
     ] {
-        let error = mtl::parse(library.as_bytes()).unwrap_err().to_string();
+        let error = mtl::decode(library.as_bytes()).unwrap_err().to_string();
         assert_eq!(error, message);
         let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
-        let error = obj::parse_with_libraries(text.as_bytes(), |_| Ok(library.into()));
+        let error = obj::decode_with_libraries(text.as_bytes(), |_| Ok(library.into()));
         assert_eq!(
             error.unwrap_err().to_string(),
             format!("line 5: a.mtl: {message}")
@@ -138,7 +138,7 @@ fn every_fault_names_both_files_and_lines() {
     }
     let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
     let denied = |_: &str| Err(io::ErrorKind::PermissionDenied.into());
-    let error = obj::parse_with_libraries(text.as_bytes(), denied).unwrap_err();
+    let error = obj::decode_with_libraries(text.as_bytes(), denied).unwrap_err();
     assert_eq!(
         error.to_string(),
         "line 5: cannot read a.mtl: permission denied"
@@ -165,17 +165,17 @@ fn faults_of_pictures_are_warnings() {
         ("map_Kd -x a.png", Some("a.png"), "map_Kd has no option -x"),
     ] {
         let library = format!("newmtl red\n{line}\nKd 1 0 0\n");
-        let loaded = load("mtllib a.mtl\nusemtl red\nf 1 2 3\n", &library);
-        let [red] = loaded.mesh.materials() else {
-            panic!("{:?}", loaded.mesh.materials())
+        let (mesh, warnings) = load("mtllib a.mtl\nusemtl red\nf 1 2 3\n", &library);
+        let [red] = mesh.materials() else {
+            panic!("{:?}", mesh.materials())
         };
         assert_eq!(red.base_colour, [1.0, 0.0, 0.0, 1.0]);
         let image = path.map(|path| Image::File(path.to_owned()));
         let texture = red.base_colour_texture.as_ref();
         assert_eq!(texture.map(|texture| texture.image.clone()), image);
-        let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+        let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
         let expected = format!("a.mtl: line 2: {message}; this is ignored");
-        assert_eq!(warnings, [expected]);
+        assert_eq!(sentences, [expected]);
     }
 }
 
@@ -184,35 +184,30 @@ fn faces_have_the_materials_of_the_libraries() {
     let library = "newmtl unused\nnewmtl red\nKd 1 0 0\n";
     let text =
         "mtllib a.mtl\nf 1 2 3\nusemtl red\nf 1 2 4\nusemtl (null)\nf 1 3 4\nusemtl red\nf 2 3 4\n";
-    let loaded = load(text, library);
-    assert_eq!(loaded.warnings, []);
-    let names: Vec<&str> = loaded
-        .mesh
-        .materials()
-        .iter()
-        .map(|m| &m.name[..])
-        .collect();
+    let (mesh, warnings) = load(text, library);
+    assert_eq!(warnings, []);
+    let names: Vec<&str> = mesh.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["unused", "red"]);
-    assert_eq!(loaded.mesh.face_materials(), [None, Some(1), None, Some(1)]);
-    let spaced = load("mtllib two words.mtl\nusemtl red\nf 1 2 3\n", library);
-    assert_eq!(spaced.warnings, []);
-    assert_eq!(spaced.mesh.material(0).unwrap().base_colour[1], 0.0);
-    let several = load("mtllib a.mtl missing.mtl\nusemtl red\nf 1 2 3\n", library);
+    assert_eq!(mesh.face_materials(), [None, Some(1), None, Some(1)]);
+    let (spaced, warnings) = load("mtllib two words.mtl\nusemtl red\nf 1 2 3\n", library);
+    assert_eq!(warnings, []);
+    assert_eq!(spaced.material(0).unwrap().base_colour[1], 0.0);
+    let (several, warnings) = load("mtllib a.mtl missing.mtl\nusemtl red\nf 1 2 3\n", library);
     assert_eq!(
-        several.warnings,
+        warnings,
         [Warning::MissingLibrary {
             line: 5,
             library: "missing.mtl".into()
         }]
     );
-    assert_eq!(several.mesh.material(0).unwrap().base_colour[1], 0.0);
+    assert_eq!(several.material(0).unwrap().base_colour[1], 0.0);
 }
 
 #[test]
 fn what_is_missing_is_the_default_and_said() {
-    let loaded = load("mtllib no.mtl\nusemtl red\nf 1 2 3\n", "");
-    assert_eq!(loaded.mesh.materials(), [Material::named("red")]);
-    let sentences: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+    let (mesh, warnings) = load("mtllib no.mtl\nusemtl red\nf 1 2 3\n", "");
+    assert_eq!(mesh.materials(), [Material::named("red")]);
+    let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         sentences,
         [
@@ -220,16 +215,16 @@ fn what_is_missing_is_the_default_and_said() {
             "line 6: no library defines the material \"red\"; it has the default appearance",
         ]
     );
-    let zero = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
-    assert_eq!(zero.warnings, [Warning::ZeroNormals { count: 1 }]);
-    let normals = zero.mesh.normals().unwrap();
+    let (zero, warnings) = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
+    assert_eq!(warnings, [Warning::ZeroNormals { count: 1 }]);
+    let normals = zero.normals().unwrap();
     assert_eq!(normals.get(0), None);
     assert_eq!(normals.get(1), Some(&Vector::new(0.0, 0.0, 1.0)));
 }
 
 #[test]
 fn lines_and_points_are_read_and_checked() {
-    let mesh = load("l 1 2/1 -1\np 2 3\nvt 0 0\np 4\n", "").mesh;
+    let (mesh, _) = load("l 1 2/1 -1\np 2 3\nvt 0 0\np 4\n", "");
     assert!(mesh.polylines().iter().eq([&[0, 1, 3][..]]));
     assert_eq!(mesh.points(), [1, 2, 3]);
     assert!(mesh.faces().is_empty());
@@ -253,7 +248,7 @@ fn lines_and_points_are_read_and_checked() {
         ),
         ("p 0", "line 5: \"0\" refers to v 0, but there are 4"),
     ] {
-        let error = obj::parse(format!("{TRIANGLES}{line}\n").as_bytes()).unwrap_err();
+        let error = obj::decode(format!("{TRIANGLES}{line}\n").as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message);
     }
 }
@@ -340,9 +335,8 @@ fn a_mesh_with_everything_comes_back_the_same() {
         std::fs::create_dir_all(folder.path().join("maps")).unwrap();
         std::fs::write(folder.path().join(picture), b"").unwrap();
     }
-    let loaded = obj::read_with_warnings(&path).unwrap();
-    assert_eq!(loaded.warnings, []);
-    let back = loaded.mesh;
+    let (back, warnings) = obj::read_with_warnings(&path).unwrap();
+    assert_eq!(warnings, []);
 
     let embedded = std::fs::read(folder.path().join("full-1.jpg")).unwrap();
     assert_eq!(embedded, b"not really a picture");
@@ -366,18 +360,18 @@ fn a_mesh_with_everything_comes_back_the_same() {
 #[test]
 fn names_become_different_words() {
     let named = |names: [&str; 4]| names.map(Material::named).to_vec();
-    let mesh = load("f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", "").mesh;
+    let (mesh, _) = load("f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", "");
     let of_faces = || (0..4).map(Some).collect();
     let mesh = mesh
         .with_materials(named(["a b", "a_b", "(null)", ""]), of_faces())
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["a b", "a_b", "(null)_2", "_"]);
     let mesh = mesh
         .with_materials(named(["a  b", "a #b ", "a #b ", "a\tb"]), of_faces())
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     let names: Vec<&str> = back.materials().iter().map(|m| &m.name[..]).collect();
     assert_eq!(names, ["a _ b", "a _b _", "a _b __2", "a_b"]);
     // `g` takes several names, `o` one.
@@ -389,7 +383,7 @@ fn names_become_different_words() {
         .with_objects(vec![set("left hand")])
         .and_then(|mesh| mesh.with_groups(vec![set("left hand")]))
         .unwrap();
-    let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+    let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
     assert_eq!(back.objects()[0].name, "left hand");
     assert_eq!(back.groups()[0].name, "left_hand");
 }
@@ -406,14 +400,14 @@ fn files_beside_the_mesh_have_names_that_lines_can_hold() {
         base_colour_texture: Some(Texture::new(image)),
         ..Material::named("paint")
     };
-    let mesh = load("f 1 2 3\n", "").mesh;
+    let (mesh, _) = load("f 1 2 3\n", "");
     let mesh = mesh.with_materials(vec![paint], vec![Some(0)]).unwrap();
     for name in ["a #1.obj", "-s 1.obj", "two  words.obj", " x.obj"] {
         let path = folder.path().join(name);
         obj::write(&path, &mesh).unwrap();
-        let loaded = obj::read_with_warnings(&path).unwrap();
-        assert_eq!(loaded.warnings, [], "{name}");
-        let paint = loaded.mesh.material(0).unwrap();
+        let (mesh, warnings) = obj::read_with_warnings(&path).unwrap();
+        assert_eq!(warnings, [], "{name}");
+        let paint = mesh.material(0).unwrap();
         assert_eq!(paint.base_colour, [1.0, 0.0, 0.0, 1.0], "{name}");
         assert!(paint.base_colour_texture.is_some(), "{name}");
     }
@@ -435,11 +429,11 @@ fn textures_that_mtl_cannot_place_are_left_out() {
         normal_texture: Some(Texture::file("plain.png")),
         ..Material::default()
     };
-    let text = mtl::to_text([("a", &material)], |image| match image {
+    let text = mtl::encode([("a", &material)], |image| match image {
         Image::File(path) => path.clone(),
         Image::Embedded { .. } => String::new(),
     });
-    let back = mtl::parse(text.as_bytes()).unwrap();
+    let back = mtl::decode(text.as_bytes()).unwrap();
     let images: Vec<_> = back[0].textures().map(|texture| &texture.image).collect();
     let plain = Image::File("plain.png".into());
     assert_eq!(images, [&plain], "{text}");
@@ -459,8 +453,8 @@ fn a_missing_picture_is_said() {
         "newmtl m\nmap_Kd no.png\nmap_Ke no.png\n",
     )
     .unwrap();
-    let loaded = obj::read_with_warnings(&path).unwrap();
-    let sentences: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+    let (_, warnings) = obj::read_with_warnings(&path).unwrap();
+    let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         sentences,
         ["material \"m\": there is no picture no.png; the surface is shown without it"]

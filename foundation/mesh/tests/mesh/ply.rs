@@ -50,7 +50,7 @@ end_header\r
 
 #[test]
 fn all_known_properties_are_read() {
-    let mesh = ply::parse(TEXT.as_bytes()).unwrap();
+    let mesh = ply::decode(TEXT.as_bytes()).unwrap();
     let positions = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, -1.0]];
     assert!(mesh.coordinates().eq(positions));
     assert!(mesh.faces().iter().eq([&[0, 1, 2][..], &[0, 1, 2, 3]]));
@@ -99,13 +99,13 @@ fn binary(big: bool) -> Vec<u8> {
 fn both_byte_orders_are_read_and_written() {
     for (big, encoding) in [(false, Encoding::LittleEndian), (true, Encoding::BigEndian)] {
         let file = binary(big);
-        let mesh = ply::parse(&file).unwrap();
+        let mesh = ply::decode(&file).unwrap();
         assert!(
             mesh.coordinates()
                 .eq([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
         );
         assert_eq!(mesh.triangles(), [[0, 1, 2]]);
-        assert_eq!(ply::to_bytes(&mesh, encoding), file);
+        assert_eq!(ply::encode(&mesh, encoding), file);
     }
 }
 
@@ -208,12 +208,12 @@ fn every_fault_is_named_with_its_place() {
             "line 14: the file ends within the element",
         ),
     ] {
-        let error = ply::parse(text.as_bytes()).unwrap_err().to_string();
+        let error = ply::decode(text.as_bytes()).unwrap_err().to_string();
         assert_eq!(error, message, "{text}");
     }
     let mut cut = binary(false);
     cut.pop();
-    let error = ply::parse(&cut).unwrap_err().to_string();
+    let error = ply::decode(&cut).unwrap_err().to_string();
     let byte = binary(false).len() - 13;
     assert_eq!(
         error,
@@ -230,7 +230,7 @@ fn a_false_count_is_an_error_at_once() {
                 "ply\nformat {encoding} 1.0\nelement {element} 1000000000\n\
                  property list uint float x\nend_header\n0 0 0\n"
             );
-            let error = ply::parse(text.as_bytes()).unwrap_err().to_string();
+            let error = ply::decode(text.as_bytes()).unwrap_err().to_string();
             let is_missing = error.contains("has no property");
             assert!(
                 is_missing || error.contains("1000000000 elements"),
@@ -243,7 +243,7 @@ fn a_false_count_is_an_error_at_once() {
         );
         let size = if encoding == "ascii" { 6 } else { 12 };
         assert_eq!(
-            ply::parse(text.as_bytes()).unwrap_err().to_string(),
+            ply::decode(text.as_bytes()).unwrap_err().to_string(),
             format!(
                 "line 3: 1000000000 elements vertex need at least {size}000000000 bytes, but the \
                  file has 6"
@@ -254,7 +254,7 @@ fn a_false_count_is_an_error_at_once() {
                      property list uint float x\nend_header\n"
         .to_vec();
     list.extend(1_000_000_000u32.to_le_bytes());
-    let error = ply::parse(&list).unwrap_err().to_string();
+    let error = ply::decode(&list).unwrap_err().to_string();
     assert!(
         error.ends_with("a list has the length 1000000000"),
         "{error}"
@@ -266,11 +266,11 @@ fn vertices_alone_are_points() {
     let header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
                   property float z\nelement face 0\nproperty list uchar int vertex_indices\n\
                   end_header\n";
-    let cloud = ply::parse(format!("{header}0 0 0\n1 0 0\n0 2 0\n").as_bytes()).unwrap();
+    let cloud = ply::decode(format!("{header}0 0 0\n1 0 0\n0 2 0\n").as_bytes()).unwrap();
     assert_eq!(cloud.points(), [0, 1, 2]);
-    let text = ga_mesh::obj::to_text(&cloud);
+    let text = ga_mesh::obj::encode(&cloud);
     assert!(text.ends_with("p 1\np 2\np 3\n"), "{text}");
-    let again = ga_mesh::obj::parse(text.as_bytes()).unwrap();
+    let again = ga_mesh::obj::decode(text.as_bytes()).unwrap();
     assert_eq!(again, cloud);
     let document = ga_mesh::gltf::Document::from_mesh(&cloud).unwrap();
     let primitive = &document.meshes[0].primitives[0];
@@ -294,7 +294,7 @@ fn elements_without_properties_are_skipped() {
             text += &format!("property float {name}\n");
         }
         text += "end_header\n";
-        let mesh = ply::parse(&[text.as_bytes(), end].concat()).unwrap();
+        let mesh = ply::decode(&[text.as_bytes(), end].concat()).unwrap();
         assert!(mesh.coordinates().eq([[0.0, 0.0, 5.0]]));
     }
 }
@@ -318,7 +318,7 @@ fn normals_that_differ_at_a_vertex_are_left_out_and_texture_coordinates_become_l
         })
         .unwrap();
     for encoding in ENCODINGS {
-        let back = ply::parse(&ply::to_bytes(&mesh, encoding)).unwrap();
+        let back = ply::decode(&ply::encode(&mesh, encoding)).unwrap();
         assert_eq!(back.normals(), None);
         let texture = back.texture_coordinates().unwrap();
         assert_eq!(texture.get(2), Some(&[0.5, 0.25]));
@@ -383,7 +383,7 @@ proptest! {
     #[test]
     fn a_written_mesh_reads_back_the_same(mesh in meshes()) {
         for encoding in ENCODINGS {
-            let back = ply::parse(&ply::to_bytes(&mesh, encoding)).unwrap();
+            let back = ply::decode(&ply::encode(&mesh, encoding)).unwrap();
             prop_assert_eq!(back.positions(), mesh.positions());
             prop_assert_eq!(back.faces(), mesh.faces());
             prop_assert_eq!(back.colours(), mesh.colours());
@@ -407,9 +407,9 @@ proptest! {
         let positions = positions.iter().map(|p| p.map(f64::from)).collect();
         let mesh = Mesh::new(positions, Faces::default()).unwrap();
         for encoding in ENCODINGS {
-            let file = ply::to_bytes(&mesh, encoding);
+            let file = ply::encode(&mesh, encoding);
             prop_assert!(file.windows(16).any(|line| line == b"property float x"));
-            let back = ply::parse(&file).unwrap();
+            let back = ply::decode(&file).unwrap();
             prop_assert_eq!(back.positions(), mesh.positions());
         }
     }
@@ -423,9 +423,9 @@ proptest! {
              element face 0\nproperty list uchar int vertex_indices\nend_header\n\
              0 0 0 {red} {green} {blue}\n"
         );
-        let mesh = ply::parse(text(colour).as_bytes()).unwrap();
+        let mesh = ply::decode(text(colour).as_bytes()).unwrap();
         prop_assert_eq!(
-            String::from_utf8(ply::to_bytes(&mesh, Encoding::Ascii)).unwrap(),
+            String::from_utf8(ply::encode(&mesh, Encoding::Ascii)).unwrap(),
             text(colour)
         );
     }
@@ -437,13 +437,13 @@ proptest! {
         damage in vec((any::<prop::sample::Index>(), any::<u8>()), 0..4),
         end in any::<prop::sample::Index>(),
     ) {
-        let mut file = ply::to_bytes(&mesh, ENCODINGS[encoding]);
+        let mut file = ply::encode(&mesh, ENCODINGS[encoding]);
         for (place, byte) in damage {
             let place = place.index(file.len());
             file[place] = byte;
         }
         for file in [&file[..], &file[..end.index(file.len())]] {
-            if let Ok(mesh) = ply::parse(file) {
+            if let Ok(mesh) = ply::decode(file) {
                 prop_assert!(mesh.coordinates().flatten().all(f64::is_finite));
                 let vertices = mesh.vertex_count();
                 prop_assert!(mesh.faces().corners().iter().all(|&v| (v as usize) < vertices));

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use ga_mesh::tangents::{TangentError, mikktspace};
-use ga_mesh::{CornerAttribute, Faces, Mesh};
+use ga_mesh::tangents::mikktspace;
+use ga_mesh::{CornerAttribute, Faces, Mesh, MeshError};
 use ga_runtime::vga3::Vector;
 
 /// A torus about the z axis, u around the axis and v around the tube. Texture coordinates have a
@@ -101,7 +101,7 @@ fn what_lacks_a_picture_has_no_tangent() {
     let mesh = Mesh::new(corners, faces).unwrap();
     assert_eq!(
         mikktspace(&mesh, 0),
-        Err(TangentError::NoTextureCoordinates { set: 0 })
+        Err(MeshError::NoTextureCoordinates { set: 0 })
     );
     let half = CornerAttribute {
         values: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
@@ -114,6 +114,6 @@ fn what_lacks_a_picture_has_no_tangent() {
     let far = mesh.scaled(1e300).unwrap();
     assert!(matches!(
         mikktspace(&far, 0),
-        Err(TangentError::TooFar { vertex: 1, .. })
+        Err(MeshError::TooFar { vertex: 1, .. })
     ));
 }

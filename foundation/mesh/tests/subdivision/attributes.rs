@@ -1,7 +1,7 @@
 //! Meshes with all that they carry.
 
-use ga_mesh::subdivision::{Rules, Subdivision, SubdivisionError, Tags, subdivide};
-use ga_mesh::{CornerAttribute, Faces, Group, Material, Mesh, Polylines};
+use ga_mesh::subdivision::{Rules, Subdivision, Tags, subdivide};
+use ga_mesh::{CornerAttribute, Faces, Group, Material, Mesh, MeshError, Polylines};
 
 /// A triangle and a quadrilateral beside each other, with everything that a mesh can have.
 fn painted() -> Mesh {
@@ -133,7 +133,7 @@ fn levels_can_be_seen_one_by_one() {
 fn too_many_levels_are_refused_before_the_work() {
     let error =
         |levels| subdivide(&painted(), levels, Rules::CATMULL_CLARK, &Tags::default()).unwrap_err();
-    let too_large = |count| SubdivisionError::TooLarge {
+    let too_large = |count| MeshError::RefinedTooLarge {
         what: "corners",
         count,
     };

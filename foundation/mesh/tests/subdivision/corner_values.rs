@@ -1,7 +1,7 @@
 //! Texture coordinates and their seams.
 
-use ga_mesh::Faces;
-use ga_mesh::subdivision::{Cage, CornerValues, Rules, SubdivisionError, Tags, TextureRule};
+use ga_mesh::subdivision::{Cage, CornerValues, Rules, Tags, TextureRule};
+use ga_mesh::{Faces, MeshError};
 
 use crate::shapes::{Shape, cube, grid};
 
@@ -174,7 +174,7 @@ fn faces_without_values_stay_without() {
     assert_eq!(fine[12..], [None; 12]);
     assert!(CornerValues::new(&cage, &[None; 6]).unwrap().is_none());
     let error = CornerValues::new(&cage, &corners[..5]).unwrap_err();
-    let expected = SubdivisionError::Length {
+    let expected = MeshError::Length {
         what: "values",
         expected: 6,
         found: 5,

@@ -1,23 +1,21 @@
 //! Meshes that cannot be subdivided, and texts that are not tags.
 
-use ga_mesh::subdivision::{
-    Cage, Rules, StencilLength, SubdivisionError, TagError, TagProblem, TagText, Tags,
-};
+use ga_mesh::subdivision::{Cage, Rules, StencilLength, TagProblem, TagText, Tags};
 use ga_mesh::{Faces, MeshError};
 
 use crate::shapes::{corner, crease, cube};
 
-fn error(faces: &[&[u32]], vertices: usize, rules: Rules) -> SubdivisionError {
+fn error(faces: &[&[u32]], vertices: usize, rules: Rules) -> MeshError {
     Cage::new(Faces::from_polygons(faces).unwrap(), vertices, rules).unwrap_err()
 }
 
 #[test]
 fn faulty_faces_are_named() {
     for rules in [Rules::LOOP, Rules::CATMULL_CLARK] {
-        assert_eq!(error(&[], 3, rules), SubdivisionError::Empty);
-        let twice = SubdivisionError::DegenerateFace { face: 1, vertex: 2 };
+        assert_eq!(error(&[], 3, rules), MeshError::NoFaces);
+        let twice = MeshError::DegenerateFace { face: 1, vertex: 2 };
         assert_eq!(error(&[&[0, 1, 2], &[2, 3, 2]], 4, rules), twice);
-        let edge = SubdivisionError::NonManifoldEdge {
+        let edge = MeshError::NonManifoldEdge {
             a: 0,
             b: 2,
             faces: 3,
@@ -32,12 +30,9 @@ fn faulty_faces_are_named() {
             index: 7,
             vertices: 4,
         };
-        assert_eq!(
-            error(&[&[0, 1, 7]], 4, rules),
-            SubdivisionError::Mesh(range)
-        );
+        assert_eq!(error(&[&[0, 1, 7]], 4, rules), range);
     }
-    let quadrilateral = SubdivisionError::NotATriangle {
+    let quadrilateral = MeshError::NotATriangle {
         face: 1,
         corners: 4,
     };
@@ -45,7 +40,7 @@ fn faulty_faces_are_named() {
         error(&[&[0, 1, 2], &[0, 2, 3, 4]], 5, Rules::LOOP),
         quadrilateral
     );
-    let twice = SubdivisionError::DegenerateFace { face: 0, vertex: 1 };
+    let twice = MeshError::DegenerateFace { face: 0, vertex: 1 };
     assert_eq!(error(&[&[0, 1, 2, 3, 1]], 4, Rules::CATMULL_CLARK), twice);
 }
 
@@ -63,14 +58,14 @@ fn faulty_tags_are_named() {
         corners: corners.to_vec(),
         ..Tags::default()
     };
-    let no_edge = |b| SubdivisionError::NoEdge { crease: 1, a: 0, b };
+    let no_edge = |b| MeshError::NoEdge { crease: 1, a: 0, b };
     for b in [7, 8, u32::MAX, 0] {
         assert_eq!(
             error(creases(&[crease(0, 1, 1.0), crease(0, b, 1.0)])),
             no_edge(b)
         );
     }
-    let no_vertex = SubdivisionError::NoVertex {
+    let no_vertex = MeshError::NoVertex {
         corner: 0,
         vertex: 8,
         vertices: 8,
@@ -148,8 +143,8 @@ fn wrong_lengths_are_named() {
 
 #[test]
 fn texts_that_are_not_tags_are_errors() {
-    let problem = |text: &[u8]| match TagText::parse(text) {
-        Err(TagError { line: 2, problem }) => problem,
+    let problem = |text: &[u8]| match TagText::decode(text) {
+        Err(MeshError::Tag { line: 2, problem }) => problem,
         other => panic!("{other:?}"),
     };
     let word = |word: &str| word.to_owned();
@@ -182,7 +177,7 @@ fn texts_that_are_not_tags_are_errors() {
         assert_eq!(problem(text.as_bytes()), expected);
     }
     assert_eq!(problem(b"\ncorner \xff 1"), TagProblem::NotText);
-    let text = TagText::parse(b"  crease 3 4 1e1 # \xff\r\n\tcorner 0 infinity").unwrap();
+    let text = TagText::decode(b"  crease 3 4 1e1 # \xff\r\n\tcorner 0 infinity").unwrap();
     assert_eq!(text.tags.creases, [crease(3, 4, 10.0)]);
     assert_eq!(text.tags.corners, [corner(0, f64::INFINITY)]);
     assert_eq!((text.crease_lines, text.corner_lines), (vec![1], vec![2]));

@@ -6,7 +6,7 @@
 //! use ga_render::model::Model;
 //! use ga_render::{Camera, Style, ViewDirection, render};
 //!
-//! let mesh = ga_mesh::obj::parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+//! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
 //! let model = Model::from_mesh(&mesh, None)?;
 //! let style = Style::default();
 //! let view = ViewDirection::default();
@@ -20,9 +20,9 @@
 mod from_mesh;
 mod textures;
 
-use crate::texture::Texture;
+use crate::texture::Mipmap;
 use crate::{
-    Attribute, Dot, Material, MaterialChoice, Normals, Object, Polyline, Scene, Visibility,
+    Appearance, Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility,
 };
 use ga_image::colour::LinearColour;
 
@@ -37,7 +37,7 @@ pub struct Model {
     texture_coordinates: [Vec<[f64; 2]>; 2],
     tangents: Vec<[f64; 4]>,
     surfaces: Vec<Surface>,
-    textures: Vec<Texture>,
+    textures: Vec<Mipmap>,
     lines: Vec<Line>,
     dots: Vec<([f64; 3], LinearColour)>,
     warnings: Vec<String>,
@@ -70,7 +70,7 @@ struct Line {
 /// A material whose textures are given by index.
 #[derive(Clone, Copy, Debug, Default)]
 struct Surface {
-    material: Material<'static>,
+    material: Appearance<'static>,
     base_colour: Option<usize>,
     metallic_roughness: Option<usize>,
     normal: Option<usize>,
@@ -80,9 +80,9 @@ struct Surface {
 
 impl Model {
     /// The materials, which borrow the model's textures.
-    pub fn materials(&self) -> Vec<Material<'_>> {
+    pub fn materials(&self) -> Vec<Appearance<'_>> {
         let texture = |index: Option<usize>| index.map(|index| &self.textures[index]);
-        let materials = self.surfaces.iter().map(|surface| Material {
+        let materials = self.surfaces.iter().map(|surface| Appearance {
             base_colour_map: texture(surface.base_colour),
             metallic_roughness_map: texture(surface.metallic_roughness),
             normal_map: texture(surface.normal),
@@ -94,7 +94,7 @@ impl Model {
     }
 
     /// The model as a scene with its [`materials`](Self::materials).
-    pub fn scene<'a>(&'a self, materials: &'a [Material<'a>]) -> Scene<'a> {
+    pub fn scene<'a>(&'a self, materials: &'a [Appearance<'a>]) -> Scene<'a> {
         Scene {
             objects: self.parts.iter().map(|part| self.object(part)).collect(),
             materials,

@@ -5,13 +5,13 @@ use std::path::Path;
 
 use ga_files::ReadError;
 use ga_image::colour::LinearColour;
-use ga_image::file::DecodeError;
+use ga_image::file::FormatError;
 use ga_mesh::obj::Warning;
-use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture as Reference};
+use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture};
 
 use super::{Model, Surface};
-use crate::texture::{Filter, Sampler, Texture, TextureError};
-use crate::{CoordinateSet, Material, Placement, Placements};
+use crate::texture::{Filter, Mipmap, Sampler, TextureError};
+use crate::{Appearance, CoordinateSet, Placement, Placements};
 
 /// A picture of a material that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -22,7 +22,7 @@ pub enum TextureFileError {
         /// The name of the material.
         material: String,
         /// What is wrong; it names the file.
-        problem: ReadError<DecodeError>,
+        problem: ReadError<FormatError>,
     },
     /// A picture within the file of the model is not a picture.
     #[error("the picture of material {material:?}: {problem}")]
@@ -30,7 +30,7 @@ pub enum TextureFileError {
         /// The name of the material.
         material: String,
         /// What is wrong.
-        problem: DecodeError,
+        problem: FormatError,
     },
     /// The picture has no pixels.
     #[error("the picture of material {material:?}: {problem}")]
@@ -72,10 +72,10 @@ pub enum Meaning {
 /// [`TextureFileError`] for a picture that exists and cannot be read.
 pub fn load_texture(
     material: &str,
-    reference: &Reference,
+    reference: &Texture,
     meaning: Meaning,
     folder: Option<&Path>,
-) -> Result<Option<Texture>, TextureFileError> {
+) -> Result<Option<Mipmap>, TextureFileError> {
     let material = || material.to_owned();
     let picture = match &reference.image {
         Image::File(path) => {
@@ -97,8 +97,8 @@ pub fn load_texture(
     };
     let pixels = picture.to_rgba::<u16>();
     let texture = match meaning {
-        Meaning::Colour => Texture::colour(&pixels, sampler(reference)),
-        Meaning::Data => Texture::data(&pixels, sampler(reference)),
+        Meaning::Colour => Mipmap::colour(&pixels, sampler(reference)),
+        Meaning::Data => Mipmap::data(&pixels, sampler(reference)),
     };
     let texture = texture.map_err(|problem| TextureFileError::Texture {
         material: material(),
@@ -146,7 +146,7 @@ impl<'a> Loader<'a> {
             }
         }
         let placement =
-            |texture: &Option<Reference>| texture.as_ref().map(placement).unwrap_or_default();
+            |texture: &Option<Texture>| texture.as_ref().map(placement).unwrap_or_default();
         let placements = Placements {
             base_colour: placement(&material.base_colour_texture),
             metallic_roughness: placement(&material.metallic_roughness_texture),
@@ -155,7 +155,7 @@ impl<'a> Loader<'a> {
             emission: placement(&material.emissive_texture),
         };
         let [red, green, blue, opacity] = material.base_colour;
-        let mut load = |reference: &Option<Reference>, meaning| match reference {
+        let mut load = |reference: &Option<Texture>, meaning| match reference {
             Some(reference) => self.texture(name, reference, meaning),
             None => Ok(None),
         };
@@ -165,7 +165,7 @@ impl<'a> Loader<'a> {
             normal: load(&material.normal_texture, Meaning::Data)?,
             occlusion: load(&material.occlusion_texture, Meaning::Data)?,
             emission: load(&material.emissive_texture, Meaning::Colour)?,
-            material: Material {
+            material: Appearance {
                 base_colour: LinearColour::new(red, green, blue),
                 opacity,
                 metallic: material.metallic,
@@ -181,7 +181,7 @@ impl<'a> Loader<'a> {
                 double_sided: material.double_sided,
                 unlit: material.unlit,
                 placements,
-                ..Material::default()
+                ..Appearance::default()
             },
         })
     }
@@ -189,7 +189,7 @@ impl<'a> Loader<'a> {
     fn texture(
         &mut self,
         material: &str,
-        reference: &Reference,
+        reference: &Texture,
         meaning: Meaning,
     ) -> Result<Option<usize>, TextureFileError> {
         let key = match &reference.image {
@@ -222,8 +222,8 @@ impl<'a> Loader<'a> {
     }
 }
 
-/// [`Reference::place`] as a matrix and an offset.
-fn placement(texture: &Reference) -> Placement {
+/// [`Texture::place`] as a matrix and an offset.
+fn placement(texture: &Texture) -> Placement {
     let offset = texture.place([0.0; 2]);
     let [u, v] = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
         let moved = texture.place(unit);
@@ -239,7 +239,7 @@ fn placement(texture: &Reference) -> Placement {
     }
 }
 
-fn sampler(reference: &Reference) -> Sampler {
+fn sampler(reference: &Texture) -> Sampler {
     let filter = match (reference.magnification, reference.minification) {
         (Some(MeshFilter::Nearest), _) => Filter::Nearest,
         (_, Some(minification)) if minification.levels.is_none() => Filter::Bilinear,

@@ -30,20 +30,20 @@
 //! ```
 
 mod error;
-mod film;
 mod frame;
 mod framing;
 mod layout;
 mod options;
 mod paint;
+mod sequence;
 
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::{Camera, Ground, Material, Object, Rendering, Scene, Style, render};
+use crate::{Appearance, Camera, Ground, Object, Rendering, Scene, Style, render};
 pub use error::SheetError;
-pub use film::{Film, Shooting};
 pub use frame::{Frame, Kind};
+pub use sequence::{Sequence, Shooting};
 
 pub use options::{Framing, Layout, Options};
 
@@ -53,7 +53,7 @@ pub struct Subject<'a> {
     /// The surface; a frame's positions are drawn in place of the object's own.
     pub object: Object<'a>,
     /// The materials that the object names by index.
-    pub materials: &'a [Material<'a>],
+    pub materials: &'a [Appearance<'a>],
 }
 
 impl<'a> Subject<'a> {

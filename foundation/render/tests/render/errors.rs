@@ -2,7 +2,7 @@
 
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Attribute, Camera, Dot, Ground, Light, Lighting, Material, MaterialChoice, Normals, Polyline,
+    Appearance, Attribute, Camera, Dot, Ground, Light, Lighting, MaterialChoice, Normals, Polyline,
     RenderError, Scene, Style, ViewDirection, Visibility, render,
 };
 use ga_runtime::cga3::{Motor, Translator};
@@ -193,43 +193,44 @@ fn materials_and_transforms_are_checked() {
             materials: 0
         }
     );
-    let material = |material: Material<'static>| {
-        let materials: &'static [Material] = Box::leak(Box::new([Material::default(), material]));
+    let material = |material: Appearance<'static>| {
+        let materials: &'static [Appearance] =
+            Box::leak(Box::new([Appearance::default(), material]));
         refused(|s| s.materials = materials)
     };
     for (bad, quantity) in [
         (
-            Material {
+            Appearance {
                 roughness: 1.5,
-                ..Material::default()
+                ..Appearance::default()
             },
             "roughness",
         ),
         (
-            Material {
+            Appearance {
                 metallic: f64::NAN,
-                ..Material::default()
+                ..Appearance::default()
             },
             "metallic part",
         ),
         (
-            Material {
+            Appearance {
                 opacity: -0.1,
-                ..Material::default()
+                ..Appearance::default()
             },
             "opacity",
         ),
         (
-            Material {
+            Appearance {
                 normal_scale: f64::INFINITY,
-                ..Material::default()
+                ..Appearance::default()
             },
             "normal scale",
         ),
         (
-            Material {
+            Appearance {
                 emission: LinearColour::new(0.0, -1.0, 0.0),
-                ..Material::default()
+                ..Appearance::default()
             },
             "emission",
         ),

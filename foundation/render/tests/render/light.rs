@@ -3,9 +3,9 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
-use ga_render::texture::{Filter, Sampler, Texture, Wrap};
+use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
 use ga_render::{
-    Attribute, Camera, Ground, Material, MaterialChoice, Object, Scene, Style, render,
+    Appearance, Attribute, Camera, Ground, MaterialChoice, Object, Scene, Style, render,
 };
 
 use crate::pictures::sphere;
@@ -77,11 +77,11 @@ fn parts_that_are_cut_out_cast_no_shadow() {
         wrap: [Wrap::ClampToEdge; 2],
         filter: Filter::Nearest,
     };
-    let halves = Texture::colour(&halves, sampler).unwrap();
-    let materials = [Material {
+    let halves = Mipmap::colour(&halves, sampler).unwrap();
+    let materials = [Appearance {
         base_colour_map: Some(&halves),
         cutoff: Some(0.5),
-        ..Material::default()
+        ..Appearance::default()
     }];
     let plate = Object {
         texture_coordinates: Some(Attribute::of_vertices(&CORNERS)),

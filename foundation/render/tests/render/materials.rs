@@ -3,10 +3,10 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
-use ga_render::texture::{Filter, Sampler, Texture, TextureError, Wrap};
+use ga_render::texture::{Filter, Mipmap, Sampler, TextureError, Wrap};
 use ga_render::{
-    Attribute, Camera, Light, Lighting, Material, MaterialChoice, Normals, Object, Scene, Shading,
-    Style, render,
+    Appearance, Attribute, Camera, Light, Lighting, MaterialChoice, Normals, Object, Scene,
+    Shading, Style, render,
 };
 use ga_runtime::cga3::{Motor, Rotor};
 use proptest::prelude::*;
@@ -43,7 +43,7 @@ fn unlit(style: Style) -> Style {
 fn painted<'a>(
     positions: &'a [[f64; 3]],
     coordinates: &'a [[f64; 2]],
-    materials: &'a [Material<'a>],
+    materials: &'a [Appearance<'a>],
 ) -> Scene<'a> {
     let object = Object {
         texture_coordinates: Some(Attribute::of_vertices(coordinates)),
@@ -64,10 +64,10 @@ fn style(size: u32) -> Style {
 #[test]
 fn each_pixel_shows_the_texel_under_it() {
     for filter in [Filter::Nearest, Filter::Bilinear, Filter::Trilinear] {
-        let texture = Texture::colour(&numbered(8), sampler(filter, Wrap::Repeat)).unwrap();
-        let materials = [Material {
+        let texture = Mipmap::colour(&numbered(8), sampler(filter, Wrap::Repeat)).unwrap();
+        let materials = [Appearance {
             base_colour_map: Some(&texture),
-            ..Material::default()
+            ..Appearance::default()
         }];
         let positions = square(0.0);
         let scene = painted(&positions, &CORNERS, &materials);
@@ -91,10 +91,10 @@ fn textures_go_on_beyond_their_edges() {
     };
     for wrap in [Wrap::Repeat, Wrap::MirroredRepeat, Wrap::ClampToEdge] {
         for filter in [Filter::Nearest, Filter::Bilinear] {
-            let texture = Texture::colour(&numbered(4), sampler(filter, wrap)).unwrap();
-            let materials = [Material {
+            let texture = Mipmap::colour(&numbered(4), sampler(filter, wrap)).unwrap();
+            let materials = [Appearance {
                 base_colour_map: Some(&texture),
-                ..Material::default()
+                ..Appearance::default()
             }];
             let positions = square(0.0);
             let scene = painted(&positions, &wide, &materials);
@@ -115,10 +115,10 @@ fn a_checkerboard_far_away_is_half_bright() {
     let board = Plane::from_fn(256, 256, |column, row| {
         [[0u8, 0, 0, 255], [255; 4]][(column + row) % 2]
     });
-    let texture = Texture::colour(&board, Sampler::default()).unwrap();
-    let materials = [Material {
+    let texture = Mipmap::colour(&board, Sampler::default()).unwrap();
+    let materials = [Appearance {
         base_colour_map: Some(&texture),
-        ..Material::default()
+        ..Appearance::default()
     }];
     let positions = square(0.0);
     let scene = painted(&positions, &CORNERS, &materials);
@@ -136,7 +136,7 @@ proptest! {
         let pixels: Vec<[f64; 4]> = (0..16)
             .map(|i| [f64::from(i % 4) / 4.0, f64::from(i / 4) / 8.0, f64::from((i % 4) * (i / 4)) / 16.0, 1.0])
             .collect();
-        let texture = Texture::numbers(4, 4, &pixels, sampler(Filter::Bilinear, Wrap::ClampToEdge)).unwrap();
+        let texture = Mipmap::numbers(4, 4, &pixels, sampler(Filter::Bilinear, Wrap::ClampToEdge)).unwrap();
         // Column and row, counted from the middle of the first texel.
         let (x, y) = (4.0 * u - 0.5, 4.0 * (1.0 - v) - 0.5);
         let expected = [x / 4.0, y / 8.0, x * y / 16.0, 1.0];
@@ -151,14 +151,14 @@ proptest! {
 fn textures_need_pixels() {
     let sampler = Sampler::default();
     assert_eq!(
-        Texture::colour(&Plane::filled(0, 3, [0u8; 4]), sampler),
+        Mipmap::colour(&Plane::filled(0, 3, [0u8; 4]), sampler),
         Err(TextureError::Empty {
             width: 0,
             height: 3
         })
     );
     assert_eq!(
-        Texture::numbers(2, 2, &[[0.0; 4]; 3], sampler),
+        Mipmap::numbers(2, 2, &[[0.0; 4]; 3], sampler),
         Err(TextureError::Length {
             width: 2,
             height: 2,
@@ -218,12 +218,12 @@ fn highlights_have_the_height_of_the_formula() {
     let positions = square(0.0);
     for (metallic, roughness, reflectance) in [(0.0, 0.7, 0.04), (1.0, 0.8, 0.0), (0.5, 1.0, 0.1)] {
         let base = 0.3;
-        let materials = [Material {
+        let materials = [Appearance {
             base_colour: LinearColour::WHITE * base,
             metallic,
             roughness,
             reflectance,
-            ..Material::default()
+            ..Appearance::default()
         }];
         let scene = painted(&positions, &CORNERS, &materials);
         // Along the viewing direction, but for what keeps the light above the horizon.
@@ -243,12 +243,12 @@ fn highlights_have_the_height_of_the_formula() {
 #[test]
 fn a_metal_mirrors_its_surroundings() {
     let positions = square(0.0);
-    let materials = [Material {
+    let materials = [Appearance {
         base_colour: LinearColour::new(0.9, 0.6, 0.3),
         metallic: 1.0,
         roughness: 0.0,
         emission: LinearColour::new(0.0, 0.0, 0.2),
-        ..Material::default()
+        ..Appearance::default()
     }];
     let mut style = one_light(9, [0.0, 1.0, 0.0], LinearColour::BLACK);
     style.lighting.sky = LinearColour::WHITE * 0.5;
@@ -262,9 +262,9 @@ fn a_metal_mirrors_its_surroundings() {
 }
 
 /// The normal (x, y, z) as a texture of one pixel.
-fn normals(normal: [f64; 3]) -> Texture {
+fn normals(normal: [f64; 3]) -> Mipmap {
     let [x, y, z] = normal.map(|c| (c + 1.0) / 2.0);
-    Texture::numbers(1, 1, &[[x, y, z, 1.0]], Sampler::default()).unwrap()
+    Mipmap::numbers(1, 1, &[[x, y, z, 1.0]], Sampler::default()).unwrap()
 }
 
 #[test]
@@ -291,11 +291,11 @@ fn a_normal_map_shades_as_a_tilted_plane() {
 
         let normal = rotor.to_matrix().map(|row| row[2]);
         let map = normals(normal);
-        let materials = [Material {
+        let materials = [Appearance {
             base_colour: style.surface,
             reflectance: style.gloss,
             normal_map: Some(&map),
-            ..Material::default()
+            ..Appearance::default()
         }];
         for given in [true, false] {
             let mut scene = painted(&positions, &CORNERS, &materials);
@@ -315,7 +315,7 @@ fn a_normal_map_shades_as_a_tilted_plane() {
             (turned, [y, -x, z], [0.0, 1.0, 0.0, 1.0]),
         ] {
             let map = normals(normal);
-            let materials = [Material {
+            let materials = [Appearance {
                 normal_map: Some(&map),
                 ..materials[0]
             }];
@@ -331,7 +331,7 @@ fn a_normal_map_shades_as_a_tilted_plane() {
             }
         }
         // With a scale of 0 the map says nothing.
-        let flat = [Material {
+        let flat = [Appearance {
             normal_scale: 0.0,
             ..materials[0]
         }];
@@ -417,14 +417,14 @@ fn what_is_cut_out_is_not_there() {
     let holes = Plane::from_fn(8, 8, |column, row| {
         [200u8, 100, 50, [255, 0][(column + row) % 2]]
     });
-    let texture = Texture::colour(&holes, sampler(Filter::Nearest, Wrap::Repeat)).unwrap();
+    let texture = Mipmap::colour(&holes, sampler(Filter::Nearest, Wrap::Repeat)).unwrap();
     let front = square(0.0);
     let back = square(-0.001);
     for (cutoff, shown) in [(Some(0.5), 0), (None, 200)] {
-        let materials = [Material {
+        let materials = [Appearance {
             base_colour_map: Some(&texture),
             cutoff,
-            ..Material::default()
+            ..Appearance::default()
         }];
         let mut scene = painted(&front, &CORNERS, &materials);
         scene.objects.push(Object::new(&back, &UNIT_SQUARE));
@@ -443,17 +443,17 @@ fn what_is_cut_out_is_not_there() {
 #[test]
 fn faces_have_their_own_materials() {
     let positions = square(0.0);
-    let red = Material {
+    let red = Appearance {
         base_colour: LinearColour::new(1.0, 0.0, 0.0),
         unlit: true,
-        ..Material::default()
+        ..Appearance::default()
     };
     let mut object = Object::new(&positions, &UNIT_SQUARE);
     let choice = [None, Some(1)];
     object.material = MaterialChoice::PerTriangle(&choice);
     let scene = Scene {
         objects: vec![object],
-        materials: &[Material::default(), red],
+        materials: &[Appearance::default(), red],
         ..Scene::default()
     };
     let style = Style {
@@ -468,10 +468,10 @@ fn faces_have_their_own_materials() {
 #[test]
 fn an_unlit_material_is_not_lit() {
     let positions = square(0.0);
-    let materials = [Material {
+    let materials = [Appearance {
         base_colour: LinearColour::WHITE * 0.5,
         unlit: true,
-        ..Material::default()
+        ..Appearance::default()
     }];
     let style = Style {
         lighting: Lighting {

@@ -198,7 +198,7 @@ fn each_texture_has_its_own_place() {
 #[test]
 fn lines_and_points_of_a_mesh_are_drawn() {
     let text = b"v -0.5 0 0 1 0 0\nv 0.5 0 0 1 0 0\nv 0 0.6 0 0 0 1\nl 1 2\np 3\n";
-    let mesh = ga_mesh::obj::parse(text).unwrap();
+    let mesh = ga_mesh::obj::decode(text).unwrap();
     let model = Model::from_mesh(&mesh, None).unwrap();
     assert!(!model.is_empty() && model.points().count() == 3);
     let (lines, dots) = (model.lines(3.0), model.dots(7.0));

@@ -3,7 +3,7 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Buffers, Camera, Ground, Material, MaterialChoice, Object, Scene, Shading, Style, render,
+    Appearance, Buffers, Camera, Ground, MaterialChoice, Object, Scene, Shading, Style, render,
 };
 use proptest::prelude::*;
 
@@ -24,12 +24,12 @@ fn style(supersampling: u32) -> Style {
     }
 }
 
-fn glass(colour: [f64; 3], opacity: f64) -> Material<'static> {
-    Material {
+fn glass(colour: [f64; 3], opacity: f64) -> Appearance<'static> {
+    Appearance {
         base_colour: LinearColour::from(colour),
         opacity,
         transparent: true,
-        ..Material::default()
+        ..Appearance::default()
     }
 }
 
@@ -49,10 +49,10 @@ proptest! {
             expected = [0, 1, 2].map(|i| expected[i] * (1.0 - opacity) + colour[i] * opacity);
         }
         // A pane behind the opaque one is never seen.
-        let mut materials: Vec<Material> =
+        let mut materials: Vec<Appearance> =
             panes.iter().map(|(colour, opacity)| glass(*colour, *opacity)).collect();
         materials.push(glass([0.0; 3], 0.9));
-        materials.push(Material::default());
+        materials.push(Appearance::default());
         let mut heights: Vec<f64> = (0..panes.len()).map(|i| 1e-3 * i as f64).collect();
         heights.extend(if opaque { [-2e-3, -1e-3] } else { [-100.0, -1e-3] });
         let count = panes.len() + if opaque { 2 } else { 0 };
@@ -147,10 +147,10 @@ fn the_back_of_a_face_is_drawn_where_it_is_asked_for() {
         (false, &turned[..], false),
     ] {
         for transparent in [false, true] {
-            let materials = [Material {
+            let materials = [Appearance {
                 double_sided,
                 transparent,
-                ..Material::default()
+                ..Appearance::default()
             }];
             let object = Object {
                 material: MaterialChoice::One(0),

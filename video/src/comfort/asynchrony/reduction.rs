@@ -1,7 +1,7 @@
 //! Pictures of few columns and rows, whatever the video has.
 
 use ga_image::filter::{Border, Gaussian};
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::resample::{Method, resize};
 
 use super::products::SIZE;
@@ -40,7 +40,7 @@ fn means<S: Sample>(luma: &Plane<S>, to_eight: f32) -> Plane<f32> {
     means
 }
 
-fn smoothed(means: &Plane<f32>) -> Result<Plane<f32>, SizeError> {
+fn smoothed(means: &Plane<f32>) -> Result<Plane<f32>, PlaneError> {
     let scale = (means.width() * means.height()) as f64 / (SIZE[0] * SIZE[1]) as f64;
     match Gaussian::new(SMOOTHING * scale.sqrt()) {
         Ok(gaussian) => {

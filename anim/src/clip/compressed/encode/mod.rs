@@ -169,7 +169,7 @@ fn compress_with(
             }
         }
         let contents = contents(recording, settings, &source.layouts, &tracks);
-        let clip = CompressedClip::from_bytes(file::to_bytes(&contents, &segments)?)?;
+        let clip = CompressedClip::decode(file::to_bytes(&contents, &segments)?)?;
         let errors = measure::by_segment(recording, &clip, &source.bounds, &source.sizes);
         check_tracks(recording, settings, &errors)?;
         let aims_at_halves = repetition < HALF_FRAME_REPETITIONS;

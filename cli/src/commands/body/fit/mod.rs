@@ -90,7 +90,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let clip = Clip::new(1.0 / rate, poses)?;
     let document = body.with_clip("fitted", &clip);
     let document = document.with_context(|| arguments.character.display().to_string())?;
-    let contents = gltf::to_glb(&document).context("the fitted character cannot be written")?;
+    let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
     output::write(&arguments.out, &contents)?;
     drop(progress);
     let report = Report::new(arguments, &joints, &matched, &fitted, [rate, seconds]);
@@ -142,7 +142,7 @@ fn mannequin() -> Result<Rigged> {
         weights,
         paint: None,
     };
-    let document = gltf::parse(&model::glb(&figure, &rest, MANNEQUIN, None)?)?;
+    let document = gltf::decode(&model::glb(&figure, &rest, MANNEQUIN, None)?)?;
     Ok(Rigged::new(&document)?)
 }
 

@@ -71,13 +71,13 @@ impl Coarse {
 
     /// The OBJ file and its MTL file, which names the maps.
     pub(super) fn obj(&self, images: Images, stem: &str) -> Result<Vec<(String, Vec<u8>)>> {
-        Ok(ga_mesh::obj::to_files(&self.with_maps(images)?, stem))
+        Ok(ga_mesh::obj::encode_files(&self.with_maps(images)?, stem))
     }
 
     /// The GLB file.
     pub(super) fn glb(&self, images: Images) -> Result<Vec<u8>> {
         let document = Document::from_mesh(&self.with_maps(images)?)?;
-        Ok(gltf::to_glb(&document)?)
+        Ok(gltf::encode(&document)?)
     }
 
     fn with_maps(&self, images: Images) -> Result<Mesh> {

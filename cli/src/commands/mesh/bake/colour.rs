@@ -5,12 +5,12 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use ga_mesh::bake::{FinePoint, corner_colours, corner_coordinates};
 use ga_mesh::obj::Warning;
-use ga_mesh::{Image, Material, Mesh, Texture as Placed};
+use ga_mesh::{Image, Material, Mesh, Texture};
 use ga_render::model::{Meaning, load_texture};
-use ga_render::texture::Texture;
+use ga_render::texture::Mipmap;
 
 /// A picture, and where it is taken at the corners of each triangle.
-type Picture = (Texture, Vec<[[f64; 2]; 3]>);
+type Picture = (Mipmap, Vec<[[f64; 2]; 3]>);
 
 /// The colour of each point of a mesh, as linear light.
 pub(super) enum Colours {
@@ -89,7 +89,7 @@ impl Colours {
 fn picture(
     mesh: &Mesh,
     material: &Material,
-    placed: &Placed,
+    placed: &Texture,
     folder: Option<&Path>,
     warnings: &mut Vec<String>,
 ) -> Result<Option<Picture>> {

@@ -3,9 +3,9 @@
 use anyhow::{Context, Result};
 use ga_image::grey::Luma;
 use ga_image::picture::Picture;
-use ga_image::plane::Plane;
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::png;
-use ga_image::quality::{Ssim, WeightError, Weights};
+use ga_image::quality::{Ssim, Weights};
 use ga_image::sample::Pixel;
 use ga_video::quality::{Measures, Meter};
 
@@ -15,7 +15,7 @@ pub(super) fn measure(
     reference: &Picture,
     distorted: &Picture,
     map: Option<Weights>,
-) -> Result<Measures, WeightError> {
+) -> Result<Measures, PlaneError> {
     let seen: Plane<u8> = reference.to_grey(Luma::Bt601);
     if has_eight_bits(reference) && has_eight_bits(distorted) {
         compare(&seen, &distorted.to_grey(Luma::Bt601), &seen, map, 255.0)
@@ -41,7 +41,7 @@ fn compare<P: Pixel>(
     seen: &Plane<u8>,
     map: Option<Weights>,
     range: f64,
-) -> Result<Measures, WeightError> {
+) -> Result<Measures, PlaneError> {
     let mut meter = match map {
         Some(map) => Meter::with_map(map, range),
         None => Meter::new([seen.width(), seen.height()], range)?,

@@ -2,7 +2,7 @@
 
 use ga_image::file;
 use ga_image::grey::Luma;
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::quality::{MutualInformation, mutual_information};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -78,13 +78,13 @@ fn pictures_without_information_have_none() {
 #[test]
 fn pictures_of_other_sizes_are_an_error() {
     let [wide, high] = [(3, 2), (2, 3)].map(|(w, h)| Plane::filled(w, h, 0u8));
-    let differs = SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [3, 2],
         second: [2, 3],
     };
     assert_eq!(mutual_information(&wide, &high), Err(differs));
     let empty = Plane::<u8>::default();
-    let too_small = SizeError::TooSmall {
+    let too_small = PlaneError::TooSmall {
         width: 0,
         height: 0,
         least: 1,

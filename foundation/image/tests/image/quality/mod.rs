@@ -6,7 +6,7 @@ mod weighted;
 
 use ga_image::file;
 use ga_image::grey::Luma;
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::quality::{Ssim, mse, psnr};
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -145,7 +145,7 @@ fn squared_errors_of_every_type_are_sums_of_squares() {
 #[test]
 fn pictures_that_cannot_be_compared_are_errors() {
     let [small, wide] = [(10, 11), (11, 10)].map(|(w, h)| Plane::filled(w, h, 0u8));
-    let differs = SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [10, 11],
         second: [11, 10],
     };
@@ -154,7 +154,7 @@ fn pictures_that_cannot_be_compared_are_errors() {
     let ssim = Ssim::new(255.0);
     assert_eq!(ssim.compare(&small, &wide), Err(differs.clone()));
     assert_eq!(ssim.map(&small, &wide), Err(differs));
-    let too_small = SizeError::TooSmall {
+    let too_small = PlaneError::TooSmall {
         width: 10,
         height: 11,
         least: 11,
@@ -163,7 +163,7 @@ fn pictures_that_cannot_be_compared_are_errors() {
     assert_eq!(ssim.map(&small, &small), Ok(Plane::filled(10, 11, 1.0)));
     for range in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         let ssim = Ssim::new(range);
-        let expected = SizeError::Range {
+        let expected = PlaneError::Range {
             range: range.to_string(),
         };
         let large = Plane::filled(20, 20, 0u8);

@@ -2,7 +2,7 @@
 
 use ga_image::file;
 use ga_image::grey::Luma;
-use ga_image::plane::{Plane, SizeError};
+use ga_image::plane::{Plane, PlaneError};
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Ssim};
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -117,7 +117,7 @@ fn pictures_that_are_too_small_are_an_error() {
     assert_eq!(MULTISCALE_LEAST_SIDE, 176);
     let ssim = Ssim::new(255.0);
     let small = Plane::filled(175, 300, 0u8);
-    let too_small = SizeError::TooSmall {
+    let too_small = PlaneError::TooSmall {
         width: 175,
         height: 300,
         least: 176,
@@ -125,7 +125,7 @@ fn pictures_that_are_too_small_are_an_error() {
     assert_eq!(ssim.multiscale(&small, &small), Err(too_small));
     let least = Plane::filled(176, 176, 0u8);
     assert_eq!(ssim.multiscale(&least, &least).unwrap().ms_ssim(), 1.0);
-    let differs = SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [175, 300],
         second: [176, 176],
     };

@@ -2,8 +2,8 @@
 
 use ga_image::file;
 use ga_image::grey::Luma;
-use ga_image::plane::{Plane, SizeError};
-use ga_image::quality::{Ssim, WeightError, Weights, mse, psnr, weighted_mse, weighted_psnr};
+use ga_image::plane::{Plane, PlaneError};
+use ga_image::quality::{Ssim, Weights, mse, psnr, weighted_mse, weighted_psnr};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 
@@ -105,7 +105,7 @@ fn weights_that_cannot_weigh_are_errors() {
             let mut plane = Plane::filled(9, 3, 1.0);
             plane.values_mut()[index] = bad;
             let error = Weights::new(plane).unwrap_err();
-            let WeightError::Weight {
+            let PlaneError::Weight {
                 column,
                 row,
                 weight,
@@ -119,16 +119,16 @@ fn weights_that_cannot_weigh_are_errors() {
     }
     assert_eq!(
         Weights::new(Plane::filled(9, 3, 0.0)),
-        Err(WeightError::Zero)
+        Err(PlaneError::ZeroWeights)
     );
-    assert_eq!(Weights::new(Plane::default()), Err(WeightError::Zero));
+    assert_eq!(Weights::new(Plane::default()), Err(PlaneError::ZeroWeights));
 
     let picture = Plane::filled(12, 12, 0u8);
     let other = weights(Plane::filled(12, 11, 1.0));
-    let differs = WeightError::Size(SizeError::Differs {
+    let differs = PlaneError::Differs {
         first: [12, 12],
         second: [12, 11],
-    });
+    };
     assert_eq!(
         weighted_mse(&picture, &picture, &other),
         Err(differs.clone())
@@ -148,7 +148,7 @@ fn weights_that_cannot_weigh_are_errors() {
     ));
     assert_eq!(
         ssim.compare_weighted(&picture, &picture, &border),
-        Err(WeightError::Zero)
+        Err(PlaneError::ZeroWeights)
     );
 }
 

@@ -20,7 +20,7 @@ pub(super) fn to_materials(document: &Document) -> Vec<Material> {
         let sampler = texture.sampler.map(|sampler| &document.samplers[sampler]);
         Some(to_texture(info, image, sampler))
     };
-    let material = |material: &gltf::Material| Material {
+    let material = |material: &gltf::MaterialElement| Material {
         name: material.name.clone().unwrap_or_default(),
         base_colour: material.base_colour.map(f64::from),
         base_colour_texture: texture(&material.base_colour_texture),
@@ -103,7 +103,7 @@ pub(super) fn from_materials(materials: &[Material], document: &mut Document) {
             .emissive
             .iter()
             .fold(1.0f64, |most, &light| most.max(light));
-        let material = gltf::Material {
+        let material = gltf::MaterialElement {
             name: Some(material.name.clone()).filter(|name| !name.is_empty()),
             base_colour: material.base_colour.map(|c| c as f32),
             base_colour_texture: texture(&material.base_colour_texture),
@@ -170,10 +170,10 @@ fn from_texture(texture: &Texture, document: &mut Document) -> TextureInfo {
     let image = Some(index_of(image, &mut document.images));
     let sampler =
         (sampler != gltf::Sampler::default()).then(|| index_of(sampler, &mut document.samplers));
-    let with_index = gltf::Texture {
+    let with_index = gltf::TextureElement {
         sampler,
         image,
-        ..gltf::Texture::default()
+        ..gltf::TextureElement::default()
     };
     let [scale_u, scale_v] = texture.scale;
     let [u, v] = texture.offset;

@@ -9,8 +9,8 @@ use std::path::Path;
 
 use ga_files::ReadError;
 
-use super::{Document, Element, GltfError, Problem, WriteGltfError};
-use crate::{Mesh, MeshError};
+use super::{Document, Element, Problem};
+use crate::{FileError, FormatError, Mesh, MeshError};
 
 pub use from_mesh::Target;
 pub use to_mesh::Vertices;
@@ -31,7 +31,7 @@ impl Document {
     /// vertex beyond double precision; [`Problem::TooLarge`](super::Problem::TooLarge) where nodes
     /// place more than 16 million vertices and corners of faces, and their meshes more than a
     /// thousand times each on average.
-    pub fn to_mesh(&self, vertices: Vertices) -> Result<Mesh, GltfError> {
+    pub fn to_mesh(&self, vertices: Vertices) -> Result<Mesh, FormatError> {
         to_mesh::mesh(self, vertices)
     }
 
@@ -51,7 +51,7 @@ impl Document {
     ///
     /// [`Problem::NotFinite`](super::Problem::NotFinite) and the like where a number does not fit
     /// into single precision.
-    pub fn from_mesh(mesh: &Mesh) -> Result<Self, GltfError> {
+    pub fn from_mesh(mesh: &Mesh) -> Result<Self, FormatError> {
         Self::from_mesh_with_targets(mesh, &[])
     }
 
@@ -80,13 +80,16 @@ impl Document {
     /// assert_eq!(target.positions[2], [0.0, 0.5, 0.0]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn from_mesh_with_targets(mesh: &Mesh, targets: &[Target<'_>]) -> Result<Self, GltfError> {
+    pub fn from_mesh_with_targets(
+        mesh: &Mesh,
+        targets: &[Target<'_>],
+    ) -> Result<Self, FormatError> {
         let expected = mesh.vertex_count();
         let counts = targets.iter().map(|target| target.displacements.len());
         if let Some(found) = counts.into_iter().find(|&found| found != expected) {
             let problem = MeshError::VertexCount { expected, found };
             let problem = Problem::Mesh(problem.into());
-            return Err(GltfError::new(Element::File, problem));
+            return Err(FormatError::gltf(Element::File, problem));
         }
         let document = from_mesh::document(mesh, targets);
         document.validate()?;
@@ -100,7 +103,7 @@ impl Document {
 /// # Errors
 ///
 /// As [`read`](super::read()) and [`Document::to_mesh`].
-pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh, ReadError<GltfError>> {
+pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
     let path = path.as_ref();
     let document = super::read(path)?;
     document
@@ -117,21 +120,18 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh, ReadError<GltfError>> {
 /// # Errors
 ///
 /// As [`Document::from_mesh`] and [`write`](super::write()).
-pub fn write_mesh(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), WriteGltfError> {
+pub fn write_mesh(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), FileError> {
     let path = path.as_ref();
     super::write(path, &for_path(path, mesh)?)
 }
 
 /// The names and contents of the files that [`write_mesh`] writes, that of the path first.
-pub(crate) fn mesh_files(
-    path: &Path,
-    mesh: &Mesh,
-) -> Result<Vec<(String, Vec<u8>)>, WriteGltfError> {
+pub(crate) fn mesh_files(path: &Path, mesh: &Mesh) -> Result<Vec<(String, Vec<u8>)>, FileError> {
     super::writer::files(path, &for_path(path, mesh)?)
 }
 
-fn for_path(path: &Path, mesh: &Mesh) -> Result<Document, WriteGltfError> {
-    Document::from_mesh(mesh).map_err(|problem| WriteGltfError::Document {
+fn for_path(path: &Path, mesh: &Mesh) -> Result<Document, FileError> {
+    Document::from_mesh(mesh).map_err(|problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,
     })

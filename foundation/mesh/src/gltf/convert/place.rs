@@ -2,7 +2,8 @@
 
 use ga_runtime::vga3::Vector;
 
-use super::super::{Document, GltfError, Node, Primitive, Transform, hierarchy};
+use super::super::{Document, Node, Primitive, Transform, hierarchy};
+use crate::FormatError;
 
 /// The upper three rows of a 4 × 4 matrix.
 type Matrix = [[f64; 4]; 3];
@@ -25,7 +26,7 @@ pub(super) struct World<'a> {
 }
 
 impl<'a> World<'a> {
-    pub(super) fn new(document: &'a Document) -> Result<Self, GltfError> {
+    pub(super) fn new(document: &'a Document) -> Result<Self, FormatError> {
         let nodes = document.world_matrices()?;
         Ok(Self { document, nodes })
     }

@@ -1,12 +1,13 @@
 //! From a document to a mesh.
 
-use super::super::error::{Element, Problem};
-use super::super::{Document, GltfError, Node, Primitive};
+use super::super::problem::{Element, Problem};
+use super::super::{Document, Node, Primitive};
 use super::material;
 use super::place::{Placed, World};
 use crate::places::first_of_equal;
 use crate::{
-    CornerAttribute, Faces, Group, Mesh, MeshError, Normals, Polylines, Rgba, Tangent, Tangents,
+    CornerAttribute, Faces, FormatError, Group, Mesh, MeshError, Normals, Polylines, Rgba, Tangent,
+    Tangents,
 };
 
 /// What becomes of vertices with the same position.
@@ -21,7 +22,7 @@ pub enum Vertices {
     Merged,
 }
 
-pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, GltfError> {
+pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, FormatError> {
     document.validate()?;
     let shown = shown_nodes(document);
     check_size(document, &shown)?;
@@ -36,7 +37,7 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
         for primitive in &mesh.primitives {
             let placed = world.place(index, node, primitive);
             parts.add(primitive, placed).map_err(|problem| {
-                GltfError::new(Element::Node(index), Problem::Mesh(problem.into()))
+                FormatError::gltf(Element::Node(index), Problem::Mesh(problem.into()))
             })?;
         }
         let faces = (first_face..parts.faces.len() as u32).collect();
@@ -48,7 +49,7 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Gltf
     }
     parts
         .into_mesh(document)
-        .map_err(|problem| GltfError::new(Element::File, Problem::Mesh(problem.into())))
+        .map_err(|problem| FormatError::gltf(Element::File, Problem::Mesh(problem.into())))
 }
 
 /// The nodes of the default scene, of the first scene without a default, and all nodes without
@@ -71,7 +72,7 @@ fn shown_nodes(document: &Document) -> Vec<usize> {
 
 /// Many nodes may place one mesh. A few bytes for each must not become a mesh of any size, so nodes
 /// may place 16 million corners and vertices, or each mesh a thousand times.
-fn check_size(document: &Document, shown: &[usize]) -> Result<(), GltfError> {
+fn check_size(document: &Document, shown: &[usize]) -> Result<(), FormatError> {
     const FREE: u64 = 1 << 24;
     const TIMES: u64 = 1000;
     let size = |primitive: &Primitive| {
@@ -89,7 +90,7 @@ fn check_size(document: &Document, shown: &[usize]) -> Result<(), GltfError> {
         // As bytes: three numbers of eight bytes each.
         let [needed, limit] = [needed, limit].map(|count| count.saturating_mul(24));
         let problem = Problem::TooLarge { needed, limit };
-        return Err(GltfError::new(Element::File, problem));
+        return Err(FormatError::gltf(Element::File, problem));
     }
     Ok(())
 }

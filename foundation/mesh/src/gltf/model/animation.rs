@@ -3,13 +3,13 @@
 use super::super as gltf;
 use super::super::{Channel, Interpolation, Keys};
 use super::rigid::{normalized, rotation, translation};
-use super::{Animation, JointNode, ModelError, Track};
+use super::{Animation, JointNode, ModelProblem, Track};
 
 /// An animation of these joints, whose nodes have their numbers.
 pub(super) fn animation(
     animation: &Animation,
     joints: &[JointNode],
-) -> Result<gltf::Animation, ModelError> {
+) -> Result<gltf::Animation, ModelProblem> {
     let times = times(animation)?;
     let channel = |node, keys| Channel {
         node,
@@ -33,9 +33,9 @@ pub(super) fn animation(
 }
 
 /// The times of the keys in single precision.
-fn times(animation: &Animation) -> Result<Vec<f32>, ModelError> {
+fn times(animation: &Animation) -> Result<Vec<f32>, ModelProblem> {
     if animation.times.is_empty() {
-        return Err(ModelError::NoKeys {
+        return Err(ModelProblem::NoKeys {
             animation: animation.name.clone(),
         });
     }
@@ -44,7 +44,7 @@ fn times(animation: &Animation) -> Result<Vec<f32>, ModelError> {
     for (key, &time) in animation.times.iter().enumerate() {
         let time = time as f32;
         if !(time >= earliest && time.is_finite()) {
-            return Err(ModelError::Time {
+            return Err(ModelProblem::Time {
                 animation: animation.name.clone(),
                 key,
             });
@@ -56,14 +56,14 @@ fn times(animation: &Animation) -> Result<Vec<f32>, ModelError> {
 }
 
 /// The tracks in single precision, at least one of them with rotations or translations.
-fn tracks(animation: &Animation, joints: &[JointNode]) -> Result<Vec<SingleTrack>, ModelError> {
+fn tracks(animation: &Animation, joints: &[JointNode]) -> Result<Vec<SingleTrack>, ModelProblem> {
     let mut seen = vec![false; joints.len()];
     let mut tracks = Vec::with_capacity(animation.tracks.len());
     for track in &animation.tracks {
         match seen.get_mut(track.joint) {
             Some(seen) if !*seen => *seen = true,
             _ => {
-                return Err(ModelError::TrackJoint {
+                return Err(ModelProblem::TrackJoint {
                     animation: animation.name.clone(),
                     joint: track.joint,
                 });
@@ -72,7 +72,7 @@ fn tracks(animation: &Animation, joints: &[JointNode]) -> Result<Vec<SingleTrack
         tracks.push(SingleTrack::new(animation, track)?);
     }
     if tracks.is_empty() {
-        return Err(ModelError::NoKeys {
+        return Err(ModelProblem::NoKeys {
             animation: animation.name.clone(),
         });
     }
@@ -91,9 +91,9 @@ struct SingleTrack {
 }
 
 impl SingleTrack {
-    fn new(animation: &Animation, track: &Track) -> Result<Self, ModelError> {
+    fn new(animation: &Animation, track: &Track) -> Result<Self, ModelProblem> {
         if track.keys.len() != animation.times.len() {
-            return Err(ModelError::TrackLength {
+            return Err(ModelProblem::TrackLength {
                 animation: animation.name.clone(),
                 joint: track.joint,
                 expected: animation.times.len(),
@@ -104,7 +104,7 @@ impl SingleTrack {
         let mut translations = Vec::with_capacity(track.keys.len());
         let mut before = [0.0, 0.0, 0.0, 1.0];
         for (key, &motor) in track.keys.iter().enumerate() {
-            let bad_key = || ModelError::Key {
+            let bad_key = || ModelProblem::Key {
                 animation: animation.name.clone(),
                 joint: track.joint,
                 key,

@@ -1,7 +1,7 @@
 //! One mesh with normals and one material, a skin with any number of joints and of influences on a
 //! vertex, and animations that rotate and translate the joints.
 //!
-//! [`to_document`] makes a [`Document`] of them and [`to_glb`] a file, which passes the Khronos
+//! [`to_document`] makes a [`Document`] of them and [`encode`] a file, which passes the Khronos
 //! validator without errors or warnings. Skin and animations are plain data here: joints with
 //! names, parents and motors at rest, weights as lists, tracks of times and motors. The crate
 //! ga-anim makes them from its skeletons and clips.
@@ -11,7 +11,7 @@
 //! is *(n sin(α/2), cos(α/2))*.
 //!
 //! ```
-//! use ga_mesh::gltf::model::{Material, Model, to_glb};
+//! use ga_mesh::gltf::model::{Dielectric, Model, encode};
 //!
 //! let model = Model {
 //!     name: "triangle",
@@ -22,22 +22,23 @@
 //!     skin: None,
 //!     animations: &[],
 //! };
-//! let file = to_glb(&model)?;
+//! let file = encode(&model)?;
 //! assert_eq!(&file[..8], b"glTF\x02\0\0\0");
-//! # Ok::<(), ga_mesh::gltf::model::ModelError>(())
+//! # Ok::<(), ga_mesh::FormatError>(())
 //! ```
 
 mod animation;
-mod error;
 mod parts;
 mod precision;
 mod primitive;
+mod problem;
 mod rigid;
 mod skin;
 
 use super::{self as gltf, Asset, Document, Mesh, Node, Scene};
-pub use error::ModelError;
-pub use parts::{Animation, JointNode, Material, Model, Skin, Track};
+use crate::FormatError;
+pub use parts::{Animation, Dielectric, JointNode, Model, Skin, Track};
+pub use problem::ModelProblem;
 
 /// The model as a document.
 ///
@@ -49,8 +50,8 @@ pub use parts::{Animation, JointNode, Material, Model, Skin, Track};
 ///
 /// # Errors
 ///
-/// [`ModelError`] names the faulty element.
-pub fn to_document(model: &Model) -> Result<Document, ModelError> {
+/// [`FormatError`] names the faulty element.
+pub fn to_document(model: &Model) -> Result<Document, FormatError> {
     let mut document = Document {
         asset: Asset::of_this_crate(),
         materials: vec![material(&model.material)?],
@@ -91,21 +92,21 @@ pub fn to_document(model: &Model) -> Result<Document, ModelError> {
 /// # Errors
 ///
 /// As [`to_document`].
-pub fn to_glb(model: &Model) -> Result<Vec<u8>, ModelError> {
-    Ok(gltf::to_glb(&to_document(model)?)?)
+pub fn encode(model: &Model) -> Result<Vec<u8>, FormatError> {
+    gltf::encode(&to_document(model)?)
 }
 
-fn material(material: &Material) -> Result<gltf::Material, ModelError> {
+fn material(material: &Dielectric) -> Result<gltf::MaterialElement, ModelProblem> {
     let [red, green, blue] = material.base_colour;
     let fractions = [red, green, blue, material.roughness];
     if !fractions.iter().all(|f| (0.0..=1.0).contains(f)) {
-        return Err(ModelError::Material);
+        return Err(ModelProblem::Material);
     }
-    Ok(gltf::Material {
+    Ok(gltf::MaterialElement {
         name: Some(material.name.to_owned()),
         base_colour: [red, green, blue, 1.0].map(|c| c as f32),
         metallic: 0.0,
         roughness: material.roughness as f32,
-        ..gltf::Material::default()
+        ..gltf::MaterialElement::default()
     })
 }

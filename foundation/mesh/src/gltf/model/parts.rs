@@ -16,7 +16,7 @@ pub struct Model<'a> {
     /// name a vertex twice are left out.
     pub triangles: &'a [[u32; 3]],
     /// The appearance of the whole surface.
-    pub material: Material<'a>,
+    pub material: Dielectric<'a>,
     /// The joints that carry the mesh, if any.
     pub skin: Option<Skin<'a>>,
     /// Motions of the joints.
@@ -25,7 +25,7 @@ pub struct Model<'a> {
 
 /// A dielectric surface of one colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material<'a> {
+pub struct Dielectric<'a> {
     /// Its name.
     pub name: &'a str,
     /// Red, green, blue as linear light, 0 to 1.
@@ -34,7 +34,7 @@ pub struct Material<'a> {
     pub roughness: f64,
 }
 
-impl Default for Material<'_> {
+impl Default for Dielectric<'_> {
     /// Warm grey plaster, (214, 203, 190) in sRGB.
     fn default() -> Self {
         Self {

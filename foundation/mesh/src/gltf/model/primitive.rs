@@ -4,13 +4,13 @@ use ga_runtime::vga3::Vector;
 
 use super::super::Primitive;
 use super::precision::single;
-use super::{Model, ModelError, skin};
+use super::{Model, ModelProblem, skin};
 
 /// The primitive of the model, with the first material.
-pub(super) fn primitive(model: &Model) -> Result<Primitive, ModelError> {
+pub(super) fn primitive(model: &Model) -> Result<Primitive, ModelProblem> {
     let vertices = model.positions.len();
     if model.normals.len() != vertices {
-        return Err(ModelError::Count {
+        return Err(ModelProblem::Count {
             what: "normals",
             expected: vertices,
             found: model.normals.len(),
@@ -30,14 +30,14 @@ pub(super) fn primitive(model: &Model) -> Result<Primitive, ModelError> {
     Ok(primitive)
 }
 
-fn positions(model: &Model) -> Result<Vec<[f32; 3]>, ModelError> {
+fn positions(model: &Model) -> Result<Vec<[f32; 3]>, ModelProblem> {
     let numbered = model.positions.iter().enumerate();
     numbered
         .map(|(vertex, &position)| single(position, "position", vertex))
         .collect()
 }
 
-fn normals(model: &Model) -> Result<Vec<[f32; 3]>, ModelError> {
+fn normals(model: &Model) -> Result<Vec<[f32; 3]>, ModelProblem> {
     let numbered = model.normals.iter().enumerate();
     numbered
         .map(|(index, &normal)| {
@@ -46,7 +46,7 @@ fn normals(model: &Model) -> Result<Vec<[f32; 3]>, ModelError> {
             }
             let direction = Vector::from(normal)
                 .normalized()
-                .ok_or(ModelError::NotFinite {
+                .ok_or(ModelProblem::NotFinite {
                     what: "normal",
                     index,
                 })?;
@@ -56,11 +56,11 @@ fn normals(model: &Model) -> Result<Vec<[f32; 3]>, ModelError> {
 }
 
 /// The triangles with three different corners.
-fn triangles(model: &Model) -> Result<Vec<[u32; 3]>, ModelError> {
+fn triangles(model: &Model) -> Result<Vec<[u32; 3]>, ModelProblem> {
     let vertices = model.positions.len();
     for (triangle, corners) in model.triangles.iter().enumerate() {
         if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
-            return Err(ModelError::Triangle {
+            return Err(ModelProblem::Triangle {
                 triangle,
                 vertex,
                 vertices,
@@ -70,7 +70,7 @@ fn triangles(model: &Model) -> Result<Vec<[u32; 3]>, ModelError> {
     let differ = |[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
     let triangles: Vec<_> = model.triangles.iter().copied().filter(differ).collect();
     if triangles.is_empty() {
-        return Err(ModelError::Empty);
+        return Err(ModelProblem::Empty);
     }
     Ok(triangles)
 }

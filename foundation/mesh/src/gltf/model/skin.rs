@@ -5,7 +5,7 @@ use ga_runtime::cga3::Motor;
 use super::super::{self as gltf, Document, Node, Primitive, Transform};
 use super::precision::single;
 use super::rigid::{inverse_matrix, normalized, rotation, translation};
-use super::{JointNode, ModelError, Skin};
+use super::{JointNode, ModelProblem, Skin};
 
 /// Appends the nodes of a skin, numbered as its joints, and the skin; one more node follows if the
 /// joints have several roots. Returns the node above all joints.
@@ -13,12 +13,12 @@ pub(super) fn add(
     skin: &Skin,
     vertices: usize,
     document: &mut Document,
-) -> Result<usize, ModelError> {
+) -> Result<usize, ModelProblem> {
     check(skin, vertices)?;
     let mut inverse_bind_matrices = Vec::with_capacity(skin.joints.len());
     let mut globals: Vec<Motor<f64>> = Vec::with_capacity(skin.joints.len());
     for (index, joint) in skin.joints.iter().enumerate() {
-        let local = normalized(joint.rest).ok_or_else(|| ModelError::Rest {
+        let local = normalized(joint.rest).ok_or_else(|| ModelProblem::Rest {
             joint: joint.name.clone(),
         })?;
         let global = joint.parent.map_or(local, |parent| globals[parent] * local);
@@ -49,7 +49,7 @@ pub(super) fn add_influences(
     skin: &Skin,
     vertices: usize,
     primitive: &mut Primitive,
-) -> Result<(), ModelError> {
+) -> Result<(), ModelProblem> {
     check(skin, vertices)?;
     let rows = skin
         .weights
@@ -73,21 +73,21 @@ pub(super) fn add_influences(
     Ok(())
 }
 
-fn check(skin: &Skin, vertices: usize) -> Result<(), ModelError> {
+fn check(skin: &Skin, vertices: usize) -> Result<(), ModelProblem> {
     let joints = skin.joints.len();
     if joints == 0 || joints > 1 << 16 {
-        return Err(ModelError::JointCount(joints));
+        return Err(ModelProblem::JointCount(joints));
     }
     for (index, joint) in skin.joints.iter().enumerate() {
         if let Some(parent) = joint.parent.filter(|&parent| parent >= index) {
-            return Err(ModelError::ParentNotBefore {
+            return Err(ModelProblem::ParentNotBefore {
                 joint: joint.name.clone(),
                 parent,
             });
         }
     }
     if skin.weights.len() != vertices {
-        return Err(ModelError::Count {
+        return Err(ModelProblem::Count {
             what: "vertices with weights",
             expected: vertices,
             found: skin.weights.len(),
@@ -123,7 +123,7 @@ fn single_influences(
     vertex: usize,
     influences: &[(u32, f64)],
     joints: usize,
-) -> Result<Vec<(u16, f32)>, ModelError> {
+) -> Result<Vec<(u16, f32)>, ModelProblem> {
     /// How far from 1 the sum of weights may be.
     const TOLERANCE: f64 = 1e-6;
     let sum: f64 = influences.iter().map(|&(_, weight)| weight).sum();
@@ -131,10 +131,10 @@ fn single_influences(
     // False for a sum that is not a number.
     let sum_to_one = (sum - 1.0).abs() <= TOLERANCE;
     if !(are_positive && sum_to_one) {
-        return Err(ModelError::Weights { vertex, sum });
+        return Err(ModelProblem::Weights { vertex, sum });
     }
     if let Some(&(joint, _)) = influences.iter().find(|(j, _)| *j as usize >= joints) {
-        return Err(ModelError::Influence {
+        return Err(ModelProblem::Influence {
             vertex,
             joint,
             joints,

@@ -3,9 +3,10 @@
 use std::cell::Cell;
 
 use super::super::codes::ComponentType;
-use super::super::error::{Element, Problem};
-use super::super::{Components, GltfError, Shape, json};
+use super::super::problem::{Element, Problem};
+use super::super::{Components, Shape, json};
 use super::buffer::Buffers;
+use crate::FormatError;
 
 /// What an accessor may hold that is read as floating-point numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -66,7 +67,7 @@ impl<'a> Accessors<'a> {
         index: usize,
         shape: Shape,
         format: Format,
-    ) -> Result<Vec<[f32; N]>, GltfError> {
+    ) -> Result<Vec<[f32; N]>, FormatError> {
         let numbers = self.read(index)?;
         if numbers.shape != shape {
             return Err(numbers.unexpected(index, format.allowed(shape)));
@@ -81,7 +82,7 @@ impl<'a> Accessors<'a> {
         index: usize,
         format: Format,
         alpha: f32,
-    ) -> Result<Vec<[f32; 4]>, GltfError> {
+    ) -> Result<Vec<[f32; 4]>, FormatError> {
         let numbers = self.read(index)?;
         let shape = numbers.shape;
         if !matches!(shape, Shape::Vec3 | Shape::Vec4) {
@@ -96,7 +97,7 @@ impl<'a> Accessors<'a> {
     }
 
     /// Four joints for each vertex.
-    pub(super) fn joints(&self, index: usize) -> Result<Vec<[u16; 4]>, GltfError> {
+    pub(super) fn joints(&self, index: usize) -> Result<Vec<[u16; 4]>, FormatError> {
         let numbers = self.read(index)?;
         let flat: Vec<u16> = match (&numbers.components, numbers.shape, numbers.normalized) {
             (Components::U8(joints), Shape::Vec4, false) => {
@@ -112,7 +113,7 @@ impl<'a> Accessors<'a> {
     }
 
     /// Indices of vertices.
-    pub(super) fn indices(&self, index: usize) -> Result<Vec<u32>, GltfError> {
+    pub(super) fn indices(&self, index: usize) -> Result<Vec<u32>, FormatError> {
         let numbers = self.read(index)?;
         match (numbers.components, numbers.shape, numbers.normalized) {
             (Components::U8(indices), Shape::Scalar, false) => {
@@ -135,10 +136,10 @@ impl<'a> Accessors<'a> {
     }
 
     /// The numbers of an accessor, as they are.
-    pub(super) fn read(&self, index: usize) -> Result<Numbers, GltfError> {
-        let fault = |problem| GltfError::new(Element::Accessor(index), problem);
+    pub(super) fn read(&self, index: usize) -> Result<Numbers, FormatError> {
+        let fault = |problem| FormatError::gltf(Element::Accessor(index), problem);
         let Some(accessor) = self.root.accessors.get(index) else {
-            return Err(GltfError::dangling(
+            return Err(FormatError::dangling(
                 "accessor",
                 index,
                 self.root.accessors.len(),
@@ -318,14 +319,14 @@ struct Items {
 /// A problem of the accessor itself, or an error of what it refers to.
 enum Fault {
     Here(Problem),
-    Other(GltfError),
+    Other(FormatError),
 }
 
 impl Fault {
-    fn of(self, accessor: usize) -> GltfError {
+    fn of(self, accessor: usize) -> FormatError {
         let element = Element::Accessor(accessor);
         match self {
-            Self::Here(problem) => GltfError::new(element, problem),
+            Self::Here(problem) => FormatError::gltf(element, problem),
             Self::Other(error) => error.within(element),
         }
     }
@@ -369,7 +370,7 @@ impl Format {
 impl Numbers {
     /// The numbers in single precision; normalised integers as section 3.11 of the specification
     /// prescribes.
-    fn into_floats(self, index: usize, format: Format) -> Result<Vec<f32>, GltfError> {
+    fn into_floats(self, index: usize, format: Format) -> Result<Vec<f32>, FormatError> {
         let component = ComponentType::of(&self.components);
         if !format.allows(component, self.normalized) {
             return Err(self.unexpected(index, format.allowed(self.shape)));
@@ -397,11 +398,11 @@ impl Numbers {
         })
     }
 
-    fn unexpected(&self, index: usize, allowed: &'static str) -> GltfError {
+    fn unexpected(&self, index: usize, allowed: &'static str) -> FormatError {
         let component = ComponentType::of(&self.components).name();
         let normalized = if self.normalized { "normalised " } else { "" };
         let found = format!("{} of {normalized}{component}", self.shape.name());
-        GltfError::new(Element::Accessor(index), Problem::Format { found, allowed })
+        FormatError::gltf(Element::Accessor(index), Problem::Format { found, allowed })
     }
 }
 

@@ -1,14 +1,15 @@
 //! Animations: each channel with the keys of its sampler.
 
-use super::super::error::{Element, Problem};
-use super::super::{Animation, Channel, GltfError, Interpolation, Keys, Shape, json};
+use super::super::problem::{Element, Problem};
+use super::super::{Animation, Channel, Interpolation, Keys, Shape, json};
 use super::accessor::{Accessors, Format};
+use crate::FormatError;
 
 pub(super) fn animation(
     index: usize,
     json: &json::Animation,
     accessors: &Accessors,
-) -> Result<Animation, GltfError> {
+) -> Result<Animation, FormatError> {
     let mut channels = Vec::with_capacity(json.channels.len());
     for (number, channel) in json.channels.iter().enumerate() {
         // The path of a channel without a node belongs to an extension.
@@ -33,13 +34,13 @@ fn channel(
     json: &json::Channel,
     samplers: &[json::AnimationSampler],
     accessors: &Accessors,
-) -> Result<Channel, GltfError> {
+) -> Result<Channel, FormatError> {
     let sampler = samplers
         .get(json.sampler)
-        .ok_or_else(|| GltfError::dangling("sampler", json.sampler, samplers.len()))?;
+        .ok_or_else(|| FormatError::dangling("sampler", json.sampler, samplers.len()))?;
     let value = |property, value: &str| {
         let value = value.to_owned();
-        GltfError::new(Element::File, Problem::Value { property, value })
+        FormatError::gltf(Element::File, Problem::Value { property, value })
     };
     let interpolation = match &sampler.interpolation {
         None => Interpolation::Linear,

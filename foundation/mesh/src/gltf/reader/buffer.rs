@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::super::error::{Element, Problem};
+use super::super::json;
+use super::super::problem::{Element, Problem};
 use super::super::uri::{self, Uri};
-use super::super::{GltfError, json};
+use crate::FormatError;
 
 /// The bytes of every buffer.
 pub(super) struct Buffers<'a> {
@@ -18,10 +19,10 @@ impl<'a> Buffers<'a> {
         root: &json::Root,
         binary: Option<&'a [u8]>,
         files: &mut Files,
-    ) -> Result<Self, GltfError> {
+    ) -> Result<Self, FormatError> {
         let mut buffers = Vec::with_capacity(root.buffers.len());
         for (index, buffer) in root.buffers.iter().enumerate() {
-            let fault = |problem| GltfError::new(Element::Buffer(index), problem);
+            let fault = |problem| FormatError::gltf(Element::Buffer(index), problem);
             let length = buffer.byte_length;
             let mut bytes = match (&buffer.uri, binary) {
                 (Some(uri), _) => Cow::Owned(load(uri, length, files).map_err(fault)?),
@@ -54,20 +55,20 @@ impl<'a> Buffers<'a> {
         &self,
         root: &json::Root,
         index: usize,
-    ) -> Result<(&[u8], Option<u64>), GltfError> {
+    ) -> Result<(&[u8], Option<u64>), FormatError> {
         let element = || Element::BufferView(index);
         let view = root
             .buffer_views
             .get(index)
-            .ok_or_else(|| GltfError::dangling("buffer view", index, root.buffer_views.len()))?;
+            .ok_or_else(|| FormatError::dangling("buffer view", index, root.buffer_views.len()))?;
         let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
-            GltfError::dangling("buffer", view.buffer, self.buffers.len()).within(element())
+            FormatError::dangling("buffer", view.buffer, self.buffers.len()).within(element())
         })?;
         let (start, found) = (view.byte_offset, buffer.len() as u64);
         let needed = start.saturating_add(view.byte_length);
         if needed > found {
             let problem = Problem::TooShort { needed, found };
-            return Err(GltfError::new(element(), problem));
+            return Err(FormatError::gltf(element(), problem));
         }
         // Both are at most the length of a slice.
         Ok((&buffer[start as usize..needed as usize], view.byte_stride))

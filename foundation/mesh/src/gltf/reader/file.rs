@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::super::error::Problem;
+use super::super::problem::Problem;
 
 /// The first `limit` bytes of a file.
 pub(super) fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use super::super::error::{Element, Problem};
+use super::super::problem::{Element, Problem};
 use super::super::uri::{self, Uri};
-use super::super::{GltfError, Image, ImageSource, json};
+use super::super::{Image, ImageSource, json};
 use super::accessor::Accessors;
 use super::buffer::{Buffers, uri_problem};
 use super::file::read_file;
+use crate::FormatError;
 
 /// No picture file that is longer is read.
 const LIMIT: u64 = 1 << 30;
@@ -18,7 +19,7 @@ pub(super) fn image(
     root: &json::Root,
     buffers: &Buffers,
     accessors: &Accessors,
-) -> Result<Image, GltfError> {
+) -> Result<Image, FormatError> {
     let element = || Element::Image(index);
     let stated = json.mime_type.clone();
     let source = match (&json.uri, json.buffer_view) {
@@ -28,7 +29,7 @@ pub(super) fn image(
                 .map_err(|error| error.within(element()))?;
             accessors
                 .charge(bytes.len() as u64)
-                .map_err(|problem| GltfError::new(element(), problem))?;
+                .map_err(|problem| FormatError::gltf(element(), problem))?;
             let media_type = stated.unwrap_or_else(|| media_type(bytes).to_owned());
             let bytes = bytes.to_vec();
             ImageSource::Bytes { media_type, bytes }
@@ -45,18 +46,18 @@ pub(super) fn image(
                 ImageSource::Bytes { media_type, bytes }
             }
             Some(Uri::File(_)) => ImageSource::Uri(uri.clone()),
-            None => return Err(GltfError::new(element(), uri_problem(uri))),
+            None => return Err(FormatError::gltf(element(), uri_problem(uri))),
         },
         (Some(_), Some(_)) => {
             let what = "the source of image";
-            return Err(GltfError::new(
+            return Err(FormatError::gltf(
                 element(),
                 Problem::Duplicate { what, index },
             ));
         }
         (None, None) => {
             let problem = Problem::Missing("a URI and a buffer view");
-            return Err(GltfError::new(element(), problem));
+            return Err(FormatError::gltf(element(), problem));
         }
     };
     Ok(Image {

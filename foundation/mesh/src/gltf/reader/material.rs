@@ -1,15 +1,18 @@
 //! Materials, textures and samplers.
 
-use super::super::error::{Element, Problem};
-use super::super::{GltfError, Material, Sampler, Texture, TextureInfo, TextureTransform, json};
-use crate::{AlphaMode, Filter, Minification, Wrap};
+use super::super::problem::{Element, Problem};
+use super::super::{MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform, json};
+use crate::{AlphaMode, Filter, FormatError, Minification, Wrap};
 
-pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, GltfError> {
-    let default = Material::default();
+pub(super) fn material(
+    index: usize,
+    json: &json::Material,
+) -> Result<MaterialElement, FormatError> {
+    let default = MaterialElement::default();
     let pbr = json.pbr_metallic_roughness.as_ref();
     let info = |info: &Option<json::TextureInfo>| info.as_ref().map(texture_info);
     let strength = json.extensions.emissive_strength.as_ref();
-    Ok(Material {
+    Ok(MaterialElement {
         name: json.name.clone(),
         base_colour: pbr
             .and_then(|pbr| pbr.base_color_factor)
@@ -48,7 +51,7 @@ pub(super) fn material(index: usize, json: &json::Material) -> Result<Material, 
             Some(other) => {
                 let (property, value) = ("alphaMode", other.to_owned());
                 let problem = Problem::Value { property, value };
-                return Err(GltfError::new(Element::Material(index), problem));
+                return Err(FormatError::gltf(Element::Material(index), problem));
             }
         },
         double_sided: json.double_sided,
@@ -74,8 +77,8 @@ fn texture_info(json: &json::TextureInfo) -> TextureInfo {
     }
 }
 
-pub(super) fn texture(json: &json::Texture) -> Texture {
-    Texture {
+pub(super) fn texture(json: &json::Texture) -> TextureElement {
+    TextureElement {
         name: json.name.clone(),
         sampler: json.sampler,
         image: json.source,
@@ -83,10 +86,10 @@ pub(super) fn texture(json: &json::Texture) -> Texture {
     }
 }
 
-pub(super) fn sampler(index: usize, json: &json::Sampler) -> Result<Sampler, GltfError> {
+pub(super) fn sampler(index: usize, json: &json::Sampler) -> Result<Sampler, FormatError> {
     let code = |property, code: u64| {
         let value = code.to_string();
-        GltfError::new(Element::Sampler(index), Problem::Value { property, value })
+        FormatError::gltf(Element::Sampler(index), Problem::Value { property, value })
     };
     let wrap = |property, wrap: Option<u64>| match wrap {
         None => Ok(Wrap::Repeat),

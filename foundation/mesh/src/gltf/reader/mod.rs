@@ -14,8 +14,9 @@ use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
 
-use super::error::{Element, Problem};
-use super::{Asset, Document, GltfError, ImageSource, Mesh, Skin, glb, json};
+use super::problem::{Element, Problem};
+use super::{Asset, Document, ImageSource, Mesh, Skin, glb, json};
+use crate::FormatError;
 use accessor::{Accessors, Format};
 use buffer::{Buffers, Files};
 use file::read_file;
@@ -31,13 +32,13 @@ pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
 const QUANTIZATION: &str = "KHR_mesh_quantization";
 
 /// Reads a `.glb` or `.gltf` file and the files of its buffers. Its first bytes decide which it is,
-/// not its name. Files of images are not opened; see [`Document::load_images`].
+/// not its name. Files of images are not opened; see [`Document::read_images`].
 ///
 /// # Errors
 ///
 /// [`ReadError::Io`] when the file cannot be read, else [`ReadError::Contents`] with what
-/// [`parse`] reports, and [`Problem::Io`] for a buffer whose file cannot be read.
-pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<GltfError>> {
+/// [`decode`] reports, and [`Problem::Io`] for a buffer whose file cannot be read.
+pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<FormatError>> {
     let path = path.as_ref();
     let folder = folder_of(path);
     ga_files::read(path, |file| {
@@ -55,11 +56,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<GltfError>> {
 ///
 /// # Errors
 ///
-/// [`GltfError`] names the faulty element: bytes that are cut off, JSON of another form, a required
+/// [`FormatError`] names the faulty element: bytes that are cut off, JSON of another form, a required
 /// extension that is not supported, an accessor beyond its buffer, and whatever
 /// [`Document::validate`] reports. A document may take up 64 MiB and 64 bytes for each byte of the
 /// file; past that the error is [`Problem::TooLarge`].
-pub fn parse(file: &[u8]) -> Result<Document, GltfError> {
+pub fn decode(file: &[u8]) -> Result<Document, FormatError> {
     document(file, &mut |path, _| {
         let (path, kind) = (path.to_path_buf(), io::ErrorKind::Unsupported);
         Err(Problem::Io { path, kind })
@@ -73,11 +74,11 @@ impl Document {
     /// # Errors
     ///
     /// [`Problem::Io`] for the first image whose file cannot be read; images before it are loaded.
-    pub fn load_images(&mut self, folder: impl AsRef<Path>) -> Result<(), GltfError> {
+    pub fn read_images(&mut self, folder: impl AsRef<Path>) -> Result<(), FormatError> {
         for (index, image) in self.images.iter_mut().enumerate() {
             if let ImageSource::Uri(uri) = &image.source {
                 image.source = image::load(uri, folder.as_ref())
-                    .map_err(|problem| GltfError::new(Element::Image(index), problem))?;
+                    .map_err(|problem| FormatError::gltf(Element::Image(index), problem))?;
             }
         }
         Ok(())
@@ -89,29 +90,29 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
     path.parent().unwrap_or(Path::new("")).to_path_buf()
 }
 
-fn document(file: &[u8], files: &mut Files) -> Result<Document, GltfError> {
+fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
     let (text, binary) = if glb::is_glb(file) {
         glb::split(file)?
     } else {
         (file, None)
     };
     let root: json::Root = serde_json::from_slice(text)
-        .map_err(|error| GltfError::new(Element::Json, Problem::Json(error.to_string())))?;
+        .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
     check_version(&root.asset)?;
     let unknown = |name: &&String| !SUPPORTED_EXTENSIONS.contains(&name.as_str());
     if let Some(name) = root.extensions_required.iter().find(unknown) {
         let problem = Problem::UnknownExtension(name.clone());
-        return Err(GltfError::new(Element::File, problem));
+        return Err(FormatError::gltf(Element::File, problem));
     }
     let buffers = Buffers::load(&root, binary, files)?;
     let accessors = Accessors::new(&root, &buffers, file.len());
-    let document = decode(&root, &buffers, &accessors)?;
+    let document = elements(&root, &buffers, &accessors)?;
     document.validate()?;
     Ok(document)
 }
 
 /// A file may state the least version that a reader must know, beside its own.
-fn check_version(asset: &json::Asset) -> Result<(), GltfError> {
+fn check_version(asset: &json::Asset) -> Result<(), FormatError> {
     let (version, is_known) = match &asset.min_version {
         Some(minimum) => (minimum, minimum == "2.0"),
         None => (&asset.version, asset.version.split('.').next() == Some("2")),
@@ -120,14 +121,14 @@ fn check_version(asset: &json::Asset) -> Result<(), GltfError> {
         return Ok(());
     }
     let problem = Problem::Version(version.clone());
-    Err(GltfError::new(Element::File, problem))
+    Err(FormatError::gltf(Element::File, problem))
 }
 
-fn decode(
+fn elements(
     root: &json::Root,
     buffers: &Buffers,
     accessors: &Accessors,
-) -> Result<Document, GltfError> {
+) -> Result<Document, FormatError> {
     let is_quantized = root.extensions_used.iter().any(|name| name == QUANTIZATION);
     Ok(Document {
         asset: Asset {
@@ -171,13 +172,13 @@ fn decode(
 
 fn numbered<T, U>(
     items: &[T],
-    convert: impl Fn(usize, &T) -> Result<U, GltfError>,
-) -> Result<Vec<U>, GltfError> {
+    convert: impl Fn(usize, &T) -> Result<U, FormatError>,
+) -> Result<Vec<U>, FormatError> {
     let items = items.iter().enumerate();
     items.map(|(index, item)| convert(index, item)).collect()
 }
 
-fn skin(index: usize, json: &json::Skin, accessors: &Accessors) -> Result<Skin, GltfError> {
+fn skin(index: usize, json: &json::Skin, accessors: &Accessors) -> Result<Skin, FormatError> {
     let mut matrices = match json.inverse_bind_matrices {
         Some(accessor) => accessors
             .floats(accessor, super::Shape::Mat4, Format::Float)

@@ -1,7 +1,8 @@
 //! Nodes, scenes and cameras.
 
-use super::super::error::{Element, Problem};
-use super::super::{Camera, GltfError, Node, Projection, Scene, Transform, json};
+use super::super::problem::{Element, Problem};
+use super::super::{Camera, Node, Projection, Scene, Transform, json};
+use crate::FormatError;
 
 pub(super) fn scene(json: &json::Scene) -> Scene {
     Scene {
@@ -11,7 +12,7 @@ pub(super) fn scene(json: &json::Scene) -> Scene {
     }
 }
 
-pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, GltfError> {
+pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, FormatError> {
     let is_decomposed =
         json.translation.is_some() || json.rotation.is_some() || json.scale.is_some();
     let transform = match json.matrix {
@@ -20,7 +21,7 @@ pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, GltfError> {
                 what: "the transform of node",
                 index,
             };
-            return Err(GltfError::new(Element::Node(index), problem));
+            return Err(FormatError::gltf(Element::Node(index), problem));
         }
         Some(matrix) => Transform::Matrix(matrix),
         None => Transform::Decomposed {
@@ -41,8 +42,8 @@ pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, GltfError> {
     })
 }
 
-pub(super) fn camera(index: usize, json: &json::Camera) -> Result<Camera, GltfError> {
-    let fault = |problem| GltfError::new(Element::Camera(index), problem);
+pub(super) fn camera(index: usize, json: &json::Camera) -> Result<Camera, FormatError> {
+    let fault = |problem| FormatError::gltf(Element::Camera(index), problem);
     let projection = match json.kind.as_str() {
         "perspective" => {
             let perspective = json.perspective.as_ref();

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::super::error::{Element, Problem};
-use super::super::{CustomAttribute, GltfError, Mode, MorphTarget, Primitive, Shape, json};
+use super::super::problem::{Element, Problem};
+use super::super::{CustomAttribute, Mode, MorphTarget, Primitive, Shape, json};
 use super::accessor::{Accessors, Format};
+use crate::FormatError;
 
 /// Reads one primitive.
 pub(super) struct Reader<'a> {
@@ -35,12 +36,12 @@ struct Attributes<'a> {
 }
 
 impl Reader<'_> {
-    pub(super) fn primitive(&self, json: &json::Primitive) -> Result<Primitive, GltfError> {
+    pub(super) fn primitive(&self, json: &json::Primitive) -> Result<Primitive, FormatError> {
         let (mesh, primitive) = (self.mesh, self.primitive);
         let mode = Mode::from_code(json.mode).ok_or_else(|| {
             let (property, value) = ("mode", json.mode.to_string());
             let element = Element::Primitive { mesh, primitive };
-            GltfError::new(element, Problem::Value { property, value })
+            FormatError::gltf(element, Problem::Value { property, value })
         })?;
         let attributes = Attributes {
             reader: self,
@@ -80,7 +81,7 @@ impl Reader<'_> {
         })
     }
 
-    fn target(&self, target: usize, json: &json::Attributes) -> Result<MorphTarget, GltfError> {
+    fn target(&self, target: usize, json: &json::Attributes) -> Result<MorphTarget, FormatError> {
         let attributes = Attributes {
             reader: self,
             target: Some(target),
@@ -139,7 +140,7 @@ impl Attributes<'_> {
     }
 
     /// Sorts attributes by their names.
-    fn sort<'b>(&self, json: &'b json::Attributes) -> Result<Sorted<'b>, GltfError> {
+    fn sort<'b>(&self, json: &'b json::Attributes) -> Result<Sorted<'b>, FormatError> {
         let mut sorted = Sorted::default();
         let mut sets: BTreeMap<(&str, u32), usize> = BTreeMap::new();
         for (name, &accessor) in json {
@@ -155,7 +156,7 @@ impl Attributes<'_> {
                         .filter(|(kind, _)| self.has_sets(kind));
                     let set = set.ok_or_else(|| {
                         let (property, value) = ("the name", name.clone());
-                        GltfError::new(self.element(name), Problem::Value { property, value })
+                        FormatError::gltf(self.element(name), Problem::Value { property, value })
                     })?;
                     sets.insert(set, accessor);
                 }
@@ -170,7 +171,7 @@ impl Attributes<'_> {
             };
             if list.len() != set as usize {
                 let problem = Problem::Missing("the set with the number before it");
-                return Err(GltfError::new(
+                return Err(FormatError::gltf(
                     self.element(&format!("{kind}_{set}")),
                     problem,
                 ));
@@ -193,7 +194,7 @@ impl Attributes<'_> {
         accessor: usize,
         shape: Shape,
         format: Format,
-    ) -> Result<Vec<[f32; N]>, GltfError> {
+    ) -> Result<Vec<[f32; N]>, FormatError> {
         let floats = self.reader.accessors.floats(accessor, shape, format);
         floats.map_err(|error| error.within(self.element(name)))
     }
@@ -204,7 +205,7 @@ impl Attributes<'_> {
         name: &str,
         accessor: Option<usize>,
         format: Format,
-    ) -> Result<Vec<[f32; 3]>, GltfError> {
+    ) -> Result<Vec<[f32; 3]>, FormatError> {
         match accessor {
             Some(accessor) => self.floats(name, accessor, Shape::Vec3, format),
             None => Ok(Vec::new()),
@@ -216,8 +217,8 @@ impl Attributes<'_> {
         &self,
         kind: &str,
         accessors: &[usize],
-        read: impl Fn(usize) -> Result<T, GltfError>,
-    ) -> Result<Vec<T>, GltfError> {
+        read: impl Fn(usize) -> Result<T, FormatError>,
+    ) -> Result<Vec<T>, FormatError> {
         let numbered = accessors.iter().enumerate();
         numbered
             .map(|(set, &accessor)| {
@@ -227,7 +228,11 @@ impl Attributes<'_> {
             .collect()
     }
 
-    fn texcoords(&self, sorted: &Sorted, format: Format) -> Result<Vec<Vec<[f32; 2]>>, GltfError> {
+    fn texcoords(
+        &self,
+        sorted: &Sorted,
+        format: Format,
+    ) -> Result<Vec<Vec<[f32; 2]>>, FormatError> {
         self.sets("TEXCOORD", &sorted.texcoords, |accessor| {
             self.reader.accessors.floats(accessor, Shape::Vec2, format)
         })
@@ -238,13 +243,13 @@ impl Attributes<'_> {
         sorted: &Sorted,
         format: Format,
         alpha: f32,
-    ) -> Result<Vec<Vec<[f32; 4]>>, GltfError> {
+    ) -> Result<Vec<Vec<[f32; 4]>>, FormatError> {
         self.sets("COLOR", &sorted.colours, |accessor| {
             self.reader.accessors.colours(accessor, format, alpha)
         })
     }
 
-    fn custom(&self, sorted: &Sorted) -> Result<Vec<CustomAttribute>, GltfError> {
+    fn custom(&self, sorted: &Sorted) -> Result<Vec<CustomAttribute>, FormatError> {
         let read = |&(name, accessor): &(&str, usize)| {
             let numbers = self.reader.accessors.read(accessor);
             let numbers = numbers.map_err(|error| error.within(self.element(name)))?;

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::super::error::{Element, Problem};
+use super::super::problem::{Element, Problem};
 use super::super::{Animation, Channel, Document, Keys};
 use super::check::{Checked, count, exists, fault, finite, targets_of};
 

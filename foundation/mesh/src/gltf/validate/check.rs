@@ -1,9 +1,10 @@
 //! Conditions that many elements have in common.
 
-use super::super::error::{Element, Problem};
-use super::super::{Document, GltfError};
+use super::super::Document;
+use super::super::problem::{Element, Problem};
+use crate::FormatError;
 
-pub(super) type Checked = Result<(), GltfError>;
+pub(super) type Checked = Result<(), FormatError>;
 
 /// The number of morph targets of a mesh.
 pub(super) fn targets_of(document: &Document, mesh: usize) -> usize {
@@ -12,15 +13,15 @@ pub(super) fn targets_of(document: &Document, mesh: usize) -> usize {
     primitive.map_or(0, |primitive| primitive.targets.len())
 }
 
-pub(super) fn fault<T>(element: Element, problem: Problem) -> Result<T, GltfError> {
-    Err(GltfError::new(element, problem))
+pub(super) fn fault<T>(element: Element, problem: Problem) -> Result<T, FormatError> {
+    Err(FormatError::gltf(element, problem))
 }
 
 pub(super) fn exists(what: &'static str, index: usize, count: usize) -> Checked {
     if index < count {
         Ok(())
     } else {
-        Err(GltfError::dangling(what, index, count))
+        Err(FormatError::dangling(what, index, count))
     }
 }
 

@@ -6,9 +6,9 @@ mod primitive;
 
 use std::collections::HashSet;
 
-use super::error::{Element, Problem};
-use super::{Camera, Document, GltfError, Material, Node, Projection, Skin, Transform};
-use crate::AlphaMode;
+use super::problem::{Element, Problem};
+use super::{Camera, Document, MaterialElement, Node, Projection, Skin, Transform};
+use crate::{AlphaMode, FormatError};
 use check::{Checked, count, distinct, exists, fault, finite, in_range, targets_of};
 
 impl Document {
@@ -18,8 +18,8 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// [`GltfError`] names the first element that is at fault.
-    pub fn validate(&self) -> Result<(), GltfError> {
+    /// [`FormatError`] names the first element that is at fault.
+    pub fn validate(&self) -> Result<(), FormatError> {
         document(self)
     }
 }
@@ -30,7 +30,7 @@ fn document(document: &Document) -> Checked {
         exists("scene", scene, document.scenes.len())?;
     }
     for (index, scene) in document.scenes.iter().enumerate() {
-        let within = |error: GltfError| error.within(Element::Scene(index));
+        let within = |error: FormatError| error.within(Element::Scene(index));
         for &node in &scene.nodes {
             exists("node", node, document.nodes.len()).map_err(within)?;
             if parents[node].is_some() {
@@ -59,7 +59,7 @@ fn document(document: &Document) -> Checked {
         checked.map_err(|error| error.within(Element::Material(index)))?;
     }
     for (index, texture) in document.textures.iter().enumerate() {
-        let within = |error: GltfError| error.within(Element::Texture(index));
+        let within = |error: FormatError| error.within(Element::Texture(index));
         if let Some(image) = texture.image {
             exists("image", image, document.images.len()).map_err(within)?;
         }
@@ -154,7 +154,7 @@ fn skin(skin: &Skin, document: &Document) -> Checked {
     finite(matrices)
 }
 
-fn material(material: &Material, textures: usize) -> Checked {
+fn material(material: &MaterialElement, textures: usize) -> Checked {
     for info in material.textures() {
         exists("texture", info.texture, textures)?;
         if let Some(transform) = info.transform {

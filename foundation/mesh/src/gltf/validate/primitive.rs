@@ -2,12 +2,13 @@
 
 use std::collections::HashSet;
 
-use super::super::error::{Element, Problem};
-use super::super::{Components, CustomAttribute, Document, GltfError, Mesh, Primitive};
+use super::super::problem::{Element, Problem};
+use super::super::{Components, CustomAttribute, Document, Mesh, Primitive};
 use super::check::{Checked, count, exists, fault, finite, targets_of};
+use crate::FormatError;
 
 pub(super) fn mesh(index: usize, mesh: &Mesh, document: &Document) -> Checked {
-    let within = |error: GltfError| error.within(Element::Mesh(index));
+    let within = |error: FormatError| error.within(Element::Mesh(index));
     if mesh.primitives.is_empty() {
         return fault(Element::Mesh(index), Problem::Missing("primitives"));
     }
@@ -23,7 +24,7 @@ pub(super) fn mesh(index: usize, mesh: &Mesh, document: &Document) -> Checked {
             mesh: index,
             primitive: number,
         };
-        let within = |error: GltfError| error.within(element());
+        let within = |error: FormatError| error.within(element());
         count("morph targets", targets, primitive.targets.len()).map_err(within)?;
         if let Some(material) = primitive.material {
             exists("material", material, document.materials.len()).map_err(within)?;
@@ -165,7 +166,7 @@ impl Attributes {
     }
 
     /// Whether the list is there; an error if it has another length or a number is not finite.
-    fn list<const N: usize>(&self, name: &str, items: &[[f32; N]]) -> Result<bool, GltfError> {
+    fn list<const N: usize>(&self, name: &str, items: &[[f32; N]]) -> Result<bool, FormatError> {
         if items.is_empty() {
             return Ok(false);
         }
@@ -174,7 +175,11 @@ impl Attributes {
         Ok(true)
     }
 
-    fn sets<const N: usize>(&self, kind: &str, sets: &[Vec<[f32; N]>]) -> Result<bool, GltfError> {
+    fn sets<const N: usize>(
+        &self,
+        kind: &str,
+        sets: &[Vec<[f32; N]>],
+    ) -> Result<bool, FormatError> {
         for (set, items) in sets.iter().enumerate() {
             let name = format!("{kind}_{set}");
             self.length(&name, items.len())?;
@@ -183,7 +188,7 @@ impl Attributes {
         Ok(!sets.is_empty())
     }
 
-    fn custom(&self, attributes: &[CustomAttribute]) -> Result<bool, GltfError> {
+    fn custom(&self, attributes: &[CustomAttribute]) -> Result<bool, FormatError> {
         let mut seen = HashSet::new();
         for (index, attribute) in attributes.iter().enumerate() {
             let name = &attribute.name;

@@ -1,12 +1,12 @@
 //! Materials, textures and samplers.
 
-use super::super::{Document, Material, Sampler, Texture, TextureInfo, json};
+use super::super::{Document, MaterialElement, Sampler, TextureElement, TextureInfo, json};
 use crate::{AlphaMode, Filter, Minification, Wrap};
 
 /// The names of the extensions that the materials use.
 pub(super) fn extensions(document: &Document) -> Vec<String> {
     let materials = &document.materials;
-    let has_transform = |material: &Material| {
+    let has_transform = |material: &MaterialElement| {
         let mut textures = material.textures();
         textures.any(|info| info.transform.is_some())
     };
@@ -29,8 +29,8 @@ pub(super) fn extensions(document: &Document) -> Vec<String> {
         .collect()
 }
 
-pub(super) fn material(material: &Material) -> json::Material {
-    let default = Material::default();
+pub(super) fn material(material: &MaterialElement) -> json::Material {
+    let default = MaterialElement::default();
     let info = |texture: &Option<TextureInfo>| texture.as_ref().map(texture_info);
     let pbr = json::PbrMetallicRoughness {
         base_color_factor: changed(material.base_colour, default.base_colour),
@@ -92,7 +92,7 @@ fn texture_info(info: &TextureInfo) -> json::TextureInfo {
     }
 }
 
-pub(super) fn texture(texture: &Texture) -> json::Texture {
+pub(super) fn texture(texture: &TextureElement) -> json::Texture {
     json::Texture {
         name: texture.name.clone(),
         sampler: texture.sampler,

@@ -6,29 +6,12 @@ mod material;
 mod node;
 mod primitive;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use ga_files::WriteError;
-
-use super::error::{Element, Problem};
-use super::{Document, GltfError, ImageSource, glb, json, uri};
+use super::problem::{Element, Problem};
+use super::{Document, ImageSource, glb, json, uri};
+use crate::{FileError, FormatError};
 use buffer::{Buffer, Use};
-
-/// Why a document was not written. Files that were there before are unchanged.
-#[derive(Debug, thiserror::Error)]
-pub enum WriteGltfError {
-    /// The document is not valid.
-    #[error("cannot write {}: {problem}", path.display())]
-    Document {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with the document.
-        problem: GltfError,
-    },
-    /// The operating system could not write a file.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
 
 /// The files of a document in JSON.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,14 +25,14 @@ pub struct GltfFiles {
 /// The bytes of a GLB file of the document. Images whose bytes are in the document are in the file;
 /// those named by a URI stay files of their own, which this does not write.
 ///
-/// Numbers are written in single precision as they are, so that [`parse`](super::parse) returns the
+/// Numbers are written in single precision as they are, so that [`decode`](super::decode) returns the
 /// same vertices, weights and keys. Lists that are equal are written once. What the Khronos
 /// validator reports of such a file is in the document; [`Document::conformed`] mends most of it.
 ///
 /// # Errors
 ///
 /// As [`Document::validate`]; [`Problem::TooLarge`] past 4 GiB.
-pub fn to_glb(document: &Document) -> Result<Vec<u8>, GltfError> {
+pub fn encode(document: &Document) -> Result<Vec<u8>, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     for image in &document.images {
@@ -69,7 +52,7 @@ pub fn to_glb(document: &Document) -> Result<Vec<u8>, GltfError> {
 /// # Errors
 ///
 /// As [`Document::validate`].
-pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, GltfError> {
+pub fn encode_files(document: &Document, name: &str) -> Result<GltfFiles, FormatError> {
     document.validate()?;
     let mut writer = Writer::new(document);
     let mut others = Vec::new();
@@ -99,12 +82,12 @@ pub fn to_gltf(document: &Document, name: &str) -> Result<GltfFiles, GltfError> 
 }
 
 /// Writes a document to a file: JSON with other files beside it where the name ends in `.gltf`, see
-/// [`to_gltf`], else GLB. All files are written, or none.
+/// [`encode_files`], else GLB. All files are written, or none.
 ///
 /// # Errors
 ///
-/// [`WriteGltfError`].
-pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), WriteGltfError> {
+/// [`FileError`].
+pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileError> {
     let path = path.as_ref();
     let files = files(path, document)?;
     if let [(_, contents)] = &files[..] {
@@ -123,11 +106,8 @@ pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), WriteGlt
 }
 
 /// The names and contents of the files that [`write`] writes, that of the path first.
-pub(crate) fn files(
-    path: &Path,
-    document: &Document,
-) -> Result<Vec<(String, Vec<u8>)>, WriteGltfError> {
-    let fault = |problem| WriteGltfError::Document {
+pub(crate) fn files(path: &Path, document: &Document) -> Result<Vec<(String, Vec<u8>)>, FileError> {
+    let fault = |problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,
     };
@@ -137,10 +117,10 @@ pub(crate) fn files(
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (true, Some(stem)) = (is_json, stem) else {
-        let contents = to_glb(document).map_err(fault)?;
+        let contents = encode(document).map_err(fault)?;
         return Ok(vec![(name.into_owned(), contents)]);
     };
-    let GltfFiles { json, others } = to_gltf(document, stem).map_err(fault)?;
+    let GltfFiles { json, others } = encode_files(document, stem).map_err(fault)?;
     let mut files = vec![(name.into_owned(), json)];
     files.extend(others);
     Ok(files)
@@ -187,7 +167,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The JSON, and the bytes of the buffer, which is the file of this URI, if any.
-    fn finish(mut self, uri: Option<String>) -> Result<(Vec<u8>, Vec<u8>), GltfError> {
+    fn finish(mut self, uri: Option<String>) -> Result<(Vec<u8>, Vec<u8>), FormatError> {
         let document = self.document;
         let buffer = &mut self.buffer;
         let meshes = document
@@ -240,7 +220,7 @@ impl<'a> Writer<'a> {
             extras: document.extras.clone(),
         };
         let text = serde_json::to_vec(&root)
-            .map_err(|error| GltfError::new(Element::Json, Problem::Json(error.to_string())))?;
+            .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
         Ok((text, self.buffer.bytes))
     }
 }

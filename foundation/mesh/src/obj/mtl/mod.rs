@@ -27,53 +27,59 @@
 //! Source: Wavefront, *MTL material format (Lightwave, OBJ)*, version 4.2, 1995; `Pr`, `Pm`, `Ke`
 //! and `norm` from Exocortex, *Physically-Based Rendering in MTL*, 2013.
 
-mod error;
 mod parser;
+mod problem;
 mod texture;
 mod write;
 
-use crate::Material;
+use crate::{FormatError, Material};
 
-pub use error::{MtlError, MtlProblem};
-pub use parser::Loaded;
-pub use write::to_text;
+pub(super) use parser::library;
+pub use problem::MtlProblem;
+pub use write::encode;
 
 /// Reads the materials of a library, in its order.
 ///
 /// # Errors
 ///
-/// [`MtlError`], for the first faulty line.
+/// [`FormatError`], for the first faulty line.
 ///
 /// # Examples
 ///
 /// ```
-/// let materials = ga_mesh::obj::mtl::parse(b"newmtl brick\nKd 0.5 0.1 0.1\nNs 30\n")?;
+/// let materials = ga_mesh::obj::mtl::decode(b"newmtl brick\nKd 0.5 0.1 0.1\nNs 30\n")?;
 /// assert_eq!(materials[0].base_colour, [0.5, 0.1, 0.1, 1.0]);
 /// assert_eq!(materials[0].roughness, 0.5);
 ///
-/// let error = ga_mesh::obj::mtl::parse(b"newmtl brick\nKd red\n").unwrap_err();
+/// let error = ga_mesh::obj::mtl::decode(b"newmtl brick\nKd red\n").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: \"red\" is not a number");
-/// # Ok::<(), ga_mesh::obj::mtl::MtlError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
-pub fn parse(bytes: &[u8]) -> Result<Vec<Material>, MtlError> {
-    parser::parse(bytes).map(|loaded| loaded.materials)
+pub fn decode(bytes: &[u8]) -> Result<Vec<Material>, FormatError> {
+    decode_with_warnings(bytes).map(|(materials, _)| materials)
 }
 
-/// Reads the materials of a library as [`parse`] does, and says what was ignored.
+/// Reads the materials of a library as [`decode`] does, and says what was ignored: pictures without
+/// a path ([`MtlProblem::NoPicture`]), which are left out, and options that do not exist
+/// ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
 ///
 /// # Errors
 ///
-/// As [`parse`].
+/// As [`decode`].
 ///
 /// # Examples
 ///
 /// ```
 /// let library = b"newmtl brick\nmap_Kd -colorspace sRGB brick.png\n";
-/// let loaded = ga_mesh::obj::mtl::parse_with_warnings(library)?;
-/// assert_eq!(loaded.materials[0].textures().count(), 1);
-/// assert_eq!(loaded.warnings[0].to_string(), "line 2: map_Kd has no option -colorspace");
-/// # Ok::<(), ga_mesh::obj::mtl::MtlError>(())
+/// let (materials, warnings) = ga_mesh::obj::mtl::decode_with_warnings(library)?;
+/// assert_eq!(materials[0].textures().count(), 1);
+/// assert_eq!(warnings[0].to_string(), "line 2: map_Kd has no option -colorspace");
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
-pub fn parse_with_warnings(bytes: &[u8]) -> Result<Loaded, MtlError> {
-    parser::parse(bytes)
+pub fn decode_with_warnings(
+    bytes: &[u8],
+) -> Result<(Vec<Material>, Vec<FormatError>), FormatError> {
+    let located = |(line, problem)| FormatError::Mtl { line, problem };
+    let (materials, warnings) = library(bytes).map_err(located)?;
+    Ok((materials, warnings.into_iter().map(located).collect()))
 }

@@ -1,27 +1,25 @@
 //! The statements of an MTL file.
 
+use super::MtlProblem;
 use super::texture::{Picture, picture};
-use super::{MtlError, MtlProblem};
 use crate::obj::lines::Lines;
 use crate::words::{Words, numbers, text};
 use crate::{AlphaMode, Material, Phong, Texture};
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Loaded, MtlError> {
+/// What is wrong with a line of a library, or ignored in it, and the line, from 1.
+pub(in crate::obj) type Remark = (usize, MtlProblem);
+
+/// The materials of a library, and what is ignored in it. The error is the first faulty line.
+pub(in crate::obj) fn library(bytes: &[u8]) -> Result<(Vec<Material>, Vec<Remark>), Remark> {
     let mut parser = Parser::default();
     let mut warnings = Vec::new();
     for (line, text) in Lines::new(bytes) {
-        parser
-            .statement(&text)
-            .map_err(|problem| MtlError { line, problem })?;
+        parser.statement(&text).map_err(|problem| (line, problem))?;
         let ignored = parser.ignored.drain(..);
-        warnings.extend(ignored.map(|problem| MtlError { line, problem }));
+        warnings.extend(ignored.map(|problem| (line, problem)));
     }
     parser.close();
-    let materials = parser.materials;
-    Ok(Loaded {
-        materials,
-        warnings,
-    })
+    Ok((parser.materials, warnings))
 }
 
 #[derive(Default)]
@@ -233,14 +231,4 @@ fn colour(statement: &str, words: &mut Words<'_>) -> Result<[f64; 3], MtlProblem
             found,
         }),
     }
-}
-
-/// The materials of a library, and what was ignored.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Loaded {
-    /// The materials, in the order of the library.
-    pub materials: Vec<Material>,
-    /// Pictures without a path ([`MtlProblem::NoPicture`]), which are left out, and options that do
-    /// not exist ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
-    pub warnings: Vec<MtlError>,
 }

@@ -11,7 +11,7 @@ use crate::{Image, Material, Texture, Wrap};
 /// textures, alpha cutoffs, double sides, filters, rotated textures and texture-coordinate sets
 /// other than the first; these are left out. Embedded images get the path that `path_of` gives.
 #[must_use]
-pub fn to_text<'a>(
+pub fn encode<'a>(
     materials: impl IntoIterator<Item = (&'a str, &'a Material)>,
     path_of: impl Fn(&Image) -> String,
 ) -> String {

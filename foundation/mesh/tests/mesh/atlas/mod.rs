@@ -5,8 +5,9 @@ mod truth;
 
 use std::collections::HashSet;
 
-use ga_mesh::atlas::{Atlas, AtlasError, Options, measure, unwrap};
+use ga_mesh::atlas::{Atlas, Options, measure, unwrap};
 
+use ga_mesh::TextureSpaceError;
 use shapes::Shape;
 
 fn made(shape: &Shape, options: &Options) -> Atlas {
@@ -238,11 +239,11 @@ fn coordinates_from_elsewhere_are_measured() {
 
     let error = measure(positions, triangles, &[], &Options::default()).unwrap_err();
     let expected = triangles.len();
-    assert_eq!(error, AtlasError::Coordinates { expected, found: 0 });
+    assert_eq!(error, TextureSpaceError::Coordinates { expected, found: 0 });
     for bad in [f64::NAN, -0.5, 1.5, f64::INFINITY] {
         let corners = [[a, b, c], [a, c, [bad, 0.5]]];
         let error = measure(&page, &[[0, 1, 2], [0, 2, 3]], &corners, &options).unwrap_err();
-        assert_eq!(error, AtlasError::OutsideSquare { face: 1 });
+        assert_eq!(error, TextureSpaceError::OutsideSquare { face: 1 });
     }
 }
 
@@ -254,14 +255,14 @@ fn bad_input_is_an_error_that_names_the_element() {
     let error = |positions: &[[f64; 3]], triangles: &[[u32; 3]], options: &Options| {
         unwrap(positions, triangles, options).unwrap_err()
     };
-    assert_eq!(error(&page, &[], &default), AtlasError::NoFaces);
+    assert_eq!(error(&page, &[], &default), TextureSpaceError::NoFaces);
     assert_eq!(
         error(&page, &[[0, 0, 1], [2, 2, 2]], &default),
-        AtlasError::NoArea { faces: 2 }
+        TextureSpaceError::NoArea { faces: 2 }
     );
     assert_eq!(
         error(&page, &[[0, 1, 2], [0, 3, 1]], &default),
-        AtlasError::IndexOutOfRange {
+        TextureSpaceError::IndexOutOfRange {
             face: 1,
             index: 3,
             vertices: 3
@@ -271,16 +272,16 @@ fn bad_input_is_an_error_that_names_the_element() {
         let positions = [page[0], [0.0, bad, 0.0], page[2]];
         assert_eq!(
             error(&positions, &whole, &default),
-            AtlasError::NotFinite { vertex: 1 }
+            TextureSpaceError::NotFinite { vertex: 1 }
         );
     }
     for size in [0, 16_385] {
         assert_eq!(
             error(&page, &whole, &options(size, 1)),
-            AtlasError::Size { size }
+            TextureSpaceError::Size { size }
         );
     }
-    let cramped = AtlasError::DoesNotFit {
+    let cramped = TextureSpaceError::DoesNotFit {
         charts: 1,
         margin_texels: 8,
         size: 16,

@@ -163,7 +163,7 @@ fn rough(mut shape: Shape, name: &str, amount: f64) -> Shape {
 
 fn file(path: &str, group: Option<&str>) -> Option<Shape> {
     let file = shared(path)?;
-    let mesh = ga_files::read(&file, ga_mesh::obj::parse).unwrap();
+    let mesh = ga_files::read(&file, ga_mesh::obj::decode).unwrap();
     let mesh = match group {
         Some(group) => mesh.part(group).unwrap().mesh,
         None => mesh,

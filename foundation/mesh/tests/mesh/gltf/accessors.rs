@@ -1,15 +1,16 @@
 //! Accessors of every kind, beside values worked out from the specification.
 
-use ga_mesh::gltf::{Components, Document, GltfError, Keys, Shape, parse};
+use ga_mesh::FormatError;
+use ga_mesh::gltf::{Components, Document, Keys, Shape, decode};
 use serde_json::{Value, json};
 
 /// A document from JSON and the bytes of its only buffer, in which every accessor begins.
-fn document(json: Value, bytes: &[u8]) -> Result<Document, GltfError> {
+fn document(json: Value, bytes: &[u8]) -> Result<Document, FormatError> {
     let digits: String = bytes.iter().map(|byte| format!("%{byte:02x}")).collect();
     let mut json = json;
     json["asset"] = json!({"version": "2.0"});
     json["buffers"] = json!([{"byteLength": bytes.len(), "uri": format!("data:,{digits}")}]);
-    parse(&serde_json::to_vec(&json).unwrap())
+    decode(&serde_json::to_vec(&json).unwrap())
 }
 
 fn floats(numbers: &[f32]) -> Vec<u8> {

@@ -1,8 +1,9 @@
 //! Models that cannot be written.
 
-use ga_mesh::gltf::model::{Material, Model, ModelError, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, ModelProblem, encode};
 
 use super::source::{Source, strip};
+use ga_mesh::FormatError;
 
 #[test]
 fn what_cannot_be_written_is_named() {
@@ -10,28 +11,34 @@ fn what_cannot_be_written_is_named() {
     let fails = |change: &dyn Fn(&mut Source)| {
         let mut source = good.clone();
         change(&mut source);
-        source.write().unwrap_err()
+        match source.write() {
+            Err(FormatError::Model(problem)) => problem,
+            other => panic!("{other:?}"),
+        }
     };
     let animation = || "bend".to_owned();
 
-    assert_eq!(fails(&|s| s.triangles = vec![[1, 1, 2]]), ModelError::Empty);
+    assert_eq!(
+        fails(&|s| s.triangles = vec![[1, 1, 2]]),
+        ModelProblem::Empty
+    );
     assert_eq!(
         fails(&|s| s.positions[4][1] = 1e39),
-        ModelError::NotFinite {
+        ModelProblem::NotFinite {
             what: "position",
             index: 4
         }
     );
     assert_eq!(
         fails(&|s| s.normals[3][0] = f64::NAN),
-        ModelError::NotFinite {
+        ModelProblem::NotFinite {
             what: "normal",
             index: 3
         }
     );
     assert_eq!(
         fails(&|s| s.triangles[2][1] = 6),
-        ModelError::Triangle {
+        ModelProblem::Triangle {
             triangle: 2,
             vertex: 6,
             vertices: 6
@@ -39,7 +46,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.normals.truncate(5)),
-        ModelError::Count {
+        ModelProblem::Count {
             what: "normals",
             expected: 6,
             found: 5
@@ -47,7 +54,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.weights = strip(2, 5, 2, 1).weights),
-        ModelError::Count {
+        ModelProblem::Count {
             what: "vertices with weights",
             expected: 6,
             found: 5
@@ -55,7 +62,7 @@ fn what_cannot_be_written_is_named() {
     );
     assert_eq!(
         fails(&|s| s.weights[4] = vec![(0, 0.5), (2, 0.5)]),
-        ModelError::Influence {
+        ModelProblem::Influence {
             vertex: 4,
             joint: 2,
             joints: 2
@@ -67,13 +74,13 @@ fn what_cannot_be_written_is_named() {
         (vec![(0, 1.5), (1, -0.5)], 1.0),
         (vec![(0, f64::INFINITY)], f64::INFINITY),
     ] {
-        let error = ModelError::Weights { vertex: 5, sum };
+        let error = ModelProblem::Weights { vertex: 5, sum };
         assert_eq!(fails(&|s| s.weights[5] = weights.clone()), error);
     }
-    assert_eq!(fails(&|s| s.joints.clear()), ModelError::JointCount(0));
+    assert_eq!(fails(&|s| s.joints.clear()), ModelProblem::JointCount(0));
     assert_eq!(
         fails(&|s| s.joints[0].parent = Some(1)),
-        ModelError::ParentNotBefore {
+        ModelProblem::ParentNotBefore {
             joint: "joint 0".into(),
             parent: 1
         }
@@ -83,31 +90,31 @@ fn what_cannot_be_written_is_named() {
         &|s: &mut Source| s.joints[1].rest.translation[2] = f64::INFINITY,
     ] {
         let joint = "joint 1".into();
-        assert_eq!(fails(change), ModelError::Rest { joint });
+        assert_eq!(fails(change), ModelProblem::Rest { joint });
     }
     assert_eq!(
         fails(&|s| s.joints[1].rest.translation[2] = 1e39),
-        ModelError::NotFinite {
+        ModelProblem::NotFinite {
             what: "joint",
             index: 1
         }
     );
     assert_eq!(
         fails(&|s| s.animations[0].times.clear()),
-        ModelError::NoKeys {
+        ModelProblem::NoKeys {
             animation: animation()
         }
     );
     assert_eq!(
         fails(&|s| s.animations[0].tracks.clear()),
-        ModelError::NoKeys {
+        ModelProblem::NoKeys {
             animation: animation()
         }
     );
     for (key, time) in [(0, -0.1), (1, 0.0), (2, f64::NAN), (2, 1.0 / 30.0 + 1e-12)] {
         assert_eq!(
             fails(&|s| s.animations[0].times[key] = time),
-            ModelError::Time {
+            ModelProblem::Time {
                 animation: animation(),
                 key
             }
@@ -116,7 +123,7 @@ fn what_cannot_be_written_is_named() {
     for joint in [0, 2] {
         assert_eq!(
             fails(&|s| s.animations[0].tracks[1].joint = joint),
-            ModelError::TrackJoint {
+            ModelProblem::TrackJoint {
                 animation: animation(),
                 joint
             }
@@ -124,7 +131,7 @@ fn what_cannot_be_written_is_named() {
     }
     assert_eq!(
         fails(&|s| s.animations[0].tracks[1].keys.truncate(2)),
-        ModelError::TrackLength {
+        ModelProblem::TrackLength {
             animation: animation(),
             joint: 1,
             expected: 3,
@@ -136,22 +143,22 @@ fn what_cannot_be_written_is_named() {
             as &dyn Fn(&mut Source),
         &|s: &mut Source| s.animations[0].tracks[1].keys[2].translation[0] = 1e39,
     ] {
-        let key = ModelError::Key {
+        let key = ModelProblem::Key {
             animation: animation(),
             joint: 1,
             key: 2,
         };
         assert_eq!(fails(change), key);
     }
-    let glass = Material {
+    let glass = Dielectric {
         roughness: 1.5,
-        ..Material::default()
+        ..Dielectric::default()
     };
     assert_eq!(
-        to_glb(&Model {
+        encode(&Model {
             material: glass,
             ..good.build().model()
         }),
-        Err(ModelError::Material)
+        Err(FormatError::Model(ModelProblem::Material))
     );
 }

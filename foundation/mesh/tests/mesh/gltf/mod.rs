@@ -13,7 +13,7 @@ mod samples;
 mod source;
 mod validator;
 
-use ga_mesh::gltf::model::{Material, Model, to_glb};
+use ga_mesh::gltf::model::{Dielectric, Model, encode};
 use gltf::animation::util::ReadOutputs;
 use proptest::prelude::*;
 
@@ -191,7 +191,7 @@ fn several_roots_get_a_node_above_them() {
 
 #[test]
 fn plaster_is_the_linear_light_of_its_srgb_colour() {
-    for (found, code) in Material::default()
+    for (found, code) in Dielectric::default()
         .base_colour
         .into_iter()
         .zip([214.0, 203.0, 190.0])
@@ -211,7 +211,7 @@ fn a_mesh_without_a_skin_is_written_alone() {
         animations: &[],
         ..built.model()
     };
-    let read = Read::new(&to_glb(&model).unwrap());
+    let read = Read::new(&encode(&model).unwrap());
     assert_eq!(
         read.document.skins().len() + read.document.animations().len(),
         0

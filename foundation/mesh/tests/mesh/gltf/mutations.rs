@@ -1,14 +1,14 @@
 //! Damaged files: an error or a document, never a panic.
 
-use ga_mesh::gltf::{Vertices, parse, to_glb, to_gltf};
+use ga_mesh::gltf::{Vertices, decode, encode, encode_files};
 
 use super::documents::example;
 use super::samples::samples;
 
 /// What reads must be a document that can be written and placed.
 fn survives(file: &[u8]) {
-    if let Ok(document) = parse(file) {
-        to_glb(&document).unwrap();
+    if let Ok(document) = decode(file) {
+        encode(&document).unwrap();
         // A transform may be too large for double precision.
         let _ = document.to_mesh(Vertices::Merged);
     }
@@ -39,11 +39,11 @@ fn examples() -> Vec<Vec<u8>> {
         .copied()
         .filter(|byte| !byte.is_ascii_whitespace())
         .collect();
-    assert!(parse(&json).is_ok());
+    assert!(decode(&json).is_ok());
     vec![
-        to_glb(&document).unwrap(),
+        encode(&document).unwrap(),
         json,
-        to_gltf(&document, "x").unwrap().json,
+        encode_files(&document, "x").unwrap().json,
     ]
 }
 
@@ -59,7 +59,7 @@ fn files_may_end_anywhere() {
         let file = std::fs::read(&path).unwrap();
         if path.extension().is_some_and(|extension| extension == "glb") {
             for end in (0..file.len()).step_by(7) {
-                assert!(parse(&file[..end]).is_err());
+                assert!(decode(&file[..end]).is_err());
             }
         }
         for end in (0..file.len()).step_by(7 * 499) {

@@ -119,8 +119,8 @@ fn every_sample_reads_as_by_another_reader() {
 fn every_sample_survives_writing() {
     for path in samples() {
         let document = ours::read(&path).unwrap();
-        let file = ours::to_glb(&document).unwrap();
-        assert_eq!(ours::parse(&file).unwrap(), document, "{path:?}");
+        let file = ours::encode(&document).unwrap();
+        assert_eq!(ours::decode(&file).unwrap(), document, "{path:?}");
 
         let folder = tempfile::tempdir().unwrap();
         let copy = folder.path().join("copy of it.gltf");
@@ -131,7 +131,7 @@ fn every_sample_survives_writing() {
             assert!(is_file(image) || *had_file);
         }
         if !had_files.contains(&true) {
-            again.load_images(folder.path()).unwrap();
+            again.read_images(folder.path()).unwrap();
         }
         assert_eq!(again, document, "{path:?}");
     }
@@ -179,7 +179,7 @@ fn a_missing_picture_is_named() {
     };
     let mut document = ours::read(&path).unwrap();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let error = document.load_images(folder).unwrap_err();
+    let error = document.read_images(folder).unwrap_err();
     let picture = folder.join("l.jpg");
     let expected = format!(
         "image 0: cannot read {}: entity not found",

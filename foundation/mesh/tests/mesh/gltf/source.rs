@@ -1,8 +1,7 @@
 //! Models to write, and where their vertices belong.
 
-use ga_mesh::gltf::model::{
-    Animation, JointNode, Material, Model, ModelError, Skin, Track, to_glb,
-};
+use ga_mesh::FormatError;
+use ga_mesh::gltf::model::{Animation, Dielectric, JointNode, Model, Skin, Track, encode};
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -93,7 +92,7 @@ impl Built<'_> {
             positions: &self.source.positions,
             normals: &self.source.normals,
             triangles: &self.source.triangles,
-            material: Material::default(),
+            material: Dielectric::default(),
             skin: Some(Skin {
                 joints: &self.joints,
                 weights: &self.source.weights,
@@ -126,8 +125,8 @@ impl Source {
         }
     }
 
-    pub(crate) fn write(&self) -> Result<Vec<u8>, ModelError> {
-        to_glb(&self.build().model())
+    pub(crate) fn write(&self) -> Result<Vec<u8>, FormatError> {
+        encode(&self.build().model())
     }
 
     /// Skinned positions with the joints at the given local transforms: Σ w G(pose) G(rest)⁻¹ v.

@@ -61,7 +61,7 @@ fn the_khronos_validator_finds_nothing() {
     }
     for path in samples() {
         let mut document = read(&path).unwrap();
-        if document.load_images(path.parent().unwrap()).is_err() {
+        if document.read_images(path.parent().unwrap()).is_err() {
             // Its picture is not among the samples.
             document.images[0] = example(0).images[0].clone();
         }

@@ -3,6 +3,7 @@
 use ga_mesh::obj::{self, ObjProblem};
 
 use super::TRIANGLE;
+use ga_mesh::FormatError;
 
 #[test]
 fn every_fault_is_named_with_its_line() {
@@ -100,15 +101,19 @@ fn every_fault_is_named_with_its_line() {
             "line 4: the file ends without a face, a line or a point",
         ),
     ] {
-        let error = obj::parse(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
+        let error = obj::decode(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message, "{lines:?}");
     }
     assert_eq!(
-        obj::parse(b"").unwrap_err().to_string(),
+        obj::decode(b"").unwrap_err().to_string(),
         "line 1: the file ends without a vertex"
     );
-    let not_text = obj::parse(b"v 0 0 0\ng \xff\n").unwrap_err();
-    assert_eq!((not_text.line, not_text.problem), (2, ObjProblem::NotText));
+    let not_text = obj::decode(b"v 0 0 0\ng \xff\n").unwrap_err();
+    let expected = FormatError::Obj {
+        line: 2,
+        problem: ObjProblem::NotText,
+    };
+    assert_eq!(not_text, expected);
 }
 
 #[test]

@@ -4,8 +4,8 @@
 mod faults;
 mod properties;
 
-use ga_mesh::Mesh;
 use ga_mesh::obj::{self, ObjProblem};
+use ga_mesh::{FormatError, Mesh};
 use ga_runtime::vga3::Vector;
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -155,7 +155,7 @@ fn tobj_sees_the_same_faces_in_real_files() {
         };
         let text = std::fs::read(path).unwrap();
         assert_eq!(
-            faces_of(&obj::parse(&text).unwrap()),
+            faces_of(&obj::decode(&text).unwrap()),
             faces_by_tobj(&text),
             "{name}"
         );
@@ -186,7 +186,7 @@ f -4//-1 -2//-1 -1//-1
 g right
 f 1 2 3 4
 ";
-    let mesh = obj::parse(text).unwrap();
+    let mesh = obj::decode(text).unwrap();
     let expected = [
         [0.0, 0.0, 0.0],
         [1.0, 0.0, 0.0],
@@ -225,7 +225,7 @@ f 1 2 3 4
 
 #[test]
 fn a_face_may_come_before_its_vertices() {
-    let mesh = obj::parse(b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
+    let mesh = obj::decode(b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
     assert_eq!(mesh.triangles(), [[0, 1, 2]]);
 }
 
@@ -234,7 +234,7 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 #[test]
 fn a_seventh_number_is_the_opacity() {
     let text = "v 0 0 0 1 0 1 0.25\nv 1 0 0 0 1 0\nv 0 1 0\nf 1 2 3\n";
-    let mesh = obj::parse(text.as_bytes()).unwrap();
+    let mesh = obj::decode(text.as_bytes()).unwrap();
     let expected = [[1.0, 0.0, 1.0, 0.25], [0.0, 1.0, 0.0, 1.0], [1.0; 4]];
     assert_eq!(mesh.colours().unwrap(), expected);
 }
@@ -251,17 +251,20 @@ fn groups_take_memory_in_proportion_to_the_file() {
         text += &"f 1 2 3\n".repeat(faces);
         text
     };
-    let mesh = obj::parse(file(60, 2000).as_bytes()).unwrap();
+    let mesh = obj::decode(file(60, 2000).as_bytes()).unwrap();
     assert_eq!(mesh.groups().len(), 60);
     assert!(mesh.groups().iter().all(|group| group.faces.len() == 2000));
     let text = file(30_000, 15_000);
-    let error = obj::parse(text.as_bytes()).unwrap_err();
-    assert_eq!(error.problem, ObjProblem::TooManyGroups);
-    // 30,000 names for a face; the faces begin at line 5.
-    assert_eq!(error.line, 5 + 8 * text.len() / 30_000);
+    let error = obj::decode(text.as_bytes()).unwrap_err();
+    let expected = FormatError::Obj {
+        // 30,000 names for a face; the faces begin at line 5.
+        line: 5 + 8 * text.len() / 30_000,
+        problem: ObjProblem::TooManyGroups,
+    };
+    assert_eq!(error, expected);
     // A name may be given again and again.
     let text = format!("{TRIANGLE}g{}\nf 1 2 3\n", " a".repeat(100_000));
-    let mesh = obj::parse(text.as_bytes()).unwrap();
+    let mesh = obj::decode(text.as_bytes()).unwrap();
     assert_eq!(mesh.groups().len(), 1);
     assert_eq!(mesh.groups()[0].faces, [0]);
 }

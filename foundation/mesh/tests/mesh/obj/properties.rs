@@ -49,7 +49,7 @@ fn meshes() -> impl Strategy<Value = Mesh> {
 proptest! {
     #[test]
     fn a_written_mesh_reads_back_the_same(mesh in meshes()) {
-        let back = obj::parse(obj::to_text(&mesh).as_bytes()).unwrap();
+        let back = obj::decode(obj::encode(&mesh).as_bytes()).unwrap();
         let by_name = |mesh: &Mesh| {
             let mut groups = mesh.groups().to_vec();
             groups.sort_by(|a, b| a.name.cmp(&b.name));
@@ -66,7 +66,7 @@ proptest! {
             mesh.coordinates().map(|x| x.map(|x| f64::from((x.clamp(-1e30, 1e30)) as f32))).collect(),
         ).unwrap();
         let mut text = String::new();
-        for line in obj::to_text(&mesh).lines() {
+        for line in obj::encode(&mesh).lines() {
             // tobj wants texture coordinates at all corners of a face or at none.
             let words: Vec<_> = line.split(' ').collect();
             let bare = |word: &str| word.split('/').next().unwrap().to_owned();
@@ -77,13 +77,13 @@ proptest! {
             }
             text.push('\n');
         }
-        let ours = obj::parse(text.as_bytes()).unwrap();
+        let ours = obj::decode(text.as_bytes()).unwrap();
         prop_assert_eq!(faces_of(&ours), faces_by_tobj(text.as_bytes()));
     }
 
     #[test]
     fn indices_from_the_end_mean_the_same(mesh in meshes()) {
-        let text = obj::to_text(&mesh);
+        let text = obj::encode(&mesh);
         let coordinates = mesh.texture_coordinates().unwrap().values.len() as i64;
         let mut from_the_end = String::new();
         for line in text.lines() {
@@ -102,12 +102,12 @@ proptest! {
             }
             from_the_end += "\r\n";
         }
-        prop_assert_eq!(obj::parse(from_the_end.as_bytes()), obj::parse(text.as_bytes()));
+        prop_assert_eq!(obj::decode(from_the_end.as_bytes()), obj::decode(text.as_bytes()));
     }
 
     #[test]
     fn no_bytes_make_it_panic(bytes in vec(any::<u8>(), 0..200)) {
-        let _ = obj::parse(&bytes);
+        let _ = obj::decode(&bytes);
     }
 
     #[test]
@@ -115,12 +115,12 @@ proptest! {
         mesh in meshes(),
         damage in vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
     ) {
-        let mut text = obj::to_text(&mesh).into_bytes();
+        let mut text = obj::encode(&mesh).into_bytes();
         for (place, byte) in damage {
             let place = place.index(text.len());
             text[place] = byte;
         }
-        if let Ok(mesh) = obj::parse(&text) {
+        if let Ok(mesh) = obj::decode(&text) {
             prop_assert!(mesh.coordinates().flatten().all(f64::is_finite));
             prop_assert!(mesh.faces().corners().iter().all(|&v| (v as usize) < mesh.vertex_count()));
         }

@@ -6,7 +6,7 @@ mod shadow;
 use crate::{Pixels, enumerated};
 use ga_image::plane::Plane;
 use ga_render::sheet::{
-    Film, Frame, Framing, Kind, Layout, Options, Sheet, SheetError, Subject, contact_sheet,
+    Frame, Framing, Kind, Layout, Options, Sequence, Sheet, SheetError, Subject, contact_sheet,
 };
 use ga_render::{RenderError, Style, ViewDirection};
 use proptest::prelude::*;
@@ -351,11 +351,11 @@ fn a_film_shows_the_pictures_of_a_sheet() {
             .collect();
         let kinds = [Kind::Key; 5];
         let frames = frames(&kinds, &positions);
-        let mut film = Film::new(options.clone());
+        let mut sequence = Sequence::new(options.clone());
         for frame in &frames {
-            film.add(frame).unwrap();
+            sequence.add(frame).unwrap();
         }
-        let shooting = film.shoot(Subject::new(&TRIANGLES)).unwrap();
+        let shooting = sequence.shoot(Subject::new(&TRIANGLES)).unwrap();
         let sheet = sheet(&kinds, &positions, &options);
         for (index, frame) in frames.iter().enumerate() {
             let picture = shooting.picture(index, frame).unwrap();
@@ -366,9 +366,9 @@ fn a_film_shows_the_pictures_of_a_sheet() {
             Err(SheetError::NoFrames)
         ));
     }
-    let film = Film::new(small());
+    let sequence = Sequence::new(small());
     assert!(matches!(
-        film.shoot(Subject::new(&TRIANGLES)).map(|_| ()),
+        sequence.shoot(Subject::new(&TRIANGLES)).map(|_| ()),
         Err(SheetError::NoFrames)
     ));
 }

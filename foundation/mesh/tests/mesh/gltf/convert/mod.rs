@@ -224,7 +224,7 @@ fn a_cube_is_one_component() {
     for name in ["cube.glb", "cube.gltf", "cube.obj"] {
         let path = folder.path().join(name);
         format::write(&path, &cube, &format::Options::default()).unwrap();
-        let again = format::read(&path).unwrap().mesh;
+        let (again, _) = format::read(&path).unwrap();
         let report = Report::of_mesh(&again);
         assert_eq!((report.vertices, report.components), (8, 1), "{name}");
         assert!(report.is_closed(), "{name}");
@@ -313,17 +313,17 @@ fn transforms_of_textures_change_with_the_direction_of_v() {
             texcoord: Some(1),
         };
         let document = Document {
-            materials: vec![ours::Material {
+            materials: vec![ours::MaterialElement {
                 base_colour_texture: Some(TextureInfo {
                     texture: 0,
                     texcoord: 0,
                     transform: Some(transform),
                 }),
-                ..ours::Material::default()
+                ..ours::MaterialElement::default()
             }],
-            textures: vec![ours::Texture {
+            textures: vec![ours::TextureElement {
                 image: Some(0),
-                ..ours::Texture::default()
+                ..ours::TextureElement::default()
             }],
             images: vec![ours::Image {
                 name: None,

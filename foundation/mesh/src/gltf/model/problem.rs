@@ -2,7 +2,7 @@
 
 /// Why a model cannot be written. Everything is counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ModelError {
+pub enum ModelProblem {
     /// There is no vertex, or no triangle with three different corners.
     #[error("the mesh has no triangles")]
     Empty,
@@ -116,7 +116,4 @@ pub enum ModelError {
         /// The key.
         key: usize,
     },
-    /// The document of the model cannot be written.
-    #[error(transparent)]
-    Document(#[from] super::super::GltfError),
 }

@@ -1,10 +1,13 @@
-//! Why pictures cannot be read or written.
+//! What is wrong with the contents of a file, or with what is to become such contents.
+
+use std::io;
 
 use crate::format::Format;
 
-/// Bytes that are not a picture.
+/// Bytes that are not a picture or a film, or a picture or a film that has no form in a format. Frames
+/// are counted from 0.
 #[derive(Debug, thiserror::Error)]
-pub enum DecodeError {
+pub enum FormatError {
     /// The first bytes are not those of any known format.
     #[error(
         "not a picture of a known format (PNG, JPEG, PGM, PPM, PFM, Y4M): it begins with {start:02x?}"
@@ -45,15 +48,10 @@ pub enum DecodeError {
     },
     /// The PNG decoder refused the bytes.
     #[error("PNG: {0}")]
-    Png(#[from] ::png::DecodingError),
+    PngDecode(#[from] ::png::DecodingError),
     /// The JPEG decoder refused the bytes.
     #[error("JPEG: {0:?}")]
-    Jpeg(#[from] zune_jpeg::errors::DecodeErrors),
-}
-
-/// A picture that has no form in a format.
-#[derive(Debug, thiserror::Error)]
-pub enum EncodeError {
+    JpegDecode(#[from] zune_jpeg::errors::DecodeErrors),
     /// The format has no such pixels.
     #[error("{format} cannot hold {kind}")]
     Kind {
@@ -80,7 +78,7 @@ pub enum EncodeError {
         /// The number of frames.
         frames: usize,
     },
-    /// A frame differs in size from the first one.
+    /// A frame, or a second header before it, states another size than the first one.
     #[error(
         "frame {frame} has {} × {} pixels, the first has {} × {}",
         size[0], size[1], first[0], first[1]
@@ -105,8 +103,60 @@ pub enum EncodeError {
     },
     /// The PNG encoder failed.
     #[error("PNG: {0}")]
-    Png(#[from] ::png::EncodingError),
+    PngEncode(#[from] ::png::EncodingError),
     /// The JPEG encoder failed.
     #[error("JPEG: {0}")]
-    Jpeg(#[from] image::ImageError),
+    JpegEncode(#[from] image::ImageError),
+    /// The bytes could not be read.
+    #[error("frame {frame} cannot be read: {source}")]
+    Read {
+        /// The frame.
+        frame: usize,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The film ends within a frame.
+    #[error("the film ends within frame {frame}, after {found} of {expected} bytes")]
+    Truncated {
+        /// The frame.
+        frame: usize,
+        /// Bytes that are there, of the three planes.
+        found: usize,
+        /// Bytes that three planes have.
+        expected: usize,
+    },
+    /// A frame does not begin with the line FRAME.
+    #[error("frame {frame} does not begin with a line FRAME")]
+    Marker {
+        /// The frame.
+        frame: usize,
+    },
+    /// A second header states another rate, sampling, depth or range.
+    #[error("the header before frame {frame} differs from the first header")]
+    Differs {
+        /// The frame.
+        frame: usize,
+    },
+    /// A number is greater than its bits allow.
+    #[error("frame {frame} has the number {value}, which needs more than 10 bits")]
+    Number {
+        /// The frame.
+        frame: usize,
+        /// The number.
+        value: u16,
+    },
+    /// The planes are for another depth than the film has.
+    #[error("the film has {bit_depth} bits for each number, which the planes do not have")]
+    Depth {
+        /// The bits of the film.
+        bit_depth: u32,
+    },
+    /// The bytes could not be written.
+    #[error("frame {frame} cannot be written: {source}")]
+    Write {
+        /// The frame.
+        frame: usize,
+        /// What the operating system said.
+        source: io::Error,
+    },
 }

@@ -1,19 +1,8 @@
 //! What can be wrong with an OBJ file.
 
-use super::mtl::MtlError;
+use super::mtl::MtlProblem;
 use crate::MeshError;
 use crate::words::WordError;
-
-/// What is wrong with an OBJ file, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct ObjError {
-    /// The line, from 1; for a line continued with `\`, its first line; for what is missing,
-    /// the last line.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: ObjProblem,
-}
 
 /// What can be wrong with an OBJ file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -112,12 +101,14 @@ pub enum ObjProblem {
         message: String,
     },
     /// A material library that the line names has a fault.
-    #[error("{library}: {error}")]
+    #[error("{library}: line {line}: {problem}")]
     Library {
         /// The name of the library.
         library: String,
-        /// The fault and its line in the library.
-        error: Box<MtlError>,
+        /// The line in the library, from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: Box<MtlProblem>,
     },
 }
 

@@ -1,9 +1,14 @@
-//! Why a mesh has no atlas.
+//! Why a mesh has no atlas, or maps cannot be baked.
 
-/// A mesh, or options, from which no atlas can be made. Vertices and faces are counted from 0.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+use crate::MeshError;
+
+/// The longest side of a texture, in texels.
+pub const MAX_SIZE: u32 = 16_384;
+
+/// A mesh, or options, from which no atlas can be made or no maps baked. Vertices and faces are counted from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum AtlasError {
+pub enum TextureSpaceError {
     /// There is no face.
     #[error("the mesh has no faces")]
     NoFaces,
@@ -29,8 +34,8 @@ pub enum AtlasError {
         /// The vertex.
         vertex: usize,
     },
-    /// The side of the texture is not between 1 and [`MAX_SIZE`](super::MAX_SIZE) texels.
-    #[error("a texture of {size} texels a side; it must be from 1 to {max}", max = super::MAX_SIZE)]
+    /// The side of the texture is not between 1 and [`MAX_SIZE`] texels.
+    #[error("a texture of {size} texels a side; it must be from 1 to {max}", max = MAX_SIZE)]
     Size {
         /// The side, in texels.
         size: u32,
@@ -70,4 +75,45 @@ pub enum AtlasError {
         /// How many there are.
         count: usize,
     },
+    /// A surface has no triangles, or the coarse one none with texture coordinates.
+    #[error("the {surface} surface has no triangles to bake")]
+    NoTriangles {
+        /// Which surface, "coarse" or "fine".
+        surface: &'static str,
+    },
+    /// The side of the maps is not from 1 to [`MAX_SIZE`] texels.
+    #[error("maps of {size} × {size} texels; the side is from 1 to 16384 texels")]
+    MapSize {
+        /// The side.
+        size: u32,
+    },
+    /// A number of the options is infinite, NaN or out of range.
+    #[error("the {what} is {value}, which is not allowed")]
+    Number {
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A corner of the coarse surface has a texture coordinate outside of the unit square.
+    #[error("triangle {triangle} has the texture coordinate {coordinate:?} outside of the square")]
+    CornerOutsideSquare {
+        /// The triangle.
+        triangle: usize,
+        /// The coordinate.
+        coordinate: [f64; 2],
+    },
+    /// A list does not have an element for each triangle.
+    #[error("{found} {what} for {expected} triangles")]
+    Length {
+        /// What the list holds.
+        what: &'static str,
+        /// How many triangles there are.
+        expected: usize,
+        /// How many elements there are.
+        found: usize,
+    },
+    /// The triangles are not those of a surface, or have no tangents.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
 }

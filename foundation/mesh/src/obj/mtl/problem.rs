@@ -2,16 +2,6 @@
 
 use crate::words::WordError;
 
-/// What is wrong with an MTL file, and where.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}: {problem}")]
-pub struct MtlError {
-    /// The line, from 1; for a line continued with `\`, its first line.
-    pub line: usize,
-    /// What is wrong.
-    pub problem: MtlProblem,
-}
-
 /// What can be wrong with an MTL file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MtlProblem {

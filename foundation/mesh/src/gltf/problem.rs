@@ -5,17 +5,6 @@ use std::path::PathBuf;
 
 use crate::MeshError;
 
-/// What is wrong with a glTF file or with a [`Document`](super::Document), and which element has
-/// it. Elements are counted from 0, as in the file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GltfError {
-    /// The faulty element, last, and before it those that lead to it, from the outside in, as the
-    /// attribute that refers to an accessor.
-    pub path: Vec<Element>,
-    /// What is wrong with the element.
-    pub problem: Problem,
-}
-
 /// An element of a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Element {
@@ -219,49 +208,6 @@ pub enum Problem {
         /// What the operating system said.
         kind: std::io::ErrorKind,
     },
-}
-
-impl GltfError {
-    /// The faulty element.
-    #[must_use]
-    pub fn element(&self) -> &Element {
-        self.path.last().unwrap_or(&Element::File)
-    }
-
-    /// A problem of an element.
-    pub(super) fn new(element: Element, problem: Problem) -> Self {
-        Self {
-            path: vec![element],
-            problem,
-        }
-    }
-
-    /// A reference to an element that does not exist. The element that refers to it is added by
-    /// [`GltfError::within`].
-    pub(super) fn dangling(what: &'static str, index: usize, count: usize) -> Self {
-        Self::new(Element::File, Problem::OutOfRange { what, index, count })
-    }
-
-    /// The same error, found in what `user` refers to.
-    pub(super) fn within(mut self, user: Element) -> Self {
-        match self.path.first_mut() {
-            Some(element) if *element == Element::File => *element = user,
-            Some(element) if *element == user => {}
-            _ => self.path.insert(0, user),
-        }
-        self
-    }
-}
-
-impl std::error::Error for GltfError {}
-
-impl fmt::Display for GltfError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for element in &self.path {
-            write!(f, "{element}: ")?;
-        }
-        self.problem.fmt(f)
-    }
 }
 
 impl fmt::Display for Element {

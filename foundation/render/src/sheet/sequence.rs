@@ -4,41 +4,41 @@ use super::framing::{Outline, Stage};
 use super::{Frame, Options, SheetError, Subject};
 use crate::{Rendering, Style};
 
-/// The cameras of a film: with one direction and one scale, chosen so that the whole figure with
+/// The cameras of a sequence of frames: with one direction and one scale, chosen so that the whole figure with
 /// its shadow is in every picture, as on a [contact sheet](super::contact_sheet).
 ///
 /// The frames are given twice, first for the cameras and then to be drawn, so that only one of them
 /// need be in memory at a time.
 ///
 /// ```
-/// use ga_render::sheet::{Film, Frame, Kind, Options, Subject};
+/// use ga_render::sheet::{Sequence, Frame, Kind, Options, Subject};
 ///
 /// let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 /// let corners = |x: f64| [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]];
-/// let mut film = Film::new(Options::default());
+/// let mut sequence = Sequence::new(Options::default());
 /// for step in 0..3 {
 ///     let positions = corners(0.1 * f64::from(step));
-///     film.add(&Frame::new(step as usize, &positions))?;
+///     sequence.add(&Frame::new(step as usize, &positions))?;
 /// }
-/// let shooting = film.shoot(Subject::new(&triangles))?;
+/// let shooting = sequence.shoot(Subject::new(&triangles))?;
 /// let picture = shooting.picture(2, &Frame::new(2, &corners(0.2)))?;
 /// assert_eq!([picture.colour.width(), picture.colour.height()], [240, 320]);
 /// # Ok::<(), ga_render::sheet::SheetError>(())
 /// ```
-pub struct Film {
+pub struct Sequence {
     options: Options,
     outlines: Vec<Outline>,
 }
 
-/// A film whose cameras are known.
+/// A sequence whose cameras are known.
 pub struct Shooting<'a> {
     subject: Subject<'a>,
     stage: Stage,
     style: Style,
 }
 
-impl Film {
-    /// A film without frames. Of the options, those of the layout have no influence.
+impl Sequence {
+    /// A sequence without frames. Of the options, those of the layout have no influence.
     #[must_use]
     pub fn new(options: Options) -> Self {
         Self {

@@ -4,16 +4,6 @@ use std::fmt;
 
 use crate::MeshError;
 
-/// What is wrong with a PLY file, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{place}{problem}")]
-pub struct PlyError {
-    /// Where.
-    pub place: Place,
-    /// What is wrong.
-    pub problem: PlyProblem,
-}
-
 /// A place in a PLY file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {

@@ -2,7 +2,7 @@
 
 use ga_image::colour::LinearColour;
 
-use crate::texture::Texture;
+use crate::texture::Mipmap;
 
 /// The appearance of a surface: the metallic–roughness model of glTF 2.0.
 ///
@@ -25,34 +25,34 @@ use crate::texture::Texture;
 /// Where there is a texture, the number or colour is a factor of what the texture says. All colours
 /// are linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material<'a> {
+pub struct Appearance<'a> {
     /// The share of each channel that is reflected.
     pub base_colour: LinearColour,
     /// Opacity, 0 to 1; see [`cutoff`](Self::cutoff) and [`transparent`](Self::transparent).
     pub opacity: f64,
     /// A factor of the base colour and the opacity.
-    pub base_colour_map: Option<&'a Texture>,
+    pub base_colour_map: Option<&'a Mipmap>,
     /// 0 for a dielectric, 1 for a metal.
     pub metallic: f64,
     /// 0 for a mirror, 1 for chalk.
     pub roughness: f64,
     /// Green is a factor of the roughness, blue of the metallic part.
-    pub metallic_roughness_map: Option<&'a Texture>,
+    pub metallic_roughness_map: Option<&'a Mipmap>,
     /// The share of light that a dielectric reflects at a right angle, 0.04 for most; 0 for no
     /// highlights.
     pub reflectance: f64,
     /// Normals in the frame of tangent, bitangent and normal: `(r, g, b) = (n + 1) / 2`.
-    pub normal_map: Option<&'a Texture>,
+    pub normal_map: Option<&'a Mipmap>,
     /// A factor of the first two coordinates of the normals in the map.
     pub normal_scale: f64,
     /// Red is the share of the light from all around that arrives.
-    pub occlusion_map: Option<&'a Texture>,
+    pub occlusion_map: Option<&'a Mipmap>,
     /// How much of the occlusion is applied: the light is a factor 1 + strength (red − 1).
     pub occlusion_strength: f64,
     /// The light that the surface sends by itself.
     pub emission: LinearColour,
     /// A factor of the emission.
-    pub emission_map: Option<&'a Texture>,
+    pub emission_map: Option<&'a Mipmap>,
     /// Where on the surface the textures lie.
     pub placements: Placements,
     /// The surface is not there where its opacity is below this. `None` draws it everywhere.
@@ -66,7 +66,7 @@ pub struct Material<'a> {
     pub unlit: bool,
 }
 
-/// Where on the surface each texture of a [`Material`] lies.
+/// Where on the surface each texture of an [`Appearance`] lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placements {
     /// That of the base colour's texture.
@@ -146,7 +146,7 @@ impl Placements {
     }
 }
 
-impl Default for Material<'_> {
+impl Default for Appearance<'_> {
     /// White, without metal, of roughness 0.5, opaque, with both sides.
     fn default() -> Self {
         Self {
@@ -172,7 +172,7 @@ impl Default for Material<'_> {
     }
 }
 
-impl Material<'_> {
+impl Appearance<'_> {
     /// The name of a number that is out of its range.
     pub(crate) fn faulty_number(&self) -> Option<&'static str> {
         let fraction = |number: f64| (0.0..=1.0).contains(&number);
