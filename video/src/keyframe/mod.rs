@@ -15,6 +15,7 @@
 //! - [`scenes`]: shots as CSV and as an edit decision list.
 
 pub mod analysis;
+mod blend;
 pub mod cut;
 pub mod difference;
 pub mod dissolve;
