@@ -4,8 +4,8 @@ use std::io;
 
 use crate::format::Format;
 
-/// Bytes that are not a picture or a film, or a picture or a film that has no form in a format. Frames
-/// are counted from 0.
+/// Bytes that are not a picture or a film, or a picture or a film that has no form in a format.
+/// Frames are counted from 0.
 #[derive(Debug, thiserror::Error)]
 pub enum FormatError {
     /// The first bytes are not those of any known format.

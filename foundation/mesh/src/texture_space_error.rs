@@ -5,7 +5,8 @@ use crate::MeshError;
 /// The longest side of a texture, in texels.
 pub const MAX_SIZE: u32 = 16_384;
 
-/// A mesh, or options, from which no atlas can be made or no maps baked. Vertices and faces are counted from 0.
+/// A mesh, or options, from which no atlas can be made or no maps baked. Vertices and faces are
+/// counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TextureSpaceError {

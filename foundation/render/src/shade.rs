@@ -35,7 +35,8 @@ pub(crate) struct WorldLighting {
     bounce: LinearColour,
 }
 
-/// A place of a surface, as far as its reflection depends on it; see [`Appearance`](crate::Appearance).
+/// A place of a surface, as far as its reflection depends on it; see
+/// [`Appearance`](crate::Appearance).
 pub(crate) struct Surface {
     pub(crate) base_colour: LinearColour,
     pub(crate) metallic: f64,

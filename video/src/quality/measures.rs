@@ -89,10 +89,10 @@ impl Meter {
     ///
     /// # Errors
     ///
-    /// [`PlaneError::Differs`] when sizes differ, [`PlaneError::TooSmall`] when a side has less than
-    /// 11 pixels, [`PlaneError::Range`] when the range is not positive and finite;
-    /// [`PlaneError::ZeroWeights`] when a given map has no weight inside the border of 5 pixels that
-    /// SSIM leaves out.
+    /// [`PlaneError::Differs`] when sizes differ, [`PlaneError::TooSmall`] when a side has less
+    /// than 11 pixels, [`PlaneError::Range`] when the range is not positive and finite;
+    /// [`PlaneError::ZeroWeights`] when a given map has no weight inside the border of 5 pixels
+    /// that SSIM leaves out.
     pub fn compare<'a, P: Pixel>(
         &mut self,
         reference: impl Into<PlaneView<'a, P>>,

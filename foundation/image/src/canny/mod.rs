@@ -63,7 +63,8 @@ impl Canny {
     ///
     /// # Errors
     ///
-    /// [`PlaneError::Thresholds`] unless 0 ≤ `low` ≤ `high`, which NaN is not. They may be infinite.
+    /// [`PlaneError::Thresholds`] unless 0 ≤ `low` ≤ `high`, which NaN is not. They may be
+    /// infinite.
     pub fn new(low: f64, high: f64) -> Result<Self, PlaneError> {
         if !(0.0 <= low && low <= high) {
             return Err(PlaneError::Thresholds { low, high });

@@ -10,7 +10,8 @@ use crate::sample::{Pixel, Sample};
 ///
 /// # Errors
 ///
-/// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when there are no pixels.
+/// [`PlaneError::Differs`] when the sizes differ, [`PlaneError::TooSmall`] when there are no
+/// pixels.
 pub fn mse<'a, P: Pixel>(
     a: impl Into<PlaneView<'a, P>>,
     b: impl Into<PlaneView<'a, P>>,

@@ -70,8 +70,8 @@ impl<R: Read> Stream<R> {
     ///
     /// # Errors
     ///
-    /// [`FormatError::Syntax`] and the like when it is wrong, longer than [`MAX_LINE`] or states more columns or
-    /// rows than [`MAX_SIDE`]; [`FormatError::Read`] when it cannot be read.
+    /// [`FormatError::Syntax`] and the like when it is wrong, longer than [`MAX_LINE`] or states
+    /// more columns or rows than [`MAX_SIDE`]; [`FormatError::Read`] when it cannot be read.
     pub fn new(reader: R) -> Result<Self, FormatError> {
         let mut stream = Self {
             reader: BufReader::with_capacity(1 << 16, reader),

@@ -1,6 +1,6 @@
 //! Writing a film as it comes.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::encode::header;
 use super::{Film, Number};
@@ -72,9 +72,8 @@ impl<W: Write> Writer<W> {
     ///
     /// # Errors
     ///
-    /// [`FormatError::FrameSize`] and [`FormatError::Kind`] where the planes have another size or depth
-    /// than those of the film;
-    /// nothing is written then.
+    /// [`FormatError::FrameSize`] and [`FormatError::Kind`] where the planes have another size or
+    /// depth than those of the film; nothing is written then.
     pub fn write<T: Number>(&mut self, planes: [&Plane<T>; 3]) -> Result<(), FormatError> {
         if T::BIT_DEPTH != self.bit_depth {
             return Err(depth_error());

@@ -116,8 +116,8 @@ impl Atlas {
 ///
 /// # Errors
 ///
-/// [`TextureSpaceError`] for an empty mesh, one without area, coordinates that are not finite, indices out
-/// of range, a size that is not allowed, and charts that do not fit.
+/// [`TextureSpaceError`] for an empty mesh, one without area, coordinates that are not finite,
+/// indices out of range, a size that is not allowed, and charts that do not fit.
 ///
 /// # Examples
 ///

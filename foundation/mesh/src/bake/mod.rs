@@ -116,8 +116,8 @@ impl<'a> Bake<'a> {
     ///
     /// # Errors
     ///
-    /// [`TextureSpaceError`] for options that are not allowed, a coarse surface without triangles, and
-    /// texture coordinates outside of the unit square.
+    /// [`TextureSpaceError`] for options that are not allowed, a coarse surface without triangles,
+    /// and texture coordinates outside of the unit square.
     pub fn new(
         coarse: &'a Coarse,
         fine: &'a Fine,

@@ -93,8 +93,8 @@ impl Fine {
     ///
     /// # Errors
     ///
-    /// [`TextureSpaceError::NoTriangles`], [`TextureSpaceError::Length`], and [`TextureSpaceError::Mesh`] for a corner that
-    /// is not finite.
+    /// [`TextureSpaceError::NoTriangles`], [`TextureSpaceError::Length`], and
+    /// [`TextureSpaceError::Mesh`] for a corner that is not finite.
     pub fn new(
         corners: Vec<[Vector<f64>; 3]>,
         mut normals: Vec<[Vector<f64>; 3]>,

@@ -129,7 +129,8 @@ pub fn read_with_warnings(
 ///
 /// # Errors
 ///
-/// [`FormatError`], for the first faulty line; indices out of range are found after all other errors.
+/// [`FormatError`], for the first faulty line; indices out of range are found after all other
+/// errors.
 ///
 /// # Examples
 ///

@@ -4,8 +4,8 @@ use super::framing::{Outline, Stage};
 use super::{Frame, Options, SheetError, Subject};
 use crate::{Rendering, Style};
 
-/// The cameras of a sequence of frames: with one direction and one scale, chosen so that the whole figure with
-/// its shadow is in every picture, as on a [contact sheet](super::contact_sheet).
+/// The cameras of a sequence of frames: with one direction and one scale, chosen so that the whole
+/// figure with its shadow is in every picture, as on a [contact sheet](super::contact_sheet).
 ///
 /// The frames are given twice, first for the cameras and then to be drawn, so that only one of them
 /// need be in memory at a time.

@@ -56,8 +56,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<FormatError>> 
 ///
 /// # Errors
 ///
-/// [`FormatError`] names the faulty element: bytes that are cut off, JSON of another form, a required
-/// extension that is not supported, an accessor beyond its buffer, and whatever
+/// [`FormatError`] names the faulty element: bytes that are cut off, JSON of another form, a
+/// required extension that is not supported, an accessor beyond its buffer, and whatever
 /// [`Document::validate`] reports. A document may take up 64 MiB and 64 bytes for each byte of the
 /// file; past that the error is [`Problem::TooLarge`].
 pub fn decode(file: &[u8]) -> Result<Document, FormatError> {

@@ -25,8 +25,8 @@ pub struct GltfFiles {
 /// The bytes of a GLB file of the document. Images whose bytes are in the document are in the file;
 /// those named by a URI stay files of their own, which this does not write.
 ///
-/// Numbers are written in single precision as they are, so that [`decode`](super::decode) returns the
-/// same vertices, weights and keys. Lists that are equal are written once. What the Khronos
+/// Numbers are written in single precision as they are, so that [`decode`](super::decode) returns
+/// the same vertices, weights and keys. Lists that are equal are written once. What the Khronos
 /// validator reports of such a file is in the document; [`Document::conformed`] mends most of it.
 ///
 /// # Errors
