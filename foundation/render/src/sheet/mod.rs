@@ -40,7 +40,7 @@ mod paint;
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::{Camera, Ground, Material, Object, Rendering, Scene, Style, render};
+use crate::{Ground, Material, Object, Rendering, Scene, Style, View, render};
 pub use error::SheetError;
 pub use film::{Film, Shooting};
 pub use frame::{Frame, Kind};
@@ -70,7 +70,7 @@ impl<'a> Subject<'a> {
         &self,
         frame: &Frame,
         ground: Ground,
-        camera: &Camera,
+        camera: &View,
         style: &Style,
     ) -> Result<Rendering, SheetError> {
         let scene = Scene {
