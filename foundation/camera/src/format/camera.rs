@@ -17,7 +17,8 @@ use super::error::{CameraFileError, Place};
 use super::yaml::{Matrix, Storage};
 use crate::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 
-const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
+/// The names of K.
+pub(super) const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
 const DISTORTION: [&str; 5] = [
     "distortion_coefficients",
     "distCoeffs",

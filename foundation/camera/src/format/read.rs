@@ -8,7 +8,7 @@ use super::camera_file::CameraFile;
 use super::error::CameraFileError;
 use super::text::text;
 use super::yaml::Storage;
-use super::{calib, camera, json, rig};
+use super::{calib, json, rig};
 
 /// Reads the cameras of a file, or of [`json::VIEWS`] in a folder.
 ///
@@ -50,12 +50,7 @@ pub fn decode(bytes: &[u8], folder: &Path) -> Result<CameraFile, CameraFileError
     if is_calib(text) {
         return calib::decode(text);
     }
-    let storage = Storage::decode(bytes)?;
-    if rig::is_rig(&storage) {
-        rig::decode(&storage)
-    } else {
-        camera::decode(&storage)
-    }
+    rig::decode(&Storage::decode(bytes)?)
 }
 
 /// Whether the first line that is not empty is of the form `key=value`.

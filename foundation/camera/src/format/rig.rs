@@ -17,7 +17,8 @@
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 
 use super::camera::{
-    by_rows, first, intrinsics, is_fisheye, place, set, set_intrinsics, set_size, shaped, size,
+    self, by_rows, first, intrinsics, is_fisheye, missing, place, set, set_intrinsics, set_size,
+    shaped, size,
 };
 use super::camera_file::{CameraFile, NamedCamera};
 use super::error::CameraFileError;
@@ -50,13 +51,18 @@ const TRANSLATION: [&str; 2] = ["T", "t"];
 /// The names of the cameras.
 pub(super) const SIDES: [&str; 2] = ["left", "right"];
 
-/// Whether a file holds the matrix of one of the two cameras.
-pub(super) fn is_rig(storage: &Storage) -> bool {
-    MATRICES.iter().any(|names| first(storage, names).is_some())
+/// The cameras of a file of one or of two.
+pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
+    if MATRICES.iter().any(|names| first(storage, names).is_some()) {
+        return pair(storage);
+    }
+    match first(storage, &camera::MATRIX) {
+        Some(_) => camera::decode(storage),
+        None => Err(missing(&[camera::MATRIX.as_slice(), &MATRICES[0]].concat())),
+    }
 }
 
-/// The cameras of a file.
-pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
+fn pair(storage: &Storage) -> Result<CameraFile, CameraFileError> {
     let is_fisheye = is_fisheye(storage)?;
     let side = |k: usize| intrinsics(storage, &MATRICES[k], &DISTORTIONS[k], is_fisheye);
     let intrinsics = [side(0)?, side(1)?];
