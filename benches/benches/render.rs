@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use ga_render::{Buffers, Camera, Scene, Style, ViewDirection, render};
+use ga_render::{Buffers, Scene, Style, View, ViewDirection, render};
 use nullcone_benches::comparison;
 
 const AROUND: u32 = 350;
@@ -44,7 +44,7 @@ fn pictures(criterion: &mut Criterion) {
         ..ViewDirection::default()
     };
     let points = positions.iter().copied();
-    let camera = Camera::fit(points, view, 0.6, plain.aspect(), 0.05).expect("a torus has extent");
+    let camera = View::fit(points, view, 0.6, plain.aspect(), 0.05).expect("a torus has extent");
 
     let mut group = criterion.benchmark_group("render");
     group.sample_size(10);

@@ -15,7 +15,7 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Appearance, Attribute, Camera, MaterialChoice, Object, Scene, Style, ViewDirection, render,
+    Attribute, Appearance, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
 };
 use ga_runtime::cga3::{Motor, Point, Rotor};
 
@@ -155,6 +155,6 @@ fn picture(
         elevation: 0.12,
     };
     let points = meshes.iter().flatten().copied();
-    let camera = Camera::fit(points, view, 0.2, style.aspect(), 0.06)?;
+    let camera = View::fit(points, view, 0.2, style.aspect(), 0.06)?;
     Ok(render(&scene, &camera, &style)?.colour)
 }

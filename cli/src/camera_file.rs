@@ -1,98 +1,145 @@
-//! Cameras as JSON files.
+//! The cameras that commands read from files, and cameras of pictures that are drawn.
 
-use ga_render::{Camera, Intrinsics, RenderError};
-use ga_runtime::cga3::Motor;
-use serde::{Deserialize, Serialize};
+use std::path::Path;
 
-/// A pinhole camera for pictures of one size: intrinsics in pixels, and the pose from the world to
-/// the camera's frame with x to the right, y down and z forwards. The middle of the first pixel is
-/// (0, 0).
-#[derive(Clone, Debug, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct CameraFile {
-    width: u32,
-    height: u32,
-    fx: f64,
-    fy: f64,
-    cx: f64,
-    cy: f64,
-    #[serde(default)]
-    skew: f64,
-    /// By rows.
-    rotation: [[f64; 3]; 3],
-    translation: [f64; 3],
-    /// The least depth that is drawn, in the unit of the model.
-    #[serde(default = "default_near")]
-    near: f64,
-    /// The greatest depth that is drawn.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    far: Option<f64>,
+use anyhow::{Context, Error, Result, ensure};
+use ga_camera::format::{self, CameraFile, CameraFileError, NamedCamera, Rectified};
+use ga_camera::rig::StereoRig;
+use ga_render::View;
+
+/// The least depth that is drawn where the file of a camera states none, in the unit of the model.
+const NEAR: f64 = 1e-3;
+
+/// Which cameras of a file are taken.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct ChosenPair {
+    /// The left and the right camera where the file has more than two, or in another order, each by
+    /// its name or by its number from 0: --view A --view B.
+    #[arg(long = "view", value_name = "NAME", action = clap::ArgAction::Append)]
+    names: Vec<String>,
 }
 
-/// What is wrong with a camera's file.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum CameraFileError {
-    /// It is not JSON of this form.
-    #[error(transparent)]
-    Json(#[from] serde_json::Error),
-    /// The rotation is none.
-    #[error("`rotation` and `translation` are not a rigid motion: {0:?}, {1:?}")]
-    Pose([[f64; 3]; 3], [f64; 3]),
-    /// The camera cannot be used.
-    #[error(transparent)]
-    Camera(#[from] RenderError),
+/// A rig of a file.
+pub(crate) struct Rig {
+    /// The cameras, in the frame of the left one.
+    pub(crate) rig: StereoRig,
+    /// What the file says of rectified pictures, where the views are such.
+    pub(crate) rectified: Option<Rectified>,
+    sizes: [Option<[usize; 2]>; 2],
 }
 
-fn default_near() -> f64 {
-    1e-3
+/// The camera of a file that has one, or that of a name.
+pub(crate) fn read_one(path: &Path, name: Option<&str>) -> Result<NamedCamera> {
+    let file = format::read(path)?;
+    let camera = file.one(name).map_err(|error| about(path, error))?;
+    Ok(camera.clone())
 }
 
-impl CameraFile {
-    pub(crate) fn parse(bytes: &[u8]) -> Result<Self, CameraFileError> {
-        let file: Self = serde_json::from_slice(bytes)?;
-        file.camera()?;
-        Ok(file)
+/// The camera for one side of a pair: that of a file with one camera, or of two the one in its
+/// place, 0 on the left and 1 on the right.
+pub(crate) fn read_side(path: &Path, side: usize) -> Result<NamedCamera> {
+    let file = format::read(path)?;
+    let camera = match file.cameras.as_slice() {
+        [left, right] => Ok([left, right][side.min(1)]),
+        _ => file.one(None),
+    };
+    Ok(camera.map_err(|error| about(path, error))?.clone())
+}
+
+/// Fails where a picture does not have the size that a file of cameras is for.
+pub(crate) fn check_size(
+    expected: Option<[usize; 2]>,
+    found: [usize; 2],
+    picture: &Path,
+    cameras: &Path,
+) -> Result<()> {
+    let Some(expected) = expected else {
+        return Ok(());
+    };
+    ensure!(
+        found == expected,
+        "{} has {} × {} pixels, and {} is for {} × {}",
+        picture.display(),
+        found[0],
+        found[1],
+        cameras.display(),
+        expected[0],
+        expected[1]
+    );
+    Ok(())
+}
+
+/// An error of a file, which it names.
+pub(crate) fn about(path: &Path, error: CameraFileError) -> Error {
+    let chooses = matches!(error, CameraFileError::Several { .. });
+    let error = Error::new(error);
+    let error = match chooses {
+        true => Error::msg(format!("{error} with --view NAME")),
+        false => error,
+    };
+    error.context(path.display().to_string())
+}
+
+impl ChosenPair {
+    /// Reads a rig.
+    pub(crate) fn read(&self, path: &Path) -> Result<Rig> {
+        let file = format::read(path)?;
+        self.rig(&file).map_err(|error| about(path, error))
     }
 
-    /// The file of a camera that takes pictures of a size.
-    pub(crate) fn new(camera: &Camera, [width, height]: [u32; 2]) -> Self {
-        let intrinsics = camera.intrinsics(width, height);
-        let pose = camera.world_to_camera();
-        Self {
-            width,
-            height,
-            fx: intrinsics.focal[0],
-            fy: intrinsics.focal[1],
-            cx: intrinsics.principal[0],
-            cy: intrinsics.principal[1],
-            skew: intrinsics.skew,
-            rotation: pose.rotor().to_matrix(),
-            translation: pose.translator().displacement(),
-            near: camera.near(),
-            far: Some(camera.far()).filter(|far| far.is_finite()),
-        }
+    /// The first name, of the camera of one view.
+    pub(crate) fn read_one(&self, path: &Path) -> Result<NamedCamera> {
+        read_one(path, self.names.first().map(String::as_str))
     }
 
-    /// Columns and rows of its pictures.
-    pub(crate) fn size(&self) -> [u32; 2] {
-        [self.width, self.height]
-    }
-
-    pub(crate) fn camera(&self) -> Result<Camera, CameraFileError> {
-        let (rotation, translation) = (self.rotation, self.translation);
-        let rows = [0, 1, 2].map(|i: usize| {
-            let [x, y, z] = rotation[i];
-            [x, y, z, translation[i]]
-        });
-        let pose = Motor::from_matrix(rows).ok_or(CameraFileError::Pose(rotation, translation))?;
-        let intrinsics = Intrinsics {
-            skew: self.skew,
-            ..Intrinsics::new([self.fx, self.fy], [self.cx, self.cy])
-        };
-        let camera = Camera::pinhole(intrinsics, pose, self.near)?;
-        Ok(match self.far {
-            Some(far) => camera.with_far(far)?,
-            None => camera,
+    fn rig(&self, file: &CameraFile) -> Result<Rig, CameraFileError> {
+        let pair = file.pair(&self.names)?;
+        let rig = file.rig(&self.names)?;
+        let as_listed = pair.into_iter().eq(file.cameras.iter());
+        Ok(Rig {
+            rig,
+            rectified: file.rectified.filter(|_| as_listed),
+            sizes: pair.map(|camera| camera.size),
         })
     }
+}
+
+impl Rig {
+    /// Fails where views do not have the sizes that the file states.
+    pub(crate) fn check_sizes(
+        &self,
+        found: [usize; 2],
+        views: [&Path; 2],
+        path: &Path,
+    ) -> Result<()> {
+        let mut sides = self.sizes.into_iter().zip(views);
+        sides.try_for_each(|(size, view)| check_size(size, found, view, path))
+    }
+}
+
+/// What a camera of a file sees, as it is drawn.
+pub(crate) fn to_view(camera: &NamedCamera) -> Result<View> {
+    let (intrinsics, skew) = camera.intrinsics_and_skew();
+    let pinhole = ga_camera::Camera {
+        intrinsics,
+        world_to_camera: camera.world_to_camera()?,
+    };
+    let view = View::pinhole(&pinhole, camera.near.unwrap_or(NEAR))?.with_skew(skew)?;
+    Ok(match camera.far {
+        Some(far) => view.with_far(far)?,
+        None => view,
+    })
+}
+
+/// The camera of a view that is drawn as a picture of a size.
+pub(crate) fn of_view(name: &str, view: &View, size: [u32; 2]) -> Result<NamedCamera> {
+    let camera = view
+        .camera(size[0], size[1])
+        .context("the camera of a picture")?;
+    let mut named = NamedCamera::new(name, camera.intrinsics).with_skew(view.skew());
+    named.size = Some(size.map(|side| side as usize));
+    named.pose = Some(camera.world_to_camera);
+    named.near = Some(view.near());
+    named.far = Some(view.far()).filter(|far| far.is_finite());
+    Ok(named)
 }

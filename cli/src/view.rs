@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
+use ga_render::ViewDirection;
 use ga_render::model::Model;
-use ga_render::{Camera, ViewDirection};
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
 
-use crate::camera_file::CameraFile;
+use crate::camera_file;
 use crate::format::Format;
 
 /// What `--camera` asks for.
@@ -24,8 +24,12 @@ pub(crate) enum View {
         /// The vertical field of view in degrees.
         field_of_view: f64,
     },
-    /// Given intrinsics and pose.
-    File(CameraFile),
+    /// A camera of a file, and what it sees.
+    File {
+        /// Columns and rows of its pictures, where the file states them.
+        size: Option<[u32; 2]>,
+        view: ga_render::View,
+    },
 }
 
 /// The vertical field of view of named views, in radians.
@@ -38,8 +42,21 @@ const MARGIN: f64 = 0.08;
 const NEAR: f64 = 1e-3;
 
 impl View {
-    /// Reads a file where the text is the name of one.
-    pub(crate) fn parse(text: &str) -> Result<Self> {
+    /// Reads a file where the text is the name of one, and takes its camera of a name.
+    pub(crate) fn parse(text: &str, name: Option<&str>) -> Result<Self> {
+        if let Some(path) = camera_path(text) {
+            let camera = camera_file::read_one(path, name)?;
+            let view = camera_file::to_view(&camera);
+            let view = view.with_context(|| path.display().to_string())?;
+            return Ok(Self::File {
+                size: camera.size.map(|size| size.map(|side| side as u32)),
+                view,
+            });
+        }
+        ensure!(
+            name.is_none(),
+            "--view chooses a camera of a file, and --camera {text} is none"
+        );
         let side = |azimuth: f64, elevation: f64| {
             Ok(Self::Named(ViewDirection {
                 azimuth: azimuth.to_radians(),
@@ -52,13 +69,9 @@ impl View {
             "top" => side(0.0, 90.0),
             "three-quarter" => side(35.0, 20.0),
             words if words.starts_with("eye ") => towards(words),
-            path if Format::Json.fits(Path::new(path)) => Ok(Self::File(ga_files::read(
-                Path::new(path),
-                CameraFile::parse,
-            )?)),
             _ => bail!(
-                "--camera {text}: not front, side, top, three-quarter, a file that ends in .json, \
-                 or of the form \"eye X,Y,Z target X,Y,Z fov DEGREES\""
+                "--camera {text}: not front, side, top, three-quarter, the file of a camera, or of \
+                 the form \"eye X,Y,Z target X,Y,Z fov DEGREES\""
             ),
         }
     }
@@ -66,7 +79,7 @@ impl View {
     /// The size of the picture, where the view is for one.
     pub(crate) fn size(&self) -> Option<[u32; 2]> {
         match self {
-            Self::File(file) => Some(file.size()),
+            Self::File { size, .. } => *size,
             Self::Named(_) | Self::Towards { .. } => None,
         }
     }
@@ -74,7 +87,12 @@ impl View {
     /// The cameras of a number of pictures with this quotient of width and height, the first as the
     /// view asks for, the others around the vertical axis through the middle of the model. A named
     /// view has the model whole in all of them.
-    pub(crate) fn cameras(&self, model: &Model, aspect: f64, count: u32) -> Result<Vec<Camera>> {
+    pub(crate) fn cameras(
+        &self,
+        model: &Model,
+        aspect: f64,
+        count: u32,
+    ) -> Result<Vec<ga_render::View>> {
         let [low, high] = bounds(model);
         let middle = Point::new((low.e1 + high.e1) / 2.0, 0.0, (low.e3 + high.e3) / 2.0);
         let steps = (0..count).map(|step| {
@@ -92,9 +110,13 @@ impl View {
         Ok(steps.map(|motion| first.moved(motion)).collect())
     }
 
-    fn camera(&self, shown: impl Iterator<Item = [f64; 3]>, aspect: f64) -> Result<Camera> {
+    fn camera(
+        &self,
+        shown: impl Iterator<Item = [f64; 3]>,
+        aspect: f64,
+    ) -> Result<ga_render::View> {
         Ok(match self {
-            Self::Named(view) => Camera::fit(shown, *view, FIELD_OF_VIEW, aspect, MARGIN)?,
+            Self::Named(view) => ga_render::View::fit(shown, *view, FIELD_OF_VIEW, aspect, MARGIN)?,
             Self::Towards {
                 eye,
                 target,
@@ -104,11 +126,18 @@ impl View {
                 let squares = (0..3).map(|axis| (eye[axis] - target[axis]).powi(2));
                 let near = NEAR * squares.sum::<f64>().sqrt();
                 let near = near.max(f64::MIN_POSITIVE);
-                Camera::look_at(*eye, *target, *up, field_of_view.to_radians(), near)?
+                ga_render::View::look_at(*eye, *target, *up, field_of_view.to_radians(), near)?
             }
-            Self::File(file) => file.camera()?,
+            Self::File { view, .. } => *view,
         })
     }
+}
+
+/// The path of a file of cameras, where `--camera` is one.
+pub(crate) fn camera_path(text: &str) -> Option<&Path> {
+    let path = Path::new(text.trim());
+    let is_known = Format::of(path, &[Format::Json, Format::Yaml, Format::Text]).is_some();
+    (is_known || path.exists()).then_some(path)
 }
 
 /// The least and the greatest coordinates of the model's vertices; zeros without vertices.

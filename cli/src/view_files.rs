@@ -3,41 +3,26 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use ga_camera::format::NamedCamera;
+use ga_camera::format::json::{VIEWS, encode_views};
 use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_render::Camera;
-use serde::Serialize;
+use ga_render::View;
 
-use crate::camera_file::CameraFile;
-
-/// The name of the file with the cameras.
-const NAME: &str = ga_camera::format::views::FILE_NAME;
+use crate::camera_file;
 
 /// Pictures, and a file with their cameras, in one folder.
 pub(crate) struct ViewFiles<'a> {
     folder: &'a Path,
-    entries: Vec<Entry>,
+    cameras: Vec<NamedCamera>,
     pictures: Vec<Result<Vec<u8>, FormatError>>,
-}
-
-/// A view in the file.
-#[derive(Serialize)]
-struct Entry {
-    picture: String,
-    camera: CameraFile,
-}
-
-/// The contents of the file.
-#[derive(Serialize)]
-struct Views {
-    views: Vec<Entry>,
 }
 
 /// The names of the files of this number of pictures.
 pub(crate) fn names(pictures: u32) -> impl Iterator<Item = String> {
     let pictures = (0..pictures as usize).map(picture_name);
-    pictures.chain([NAME.to_owned()])
+    pictures.chain([VIEWS.to_owned()])
 }
 
 fn picture_name(number: usize) -> String {
@@ -48,30 +33,29 @@ impl<'a> ViewFiles<'a> {
     pub(crate) fn new(folder: &'a Path) -> Self {
         Self {
             folder,
-            entries: Vec::new(),
+            cameras: Vec::new(),
             pictures: Vec::new(),
         }
     }
 
-    pub(crate) fn add(&mut self, picture: &Plane<[u8; 3]>, camera: &Camera) {
+    pub(crate) fn add(&mut self, picture: &Plane<[u8; 3]>, view: &View) -> Result<()> {
         let size = [picture.width(), picture.height()].map(|side| side as u32);
-        self.entries.push(Entry {
-            picture: picture_name(self.entries.len()),
-            camera: CameraFile::new(camera, size),
-        });
+        let name = picture_name(self.cameras.len());
+        let mut camera = camera_file::of_view(&name, view, size)?;
+        camera.picture = Some(self.folder.join(name));
+        self.cameras.push(camera);
         self.pictures.push(png::encode(picture));
+        Ok(())
     }
 
     /// The paths and contents of the files.
     pub(crate) fn finish(self) -> Result<Vec<(PathBuf, Vec<u8>)>> {
         let mut files = Vec::with_capacity(self.pictures.len() + 1);
-        for (entry, picture) in self.entries.iter().zip(self.pictures) {
-            files.push((self.folder.join(&entry.picture), picture?));
+        let views = encode_views(&self.cameras, self.folder)?;
+        for (camera, picture) in self.cameras.into_iter().zip(self.pictures) {
+            files.extend(camera.picture.zip(Some(picture?)));
         }
-        let views = Views {
-            views: self.entries,
-        };
-        files.push((self.folder.join(NAME), serde_json::to_vec_pretty(&views)?));
+        files.push((self.folder.join(VIEWS), views.into_bytes()));
         Ok(files)
     }
 }

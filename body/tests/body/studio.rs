@@ -13,8 +13,7 @@ use ga_image::plane::Plane;
 use ga_mannequin::{Human, Marker};
 use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Appearance, Attribute, Intrinsics as RenderedIntrinsics, MaterialChoice, Object, Rendering,
-    Scene, Shading, Style, render,
+    Attribute, Appearance, MaterialChoice, Object, Rendering, Scene, Shading, Style, View, render,
 };
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
@@ -140,9 +139,7 @@ impl Studio {
             materials: std::slice::from_ref(material),
             ..Scene::default()
         };
-        let intrinsics =
-            RenderedIntrinsics::new(camera.intrinsics.focal(), camera.intrinsics.principal());
-        let camera = ga_render::Camera::pinhole(intrinsics, camera.world_to_camera, 0.1)?;
+        let view = View::pinhole(camera, 0.1)?;
         let style = Style {
             width: SIZE[0],
             height: SIZE[1],
@@ -151,7 +148,7 @@ impl Studio {
             shading,
             ..Style::default()
         };
-        Ok(render(&scene, &camera, &style)?)
+        Ok(render(&scene, &view, &style)?)
     }
 
     /// The dots in the pictures of cameras.

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
+use ga_camera::format::json;
 use ga_image::colour::LinearColour;
 use ga_image::file::FormatError;
 use ga_image::plane::Plane;
@@ -12,14 +13,14 @@ use ga_image::{png, y4m};
 use ga_mesh::format;
 use ga_mesh::gltf;
 use ga_render::model::Model;
-use ga_render::{Buffers, Camera, Ground, Polyline, Scene, Shading, Style, Visibility, render};
+use ga_render::{Buffers, Ground, Polyline, Scene, Shading, Style, Visibility, render};
 
 use crate::buffer_files;
-use crate::camera_file::CameraFile;
+use crate::camera_file;
 use crate::files::Files;
 use crate::format::Format;
 use crate::output::{self, File};
-use crate::view::{View, bounds};
+use crate::view::{View, bounds, camera_path};
 use crate::view_files::{self, ViewFiles};
 
 /// Draw a model.
@@ -38,7 +39,10 @@ use crate::view_files::{self, ViewFiles};
 ///   eye X,Y,Z target X,Y,Z up X,Y,Z fov DEGREES
 ///       a place, what it looks at, the upward direction (0,1,0 by default) and the vertical field
 ///       of view, as one argument in quotation marks
-///   FILE.json
+///   FILE
+///       the camera of a file of any format (docs/stereo.md lists them), which --view chooses if
+///       there are several. It needs a pose; the world of a rig is the frame of its left camera.
+///       Distortion is not drawn: nullcone stereo undistort removes it. In JSON, for instance:
 ///       intrinsics in pixels and the pose from the world to the camera, whose axes are x right,
 ///       y down, z forwards; (0, 0) is the middle of the first pixel. A point p falls on
 ///       (fx x/z + cx, fy y/z + cy), where (x, y, z) = rotation p + translation:
@@ -56,6 +60,9 @@ pub(crate) struct Arguments {
     /// From where it is seen; see above.
     #[arg(long, value_name = "VIEW", default_value = "three-quarter")]
     camera: String,
+    /// The camera of the file: its name, or its number from 0.
+    #[arg(long, value_name = "NAME")]
+    view: Option<String>,
     /// Columns and rows of the picture; by default those of the camera's file, or 1280x720.
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
@@ -127,7 +134,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         arguments.turntable
     );
     let format = check_files(arguments)?;
-    let view = View::parse(&arguments.camera)?;
+    let view = View::parse(&arguments.camera, arguments.view.as_deref())?;
     let size = match &arguments.size {
         Some(size) => Some(parse_size(size)?),
         None => None,
@@ -140,6 +147,10 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             arguments.camera,
             own[0],
             own[1]
+        ),
+        (None, None) if matches!(view, View::File { .. }) => bail!(
+            "{}: the file does not say how large its pictures are: --size WxH is needed",
+            arguments.camera
         ),
         (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
     };
@@ -223,8 +234,7 @@ struct Drawing {
 
 /// Fails where a file cannot be written; else the format of the picture or film.
 fn check_files(arguments: &Arguments) -> Result<Format> {
-    let camera = Path::new(arguments.camera.trim());
-    let camera = Some(camera).filter(|path| Format::Json.fits(path));
+    let camera = camera_path(&arguments.camera);
     let mut files = Files::reading([arguments.model.as_path()]).and_reading(camera);
     let format = files.write("--out", &arguments.out, &[Format::Png, Format::Y4m])?;
     if let Some(folder) = &arguments.buffers {
@@ -255,7 +265,7 @@ fn encode(
 
 fn draw(
     model: &Model,
-    cameras: &[Camera],
+    cameras: &[ga_render::View],
     style: &Style,
     arguments: &Arguments,
     format: Format,
@@ -281,27 +291,27 @@ fn draw(
         ..model.scene(&materials)
     };
     let mut time = Duration::ZERO;
-    let mut failure = None;
+    let mut failure: Option<anyhow::Error> = None;
     let mut views = arguments.views.as_deref().map(ViewFiles::new);
     let pictures = cameras.iter().map(|camera| {
         let begin = Instant::now();
         // An encoder asks for pictures, not for errors: those after an error have no pixels.
         let picture = match failure {
             None => render(&scene, camera, style)
-                .map_err(|error| failure = Some(error))
+                .map_err(|error| failure = Some(error.into()))
                 .ok(),
             Some(_) => None,
         };
         time += begin.elapsed();
         let picture = picture.map(|picture| picture.colour).unwrap_or_default();
-        if let Some(views) = &mut views {
-            views.add(&picture, camera);
+        if let (Some(views), None) = (&mut views, &failure) {
+            failure = views.add(&picture, camera).err();
         }
         picture
     });
     let film = encode(format, pictures);
     if let Some(error) = failure {
-        return Err(error.into());
+        return Err(error);
     }
     let buffers = match (&arguments.buffers, cameras) {
         (Some(_), [camera, ..]) => {
@@ -312,8 +322,8 @@ fn draw(
     };
     let mut files = views.map_or(Ok(Vec::new()), ViewFiles::finish)?;
     if let (Some(path), [camera, ..]) = (&arguments.camera_out, cameras) {
-        let file = CameraFile::new(camera, [style.width, style.height]);
-        files.push((path.clone(), serde_json::to_vec_pretty(&file)?));
+        let camera = camera_file::of_view("camera", camera, [style.width, style.height])?;
+        files.push((path.clone(), json::encode(&camera)?.into_bytes()));
     }
     Ok(Drawing {
         film: film?,

@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use clap::builder::RangedI64ValueParser;
-use ga_camera::format::views;
+use ga_camera::format::NamedCamera;
 use ga_mesh::format;
 use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 
+use crate::camera_file;
 use crate::files::Files;
 use crate::format::Format;
 use crate::frame::Progress;
@@ -36,7 +37,9 @@ use crate::output;
 /// A point p of the mesh is at rotation p + translation in the camera's frame, with x right, y
 /// down and z forwards; (0, 0) is the middle of the first pixel. A camera is an object, which may
 /// have "distortion" in OpenCV's order and "lens": "fisheye", or the path of OpenCV's YAML or of
-/// such an object as JSON. `nullcone render --views DIR` writes pictures and such a file.
+/// such an object as JSON. `nullcone render --views DIR` writes pictures and such a file. A file of
+/// another format, such as the rig of nullcone stereo calibrate, names no pictures: --pictures does.
+/// Its cameras need poses; the world of a rig is the frame of its left camera.
 ///
 /// For instance
 ///
@@ -48,9 +51,12 @@ pub(crate) struct Arguments {
     /// The mesh: .obj, .ply, .glb or .gltf.
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
-    /// The pictures and their cameras, see above; or a folder with them in views.json.
+    /// The cameras, see above; or a folder with them in views.json.
     #[arg(long, value_name = "VIEWS.json")]
     views: PathBuf,
+    /// The pictures of the cameras, in their order, where the file names none.
+    #[arg(long, value_name = "PICTURE", num_args = 1..)]
+    pictures: Vec<PathBuf>,
     /// The textured model: .glb, .gltf or .obj.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -83,7 +89,8 @@ fn size() -> RangedI64ValueParser<u32> {
 
 pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let out = &arguments.out;
-    let mut files = Files::reading([&arguments.mesh, &arguments.views]);
+    let inputs = [&arguments.mesh, &arguments.views];
+    let mut files = Files::reading(inputs.into_iter().chain(&arguments.pictures));
     files = files.printing("--json", arguments.json);
     // Formats that hold pictures.
     let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
@@ -96,7 +103,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             eprintln!("warning: {}: {warning}", arguments.mesh.display());
         }
     }
-    let views = read_views(&arguments.views)?;
+    let views = read_views(&arguments.views, &arguments.pictures)?;
     let mut options = Options::with_size(arguments.size);
     options.unwrap = arguments.unwrap;
     options.margin_texels = arguments.margin;
@@ -120,16 +127,32 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
 }
 
-/// The views of a file with their pictures, which are the names of the views.
-fn read_views(path: &Path) -> Result<Vec<View>> {
-    let entries = views::read(path)?;
-    let view = |entry: views::ViewEntry| {
-        let picture = ga_image::file::read(&entry.picture)?;
-        let name = entry.picture.display().to_string();
-        let view = View::new(name, entry.camera, entry.size, &picture);
-        view.with_context(|| path.display().to_string())
+/// The cameras of a file with their pictures, which are the names of the views.
+fn read_views(path: &Path, pictures: &[PathBuf]) -> Result<Vec<View>> {
+    let shown = path.display();
+    let mut cameras = ga_camera::format::read(path)?.cameras;
+    if !pictures.is_empty() {
+        let (given, needed) = (pictures.len(), cameras.len());
+        ensure!(
+            given == needed,
+            "--pictures: there are {given} pictures, and {shown} has {needed} cameras"
+        );
+        for (camera, picture) in cameras.iter_mut().zip(pictures) {
+            camera.picture = Some(picture.clone());
+        }
+    }
+    let view = |named: &NamedCamera| {
+        let picture = named.picture.as_ref().with_context(|| {
+            format!("{shown}: the file names no pictures: --pictures LEFT RIGHT is needed")
+        })?;
+        let camera = named
+            .camera()
+            .map_err(|error| camera_file::about(path, error))?;
+        let name = picture.display().to_string();
+        let view = View::new(name, camera, named.size, &ga_image::file::read(picture)?);
+        view.with_context(|| shown.to_string())
     };
-    entries.into_iter().map(view).collect()
+    cameras.iter().map(view).collect()
 }
 
 /// What is printed.

@@ -248,6 +248,41 @@ fn bad_input_is_named_and_nothing_is_written() {
     assert!(!folder.path().join("fitted.glb").exists());
 }
 
+/// The rig of the walk in every format, and as views: the same poses, byte for byte.
+#[test]
+fn rigs_of_all_formats_are_fitted_alike() {
+    let folder = inputs();
+    let path = folder.path();
+    let row = "[1000 0 960; 0 1000 540; 0 0 1]";
+    let calib = format!("cam0={row}\ncam1={row}\nbaseline=1000\n");
+    std::fs::write(path.join("calib.txt"), calib).unwrap();
+    let view = |name: &str, x: f64| {
+        json!({"picture": name, "translation": [x, 0, 0],
+            "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+            "camera": {"width": 1920, "height": 1080, "fx": 1000, "fy": 1000, "cx": 960, "cy": 540}})
+    };
+    let views = json!({"views": [view("left.png", 0.0), view("right.png", -1.0)]});
+    std::fs::write(path.join("views.json"), views.to_string()).unwrap();
+    let fitted = ["rig.yml", "calib.txt", "views.json"].map(|rig| {
+        assert_success(&fit(path, "joints.json", rig, &[]));
+        std::fs::read(path.join("fitted.glb")).unwrap()
+    });
+    assert!(greatest_error(&path.join("fitted.glb")) < 0.01);
+    assert!(fitted[0] == fitted[1] && fitted[0] == fitted[2]);
+
+    // One view takes one camera, of a rig by its name.
+    let output = fit(path, "one.json", "rig.yml", &[]);
+    assert_failure(&output, &["left, right", "--view NAME"]);
+    let one = |rig: &str, more: &[&str]| {
+        assert_success(&fit(path, "one.json", rig, more));
+        std::fs::read(path.join("fitted.glb")).unwrap()
+    };
+    assert!(one("camera.yml", &[]) == one("views.json", &["--view", "left"]));
+    // Cameras in the world of a file need poses.
+    let arguments = ["--joints", "one.json", "--views", "camera.yml"];
+    assert_failure(&fit_with(path, &arguments), &["camera.yml", "no pose"]);
+}
+
 /// Three cameras in the world of the walk, at the heights and in the directions of the angles, as
 /// a file of views: of pictures that are not there.
 fn views(folder: &Path) -> Vec<[[f64; 4]; 3]> {

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ga_camera::format::rig::RigFile;
+use ga_camera::format::rig;
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_image::file;
@@ -78,11 +78,8 @@ fn scene(rig: &StereoRig, views: [Plane<u8>; 2]) -> TempDir {
     for (name, view) in ["left.png", "right.png"].into_iter().zip(&views) {
         file::write(folder.path().join(name), view).unwrap();
     }
-    let file = RigFile {
-        rig: *rig,
-        size: Some(SIZE),
-    };
-    file.write(folder.path().join("rig.yml")).unwrap();
+    let text = rig::encode(rig, Some(SIZE)).unwrap();
+    std::fs::write(folder.path().join("rig.yml"), text).unwrap();
     folder
 }
 
@@ -224,11 +221,8 @@ fn a_rendered_disk_has_its_radius_and_place() {
         );
         assert_success(&output);
     }
-    let file = RigFile {
-        rig,
-        size: Some(SIZE),
-    };
-    file.write(folder.path().join("rig.yml")).unwrap();
+    let text = rig::encode(&rig, Some(SIZE)).unwrap();
+    std::fs::write(folder.path().join("rig.yml"), text).unwrap();
     check_disk(
         &found(folder.path(), &["--fit", "circle", "--axes", "camera"]),
         0.3,

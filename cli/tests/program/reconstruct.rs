@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ga_camera::format::rig::RigFile;
+use ga_camera::format::rig::encode;
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_image::colour::{LinearColour, SrgbEncoder};
@@ -95,11 +95,8 @@ fn scene() -> TempDir {
         )
         .unwrap();
     }
-    let file = RigFile {
-        rig,
-        size: Some(SIZE),
-    };
-    file.write(folder.path().join("rig.yml")).unwrap();
+    let text = encode(&rig, Some(SIZE)).unwrap();
+    std::fs::write(folder.path().join("rig.yml"), text).unwrap();
     folder
 }
 
@@ -228,7 +225,7 @@ fn scene_with_faulty_files() -> TempDir {
         let mut rig = rig();
         rig.right.world_to_camera = right;
         let size = Some(size);
-        RigFile { rig, size }.write(at(name)).unwrap();
+        std::fs::write(at(name), encode(&rig, size).unwrap()).unwrap();
     };
     let right = rig().right.world_to_camera;
     write("same.yml", rig().left.world_to_camera, SIZE);

@@ -296,10 +296,10 @@ fn faults_of_a_camera_file_are_named() {
     prepare(folder.path());
     for (from, to, part) in [
         ("\"fx\": 80", "\"fx\": 0", "focal length"),
-        ("\"fx\": 80, ", "", "missing field `fx`"),
-        ("[0, -1, 0]", "[0, 1, 0]", "rigid motion"),
+        ("\"fx\": 80, ", "", "there is no `fx`"),
+        ("[0, -1, 0]", "[0, 1, 0]", "`rotation` is not a rotation"),
         ("4]}", "4], \"far\": 0}", "far depth"),
-        ("\"cx\"", "\"c\"", "unknown field `c`"),
+        ("\"cx\"", "\"c\"", "`c` is not a key"),
     ] {
         let bad = CAMERA.replace(from, to);
         assert_ne!(bad, CAMERA);

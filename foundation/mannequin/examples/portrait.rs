@@ -9,15 +9,13 @@ use std::path::PathBuf;
 use ga_image::colour::LinearColour;
 use ga_image::png;
 use ga_mannequin::Human;
-use ga_render::texture::{Mipmap, Sampler};
-use ga_render::{
-    Appearance, Attribute, Camera, Ground, MaterialChoice, Object, Scene, Style, render,
-};
+use ga_render::texture::{Sampler, Mipmap};
+use ga_render::{Attribute, Ground, Appearance, MaterialChoice, Object, Scene, Style, View, render};
 
 /// Name, position of the camera, what it looks at, vertical field of view in radians, size.
-type View = (&'static str, [f64; 3], [f64; 3], f64, [u32; 2]);
+type Portrait = (&'static str, [f64; 3], [f64; 3], f64, [u32; 2]);
 
-const VIEWS: [View; 5] = [
+const PORTRAITS: [Portrait; 5] = [
     ("front", [0.0, 1.1, 5.0], [0.0, 0.87, 0.0], 0.40, [420, 620]),
     ("side", [5.0, 1.1, 0.3], [0.0, 0.87, 0.0], 0.40, [420, 620]),
     (
@@ -84,8 +82,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }),
             ..Scene::default()
         };
-        for (name, eye, target, field, [width, height]) in VIEWS {
-            let camera = Camera::look_at(eye, target, [0.0, 1.0, 0.0], field, 0.1)?;
+        for (name, eye, target, field, [width, height]) in PORTRAITS {
+            let camera = View::look_at(eye, target, [0.0, 1.0, 0.0], field, 0.1)?;
             let style = Style {
                 width,
                 height,

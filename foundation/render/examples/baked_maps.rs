@@ -21,7 +21,7 @@ use ga_mesh::subdivision::{Cage, Rules};
 use ga_mesh::{CornerAttribute, Faces, Mesh, obj, tangents};
 use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
 use ga_render::{
-    Appearance, Attribute, Camera, MaterialChoice, Object, Scene, Style, ViewDirection, render,
+    Attribute, Appearance, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
 };
 
 type Picture = Plane<[u8; 3]>;
@@ -289,7 +289,7 @@ fn picture(
             .collect(),
         false => object.positions.to_vec(),
     };
-    let camera = Camera::fit(points, view, 0.5, style.aspect(), 0.06)?;
+    let camera = View::fit(points, view, 0.5, style.aspect(), 0.06)?;
     let scene = Scene {
         objects: vec![object],
         materials,

@@ -11,7 +11,7 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::subdivision::{Cage, Corner, Crease, INFINITELY_SHARP, Rules, Tags};
 use ga_mesh::{Faces, Mesh, obj};
-use ga_render::{Camera, Normals, Polyline, Scene, Style, ViewDirection, Visibility, render};
+use ga_render::{Normals, Polyline, Scene, Style, View, ViewDirection, Visibility, render};
 
 const SIZE: usize = 360;
 const LEVELS: u32 = 4;
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         elevation: elevation.to_radians(),
     };
     let corners: Vec<_> = cube.coordinates().collect();
-    let camera = Camera::fit(corners, view(28.0, 24.0), 0.5, 1.0, 0.08)?;
+    let camera = View::fit(corners, view(28.0, 24.0), 0.5, 1.0, 0.08)?;
     row(&mut sheet, 0, &cube, Rules::CATMULL_CLARK, &tags, &camera)?;
 
     let mesh = obj::read(file)?;
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         y > 0.45 * low[1] + 0.55 * high[1] && z < 0.6 * low[2] + 0.4 * high[2]
     };
     let head: Vec<_> = mesh.coordinates().filter(is_head).collect();
-    let camera = Camera::fit(head, view(205.0, 8.0), 0.5, 1.0, 0.3)?;
+    let camera = View::fit(head, view(205.0, 8.0), 0.5, 1.0, 0.3)?;
     row(&mut sheet, 1, &mesh, Rules::LOOP, &Tags::default(), &camera)?;
 
     png::write(out, &sheet)?;
@@ -89,7 +89,7 @@ fn row(
     mesh: &Mesh,
     rules: Rules,
     tags: &Tags,
-    camera: &Camera,
+    camera: &View,
 ) -> Result<(), Box<dyn Error>> {
     let style = Style {
         width: SIZE as u32,

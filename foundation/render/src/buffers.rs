@@ -8,7 +8,7 @@ use crate::fragment::Fragment;
 use crate::style::check_size;
 use crate::surface::{NO_TRIANGLE, Pass, Samples};
 use crate::world::World;
-use crate::{Camera, RenderError, Scene, Vector};
+use crate::{RenderError, Scene, Vector, View};
 
 /// What is seen at the centre of each pixel of a picture: which triangle, where, how far away.
 ///
@@ -17,12 +17,12 @@ use crate::{Camera, RenderError, Scene, Vector};
 /// is asked for.
 ///
 /// ```
-/// use ga_render::{Buffers, Camera, Scene};
+/// use ga_render::{Buffers, View, Scene};
 ///
 /// let positions = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
 /// let triangles = [[0, 1, 2]];
 /// let scene = Scene::new(&positions, &triangles);
-/// let camera = Camera::look_at([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], 1.0, 0.1)?;
+/// let camera = View::look_at([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], 1.0, 0.1)?;
 /// let buffers = Buffers::new(&scene, &camera, 65, 65)?;
 /// let seen = buffers.get(32, 32).unwrap();
 /// assert_eq!((seen.object, seen.triangle, seen.depth), (0, 0, 4.0));
@@ -31,7 +31,7 @@ use crate::{Camera, RenderError, Scene, Vector};
 /// ```
 pub struct Buffers<'a> {
     world: World<'a>,
-    camera: Camera,
+    camera: View,
     samples: Samples,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Buffers<'a> {
     /// [`RenderError::Style`] for a size that is zero or beyond 16,384.
     pub fn new(
         scene: &'a Scene<'a>,
-        camera: &Camera,
+        camera: &View,
         width: u32,
         height: u32,
     ) -> Result<Self, RenderError> {

@@ -8,7 +8,7 @@ use crate::lens::Lens;
 use crate::shade::Surface;
 use crate::texture::Mipmap;
 use crate::world::Face;
-use crate::{Camera, Vector};
+use crate::{Vector, View};
 
 /// Where a ray from the eye meets a triangle.
 pub(crate) struct Fragment<'w> {
@@ -51,7 +51,7 @@ impl<'w> Fragment<'w> {
     pub(crate) fn new(
         face: Face<'w>,
         ray: Vector,
-        camera: &Camera,
+        camera: &View,
         lens: &Lens,
         pixel: f64,
     ) -> Option<Self> {

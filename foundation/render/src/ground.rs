@@ -1,6 +1,6 @@
 //! The level ground under a model, and the background behind both.
 
-use crate::{Camera, Vector};
+use crate::{Vector, View};
 
 /// A level ground with a faint grid, fading into the background.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Ground {
 impl Ground {
     /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where
     /// it does not.
-    pub(crate) fn depth(&self, camera: &Camera, ray: Vector) -> f64 {
+    pub(crate) fn depth(&self, camera: &View, ray: Vector) -> f64 {
         let fall = camera.world_direction(ray).e2;
         let depth = (self.height - camera.eye()[1]) / fall;
         if depth >= camera.near() && depth <= camera.far() {

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::camera::Camera;
 use crate::cut::Cut;
 use crate::style::Style;
 use crate::surface::{Drawing, Pass, Samples};
+use crate::view::View;
 use crate::world::World;
 
 /// Every transparent surface that is seen at any sample of a picture.
@@ -39,7 +39,7 @@ const BAND: usize = 48;
 
 impl Layers {
     /// Draws the transparent triangles where no surface of `samples` lies in front of them.
-    pub(crate) fn draw(world: &World, camera: &Camera, style: &Style, samples: &Samples) -> Self {
+    pub(crate) fn draw(world: &World, camera: &View, style: &Style, samples: &Samples) -> Self {
         let transparent = transparent(world);
         if transparent.is_empty() {
             return Self {

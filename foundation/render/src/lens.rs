@@ -1,8 +1,8 @@
 //! The projection onto the pixels of one picture.
 
 use crate::Vector;
-use crate::camera::{Camera, Projection};
 use crate::clip::Clipper;
+use crate::view::{Projection, View};
 
 /// A camera's projection onto the pixels of one picture, where pixel (0, 0) covers 0 to 1.
 #[derive(Clone, Copy)]
@@ -19,19 +19,21 @@ pub(crate) struct Lens {
 const GUARD: f64 = 3.5;
 
 impl Lens {
-    pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
+    pub(crate) fn new(camera: &View, width: u32, height: u32) -> Self {
         let size = [f64::from(width), f64::from(height)];
+        // Offsets here count upwards, those of a camera downwards.
+        let skew = -camera.skew();
         match camera.projection() {
             Projection::FieldOfView { tangent } => Self {
                 focal: [size[1] / (2.0 * tangent); 2],
-                skew: 0.0,
+                skew,
                 centre: size.map(|side| side / 2.0),
             },
-            Projection::Pixels(intrinsics) => Self {
-                focal: intrinsics.focal,
-                // Offsets here count upwards, intrinsics downwards.
-                skew: -intrinsics.skew,
-                centre: intrinsics.centre(),
+            Projection::Pixels { focal, principal } => Self {
+                focal,
+                skew,
+                // A camera counts from the middle of the first pixel.
+                centre: principal.map(|c| c + 0.5),
             },
         }
     }
@@ -90,11 +92,11 @@ impl Lens {
     }
 }
 
-impl Camera {
+impl View {
     /// Column, row and depth at which a picture of the given size shows `point`, with the centre of
     /// pixel (0, 0) at (½, ½); `None` when it is nearer than the near depth, behind the camera, or
-    /// beyond the far depth. A picture of the camera with [`Intrinsics`](crate::Intrinsics) has one
-    /// size, and the one given here is not used.
+    /// beyond the far depth. A picture of [`View::pinhole`] has one size, and the one given here is
+    /// not used.
     pub fn project(&self, point: [f64; 3], width: u32, height: u32) -> Option<[f64; 3]> {
         let Vector {
             e1: x,

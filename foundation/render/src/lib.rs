@@ -11,7 +11,7 @@
 //! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
 //! | [`model`] | models from files as such scenes |
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
-//! | [`Camera`], [`Intrinsics`], [`ViewDirection`] | from where it is seen |
+//! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a side |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
 //!
 //! Hidden surfaces are removed by a depth buffer with several samples for each pixel. A triangle is
@@ -20,13 +20,13 @@
 //! up; lengths are in the unit of the model.
 //!
 //! ```
-//! use ga_render::{Camera, Scene, Style, ViewDirection, render};
+//! use ga_render::{View, Scene, Style, ViewDirection, render};
 //!
 //! let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 //! let scene = Scene::new(&positions, &triangles);
 //! let style = Style { width: 60, height: 80, ..Style::default() };
-//! let camera = Camera::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
+//! let camera = View::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
 //! let picture = render(&scene, &camera, &style)?;
 //! assert_eq!([picture.colour.width(), picture.colour.height()], [60, 80]);
 //! let [column, row, depth] = camera.project([0.3, 0.3, 0.3], 60, 80).unwrap();
@@ -37,7 +37,6 @@
 mod appearance;
 mod barycentric;
 mod buffers;
-mod camera;
 mod check;
 mod clip;
 mod cut;
@@ -47,7 +46,6 @@ mod error;
 mod fragment;
 mod ground;
 mod ground_shading;
-mod intrinsics;
 mod layers;
 mod lens;
 pub mod model;
@@ -65,6 +63,7 @@ mod style;
 mod surface;
 pub mod text;
 pub mod texture;
+mod view;
 mod world;
 
 use ga_image::colour::SrgbEncoder;
@@ -74,14 +73,13 @@ use surface::Pass;
 
 pub use appearance::{Appearance, CoordinateSet, Placement, Placements};
 pub use buffers::{Buffers, SurfacePoint};
-pub use camera::{Camera, ViewDirection};
 pub use depth::DepthMap;
 pub use error::RenderError;
 pub use ground::Ground;
-pub use intrinsics::{Intrinsics, PixelOrigin};
 pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility};
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};
+pub use view::{View, ViewDirection};
 
 /// A picture and the depths in it.
 #[derive(Clone, Debug)]
@@ -101,7 +99,7 @@ pub struct Rendering {
 /// # Errors
 ///
 /// [`RenderError`] for numbers that are not finite, indices out of range, and unusable styles.
-pub fn render(scene: &Scene, camera: &Camera, style: &Style) -> Result<Rendering, RenderError> {
+pub fn render(scene: &Scene, camera: &View, style: &Style) -> Result<Rendering, RenderError> {
     style.check()?;
     check::check(scene)?;
     let world = world::World::new(scene, camera)?;

@@ -4,7 +4,6 @@ use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::camera::Camera;
 use crate::depth::DepthMap;
 use crate::fragment::Fragment;
 use crate::ground_shading::{GroundShading, background};
@@ -13,6 +12,7 @@ use crate::shade::{Reaching, WorldLighting};
 use crate::shadow::{Caster, GroundShadow};
 use crate::shadow_map::ShadowMap;
 use crate::surface::{NO_TRIANGLE, Samples};
+use crate::view::View;
 use crate::world::World;
 use crate::{Appearance, Ground, RenderError, Shading, Style, Vector, occlusion};
 
@@ -28,7 +28,7 @@ const MOST: usize = 8;
 pub(crate) fn resolve(
     world: &World,
     ground: Option<Ground>,
-    camera: &Camera,
+    camera: &View,
     style: &Style,
     samples: &Samples,
     layers: &Layers,
@@ -74,7 +74,7 @@ pub(crate) fn resolve(
 
 struct Resolver<'a> {
     world: &'a World<'a>,
-    camera: &'a Camera,
+    camera: &'a View,
     style: &'a Style,
     samples: &'a Samples,
     layers: &'a Layers,
@@ -264,7 +264,7 @@ impl Resolver<'_> {
 fn ground_shading<'a>(
     world: &World,
     ground: Ground,
-    camera: &Camera,
+    camera: &View,
     style: &'a Style,
     lighting: &WorldLighting,
 ) -> GroundShading<'a> {

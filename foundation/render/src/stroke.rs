@@ -4,9 +4,9 @@ use crate::barycentric::volumes;
 use ga_image::colour::LinearColour;
 use rayon::prelude::*;
 
-use crate::camera::Camera;
 use crate::scene::{Scene, Visibility};
 use crate::surface::{NO_TRIANGLE, Samples};
+use crate::view::View;
 use crate::world::World;
 use crate::{Ground, Style};
 
@@ -27,7 +27,7 @@ pub(crate) fn draw(
     light: &mut [LinearColour],
     scene: &Scene,
     world: &World,
-    camera: &Camera,
+    camera: &View,
     style: &Style,
     samples: &Samples,
 ) {
@@ -116,7 +116,7 @@ struct Surfaces<'a> {
     world: &'a World<'a>,
     samples: &'a Samples,
     ground: Option<Ground>,
-    camera: &'a Camera,
+    camera: &'a View,
     /// Samples along each side of a pixel.
     factor: f64,
 }

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::camera::Camera;
 use crate::clip::Clipper;
 use crate::cut::Cut;
 use crate::lens::Lens;
 use crate::raster::{self, Corner};
+use crate::view::View;
 use crate::world::{Face, World};
 
 /// The visible surface at every sample of a picture.
@@ -42,7 +42,7 @@ impl Samples {
     /// Draws all triangles into a picture of `factor` samples along each side of a pixel.
     pub(crate) fn draw(
         world: &World,
-        camera: &Camera,
+        camera: &View,
         [width, height]: [u32; 2],
         factor: u32,
         pass: Pass,
@@ -105,7 +105,7 @@ impl<'a> Drawing<'a> {
     /// `lens` and size are those of the samples.
     pub(crate) fn new(
         world: &'a World<'a>,
-        camera: &Camera,
+        camera: &View,
         lens: Lens,
         [width, height]: [usize; 2],
         pass: Pass,

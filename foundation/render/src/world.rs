@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::appearance::{Appearance, CoordinateSet};
 use crate::scene::{MaterialChoice, Normals, Object, Scene};
 use crate::space::is_rigid;
-use crate::{Camera, LARGEST_COORDINATE, RenderError, Vector};
+use crate::{LARGEST_COORDINATE, RenderError, Vector, View};
 
 /// All objects of a scene. Their triangles are numbered one object after the other.
 pub(crate) struct World<'a> {
@@ -44,7 +44,7 @@ pub(crate) struct Face<'w> {
 
 impl<'a> World<'a> {
     /// The scene must have been checked.
-    pub(crate) fn new(scene: &'a Scene<'a>, camera: &Camera) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, camera: &View) -> Result<Self, RenderError> {
         let mut first = 0;
         let mut objects = Vec::with_capacity(scene.objects.len());
         for (index, object) in scene.objects.iter().enumerate() {

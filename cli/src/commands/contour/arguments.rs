@@ -6,6 +6,7 @@ use anyhow::Result;
 use clap::ValueEnum;
 
 use super::super::stereo::Axes;
+use crate::camera_file::ChosenPair;
 use crate::contour::settling;
 use crate::files::Files;
 use crate::format::Format;
@@ -35,9 +36,12 @@ pub(crate) struct Arguments {
     /// The picture, or the left and the right view.
     #[arg(value_name = "IMAGE", required = true, num_args = 1..=2)]
     pub(super) images: Vec<PathBuf>,
-    /// The two cameras: YAML as nullcone stereo calibrate writes it, or a Middlebury calib.txt.
+    /// The two cameras: YAML as nullcone stereo calibrate writes it, a Middlebury calib.txt, or two
+    /// views in JSON.
     #[arg(long, value_name = "FILE")]
     pub(super) rig: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) chosen: ChosenPair,
     /// What is written: the picture with the contours over it (.svg), or for two views the curve as
     /// a closed line (.obj).
     #[arg(long, value_name = "FILE.svg or FILE.obj")]

@@ -3,10 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use ga_camera::format::calib::Calib;
-use ga_camera::format::rig::RigFile;
 use ga_camera::rig::StereoRig;
-use ga_image::plane::Plane;
 use ga_mesh::format::Options;
 use ga_mesh::{Faces, Mesh, Polylines};
 use ga_runtime::cga3::{self, Motor, Point};
@@ -18,7 +15,7 @@ use serde::Serialize;
 use super::Arguments;
 use super::arguments::{Figure, check_out};
 use super::settling::Settled;
-use crate::commands::stereo::{pixels, views};
+use crate::commands::stereo::views;
 use crate::format::Format;
 use crate::frame::Progress;
 use crate::mesh_file;
@@ -83,7 +80,10 @@ pub(super) fn run(
     let progress = Progress::new(4, quiet);
     progress.step("reading the views");
     let pictures = views::read_pair(left, right)?;
-    let rig = read_rig(rig_path, &pictures, paths)?;
+    let size = [pictures[0].width(), pictures[0].height()];
+    let file = arguments.chosen.read(rig_path)?;
+    file.check_sizes(size, paths.map(PathBuf::as_path), rig_path)?;
+    let rig = file.rig;
     progress.step("moving the left snake");
     let settle = |side: usize| {
         let settings = &arguments.settings;
@@ -99,7 +99,6 @@ pub(super) fn run(
     let found = space_curve(&rig, &left_snake.points, &right_snake.points, &options);
     let found = found.with_context(|| format!("{} and {}", left.display(), right.display()))?;
     let curve = moved(&found, &arguments.axes.motor());
-    let size = [pictures[0].width(), pictures[0].height()];
     let report = report(&curve, size, &rig, [left_snake, right_snake], arguments.fit)?;
     if let Some(out) = &arguments.out {
         let files = mesh_file::files(out, Format::Obj, &mesh(&curve)?, &Options::default())?;
@@ -113,20 +112,6 @@ pub(super) fn run(
         return Ok(());
     }
     output::print(&report.text())
-}
-
-/// The cameras of a file, which have to be for views of this size.
-fn read_rig(path: &Path, pictures: &[Plane<u8>; 2], views: [&PathBuf; 2]) -> Result<StereoRig> {
-    let (rig, size) = if Format::Text.fits(path) {
-        let calib = Calib::read(path)?;
-        (calib.rig.stereo_rig(), calib.size)
-    } else {
-        let file = RigFile::read(path)?;
-        (file.rig, file.size)
-    };
-    let found = [pictures[0].width(), pictures[0].height()];
-    pixels::check(size, found, views[0], path)?;
-    Ok(rig)
 }
 
 fn moved(curve: &SpaceCurve, motor: &Motor<f64>) -> SpaceCurve {

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
-use ga_camera::format::camera::CameraFile;
-use ga_camera::format::rig::RigFile;
+use ga_camera::format::rig;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::calibration::{
@@ -17,6 +16,7 @@ use ga_vision::chessboard::{BoardSize, Chessboard, find};
 use serde::Serialize;
 
 use super::{corners, views};
+use crate::camera_file::{about, read_side};
 use crate::file_list;
 use crate::files::Files;
 use crate::format::Format;
@@ -62,11 +62,12 @@ pub(crate) struct Arguments {
     /// The distortion that is determined: none, fisheye, or terms such as k1,k2,p1,p2,k3.
     #[arg(long, value_name = "TERMS", default_value_t = LensTerms::default())]
     distortion: LensTerms,
-    /// The left camera in OpenCV's YAML: a guess, or, with --intrinsics known, the truth.
-    #[arg(long, value_name = "K.yml")]
+    /// The left camera, of a file of any format: a guess, or, with --intrinsics known, the truth. Of
+    /// a rig, it is the left camera.
+    #[arg(long, value_name = "FILE")]
     left_camera: Option<PathBuf>,
-    /// The right camera in OpenCV's YAML.
-    #[arg(long, value_name = "K.yml")]
+    /// The right camera; of a rig, it is the right camera.
+    #[arg(long, value_name = "FILE")]
     right_camera: Option<PathBuf>,
     /// Use all pairs with a board, also those that do not agree with the others.
     #[arg(long)]
@@ -200,11 +201,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         square,
     )
     .context("the edges of the squares cannot be measured")?;
-    let rig = RigFile {
-        rig: found.rig,
-        size: Some(size),
-    };
-    let contents = rig.encode();
+    let contents = rig::encode(&found.rig, Some(size));
     let contents = contents.with_context(|| arguments.out.display().to_string())?;
     let mut outputs = vec![(arguments.out.clone(), contents.into_bytes())];
     if let Some(folder) = &arguments.pictures {
@@ -223,13 +220,14 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 }
 
 fn settings(arguments: &Arguments) -> Result<StereoSettings> {
-    let read = |path: &Option<PathBuf>| -> Result<Option<Intrinsics>> {
-        let file = path.as_ref().map(CameraFile::read).transpose()?;
-        Ok(file.map(|file| file.intrinsics))
+    let read = |path: &Option<PathBuf>, side: usize| -> Result<Option<Intrinsics>> {
+        let Some(path) = path else { return Ok(None) };
+        let intrinsics = read_side(path, side)?.intrinsics();
+        Ok(Some(intrinsics.map_err(|error| about(path, error))?))
     };
     let cameras = [
-        read(&arguments.left_camera)?,
-        read(&arguments.right_camera)?,
+        read(&arguments.left_camera, 0)?,
+        read(&arguments.right_camera, 1)?,
     ];
     let is_known = arguments.intrinsics == IntrinsicsChoice::Known;
     ensure!(

@@ -6,7 +6,7 @@ mod diagnose;
 mod evaluate;
 mod match_views;
 mod picture;
-pub(super) mod pixels;
+mod pixels;
 mod pose;
 mod reconstruct;
 mod rectify;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::{Context as _, Error, Result, ensure};
 use ga_camera::Intrinsics;
-use ga_camera::format::camera::CameraFile;
+use ga_camera::format::{self, NamedCamera};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
 use ga_vision::ViewGeometryError;
@@ -14,6 +14,7 @@ use ga_vision::relative_pose::{Options, RelativePose, estimate};
 use serde::Serialize;
 
 use super::views;
+use crate::camera_file::{about, check_size, read_one};
 use crate::frame::{self, Command, Context, Progress};
 use crate::rotation::smaller_rotation;
 
@@ -45,13 +46,21 @@ pub(crate) struct Arguments {
     /// The second view.
     #[arg(value_name = "B")]
     second: PathBuf,
-    /// The camera of the first view, and of the second one unless --camera-b is given: calibration
-    /// matrix and distortion in OpenCV's YAML.
-    #[arg(long, value_name = "K.yml")]
+    /// The camera of the first view, and of the second one unless --camera-b is given: a file of
+    /// cameras of any format. Of a file with two cameras, the first is that of the first view and
+    /// the second that of the second one. Their poses are not used.
+    #[arg(long, value_name = "FILE")]
     camera: PathBuf,
     /// The camera of the second view.
-    #[arg(long, value_name = "K2.yml")]
+    #[arg(long, value_name = "FILE")]
     camera_b: Option<PathBuf>,
+    /// The camera of --camera that took the first view, and the second one unless --camera-b or
+    /// --view-b is given: its name, or its number from 0.
+    #[arg(long, value_name = "NAME")]
+    view: Option<String>,
+    /// The camera of --camera-b, or without it of --camera, that took the second view.
+    #[arg(long, value_name = "NAME")]
+    view_b: Option<String>,
     /// Corners that are farther from the epipolar condition are left out, in pixels.
     #[arg(long, value_name = "PX", default_value_t = Options::default().threshold)]
     threshold: f64,
@@ -92,11 +101,7 @@ impl Command for Arguments {
         );
         let progress = context.progress(3);
         progress.step("reading the views");
-        let first = CameraFile::read(&arguments.camera)?;
-        let second = match &arguments.camera_b {
-            Some(path) => CameraFile::read(path)?,
-            None => first,
-        };
+        let [first, second] = cameras(arguments)?;
         let views = [
             views::read(&arguments.first)?,
             views::read(&arguments.second)?,
@@ -107,15 +112,7 @@ impl Command for Arguments {
             (second_path, &second, &arguments.second, &views[1]),
         ] {
             views::check_side(view, view_path)?;
-            let size = [view.width(), view.height()];
-            ensure!(
-                camera.size.is_none_or(|expected| expected == size),
-                "{} has {} × {} pixels, which is not the size that {} states",
-                view_path.display(),
-                size[0],
-                size[1],
-                path.display()
-            );
+            check_size(camera.size, [view.width(), view.height()], view_path, path)?;
         }
 
         let begin = Instant::now();
@@ -124,7 +121,7 @@ impl Command for Arguments {
         let found = pose(
             a,
             b,
-            [&first.intrinsics, &second.intrinsics],
+            [&first.intrinsics()?, &second.intrinsics()?],
             arguments,
             &progress,
         )
@@ -137,6 +134,26 @@ impl Command for Arguments {
 
         Ok(Report::new(&found, seconds))
     }
+}
+
+/// The cameras of both views.
+fn cameras(arguments: &Arguments) -> Result<[NamedCamera; 2]> {
+    let (path, name) = (&arguments.camera, arguments.view.as_deref());
+    let name_b = arguments.view_b.as_deref();
+    if let Some(other) = &arguments.camera_b {
+        return Ok([read_one(path, name)?, read_one(other, name_b)?]);
+    }
+    let file = format::read(path)?;
+    let found = match (name, name_b, file.cameras.as_slice()) {
+        (None, None, [first, second]) => Ok([first, second]),
+        (None, Some(name_b), [first, _]) => file.camera(name_b).map(|second| [first, second]),
+        _ => file.one(name).and_then(|first| {
+            let second = name_b.map_or(Ok(first), |name| file.camera(name))?;
+            Ok([first, second])
+        }),
+    };
+    let found = found.map_err(|error| about(path, error))?;
+    Ok(found.map(NamedCamera::clone))
 }
 
 /// A motion, and the corners that it was found from.

@@ -6,8 +6,6 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::ValueEnum;
-use ga_camera::format::calib::Calib;
-use ga_camera::format::rig::RigFile;
 use ga_camera::rig::RectifiedRig;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
@@ -24,6 +22,7 @@ use serde::Serialize;
 
 use super::match_views::{Mode, threads};
 use super::views;
+use crate::camera_file::ChosenPair;
 use crate::files::Files;
 use crate::format::Format;
 use crate::frame::Progress;
@@ -32,9 +31,9 @@ use crate::output;
 
 /// Reconstruct what two cameras see, in metres.
 ///
-/// The views are as the cameras took them: they are rectified with the rig of a YAML file
-/// (OpenCV's names, as `nullcone stereo calibrate` writes them), matched, and each pixel that both
-/// cameras see becomes a point. Where --rig is a Middlebury calib.txt, the views are taken as
+/// The views are as the cameras took them: they are rectified with the rig of a file (of any format,
+/// such as OpenCV's YAML, which `nullcone stereo calibrate` writes), matched, and each pixel that
+/// both cameras see becomes a point. Where --rig is a Middlebury calib.txt, the views are taken as
 /// rectified already.
 ///
 /// The ending of --out decides: .ply holds a cloud of points, .obj and .glb a surface of triangles;
@@ -62,11 +61,13 @@ pub(crate) struct Arguments {
     /// The right view.
     #[arg(value_name = "RIGHT")]
     right: PathBuf,
-    /// The two cameras: YAML with M1, D1, M2, D2, R and T in one file, or a calib.txt. OpenCV's
-    /// examples write two files: append extrinsics.yml, without `%YAML:1.0` and `---`, to
+    /// The two cameras: YAML with M1, D1, M2, D2, R and T in one file, a calib.txt, or two views in
+    /// JSON. OpenCV's examples write two files: append extrinsics.yml, without `%YAML:1.0` and `---`, to
     /// intrinsics.yml.
     #[arg(long, value_name = "FILE")]
     rig: PathBuf,
+    #[command(flatten)]
+    chosen: ChosenPair,
     /// The model: .ply, .obj, .glb or .gltf.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -161,7 +162,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     progress.step("reading the views");
     let views = views::read_colour_pair(&arguments.left, &arguments.right)?;
     progress.step("rectifying");
-    let pair = rectify(views, &arguments.rig)?;
+    let pair = rectify(views, arguments)?;
     progress.step("matching");
     let (map, range) = disparities(&pair, arguments)?;
     progress.step("building the model");
@@ -265,32 +266,20 @@ impl Axes {
 }
 
 /// Rectifies the views with the rig of a file.
-fn rectify(views: [Plane<[u8; 3]>; 2], path: &Path) -> Result<Pair> {
+fn rectify(views: [Plane<[u8; 3]>; 2], arguments: &Arguments) -> Result<Pair> {
+    let path = &arguments.rig;
     let size = [views[0].width(), views[0].height()];
-    let check = |expected: Option<[usize; 2]>| {
-        let [width, height] = expected.unwrap_or(size);
-        ensure!(
-            [width, height] == size,
-            "{}: the cameras take pictures of {width} × {height} pixels, and the views have {} × {}",
-            path.display(),
-            size[0],
-            size[1]
-        );
-        Ok(())
-    };
-    if Format::Text.fits(path) {
-        let calib = Calib::read(path)?;
-        check(calib.size)?;
+    let rig = arguments.chosen.read(path)?;
+    rig.check_sizes(size, [&arguments.left, &arguments.right], path)?;
+    if let Some(rectified) = rig.rectified {
         return Ok(Pair {
             inside: [(); 2].map(|()| Plane::filled(size[0], size[1], true)),
             views,
-            rig: calib.rig,
+            rig: rectified.rig,
             to_left: Motor::default(),
-            disparities: calib.disparities,
+            disparities: rectified.disparities,
         });
     }
-    let rig = RigFile::read(path)?;
-    check(rig.size)?;
     let found = Rectification::new(&rig.rig, size, RectificationOptions::default())
         .with_context(|| path.display().to_string())?;
     let maps = [found.left_map(), found.right_map()];

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
-use ga_camera::format::rig::RigFile;
+use ga_camera::format::rig;
 use ga_camera::format::yaml::{Matrix, Storage};
 use ga_image::png;
 use ga_runtime::cga3::Motor;
@@ -11,6 +11,7 @@ use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
 use serde::Serialize;
 
 use super::pixels;
+use crate::camera_file::ChosenPair;
 use crate::files::Files;
 use crate::frame::Progress;
 use crate::output::{self, File};
@@ -21,8 +22,8 @@ const RIG: &str = "rig.yml";
 
 /// Rectify two views, so that the images of a point are in the same row of both.
 ///
-/// The rig is a YAML file with OpenCV's names M1, D1, M2, D2, R and T, as `nullcone stereo
-/// calibrate` writes it. The folder gets left.png, right.png and rig.yml, which holds the rectified
+/// The rig is a file of two cameras of any format, such as YAML with OpenCV's names M1, D1, M2, D2,
+/// R and T, as `nullcone stereo calibrate` writes it. The folder gets left.png, right.png and rig.yml, which holds the rectified
 /// cameras (M1, M2, R, T) and OpenCV's R1, R2, P1, P2 and Q. What no camera saw is black.
 ///
 /// For instance
@@ -44,8 +45,10 @@ pub(crate) struct Arguments {
     #[arg(value_name = "RIGHT")]
     right: PathBuf,
     /// The two cameras and the motion between them.
-    #[arg(long, value_name = "RIG.yml")]
+    #[arg(long, value_name = "FILE")]
     rig: PathBuf,
+    #[command(flatten)]
+    chosen: ChosenPair,
     /// The folder for the rectified views and cameras.
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
@@ -95,7 +98,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     Files::reading(inputs).write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
     let progress = Progress::new(4, quiet);
     progress.step("reading the views");
-    let file = RigFile::read(&arguments.rig)?;
+    let file = arguments.chosen.read(&arguments.rig)?;
     let left = ga_image::file::read(&arguments.left)?;
     let right = ga_image::file::read(&arguments.right)?;
     let size = [left.width(), left.height()];
@@ -109,7 +112,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         right.width(),
         right.height()
     );
-    pixels::check(file.size, size, &arguments.left, &arguments.rig)?;
+    file.check_sizes(size, [&arguments.left, &arguments.right], &arguments.rig)?;
 
     progress.step("rectifying");
     let options = RectificationOptions {
@@ -153,11 +156,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
 
 /// The rectified cameras, with the matrices that OpenCV's `stereoRectify` returns.
 fn cameras(found: &Rectification) -> Result<Storage> {
-    let file = RigFile {
-        rig: found.rig.stereo_rig(),
-        size: Some(found.size),
-    };
-    let mut storage = file.storage()?;
+    let mut storage = rig::storage(&found.rig.stereo_rig(), Some(found.size))?;
     for (name, motor) in [("R1", found.left.motor), ("R2", found.right.motor)] {
         let rows = motor.rotor().to_matrix();
         storage.set_matrix(

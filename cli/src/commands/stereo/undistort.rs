@@ -3,20 +3,21 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
-use ga_camera::format::camera::CameraFile;
+use ga_camera::format::camera;
 use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
-use super::pixels;
+use crate::camera_file::{about, check_size, read_one};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
 
 /// Remove the distortion of a lens from a picture.
 ///
-/// The camera is a YAML file with OpenCV's names camera_matrix and distortion_coefficients, and
-/// fisheye_model: 1 for a fisheye lens. What the camera did not see is black.
+/// The camera is that of a file of any format, such as YAML with OpenCV's names camera_matrix and
+/// distortion_coefficients, and fisheye_model: 1 for a fisheye lens. What the camera did not see is
+/// black.
 ///
 /// For instance
 ///
@@ -32,8 +33,11 @@ pub(crate) struct Arguments {
     #[arg(value_name = "PICTURE")]
     picture: PathBuf,
     /// The camera.
-    #[arg(long, value_name = "K.yml")]
+    #[arg(long, value_name = "FILE")]
     camera: PathBuf,
+    /// Which camera of the file, where it has several: its name, or its number from 0.
+    #[arg(long, value_name = "NAME")]
+    view: Option<String>,
     /// The result.
     #[arg(long, value_name = "FILE.png")]
     out: PathBuf,
@@ -70,13 +74,15 @@ impl Command for Arguments {
         )?;
         let progress = context.progress(3);
         progress.step("reading the picture");
-        let file = CameraFile::read(&arguments.camera)?;
+        let camera = read_one(&arguments.camera, arguments.view.as_deref())?;
+        let intrinsics = camera.intrinsics();
+        let intrinsics = intrinsics.map_err(|error| about(&arguments.camera, error))?;
         let old = ga_image::file::read(&arguments.picture)?;
         let size = [old.width(), old.height()];
-        pixels::check(file.size, size, &arguments.picture, &arguments.camera)?;
+        check_size(camera.size, size, &arguments.picture, &arguments.camera)?;
 
         progress.step("removing the distortion");
-        let found = Undistortion::new(file.intrinsics, size, arguments.alpha)
+        let found = Undistortion::new(intrinsics, size, arguments.alpha)
             .with_context(|| arguments.picture.display().to_string())?;
         let map = found.map();
         let new = old.view().warped(&map)?;
@@ -84,13 +90,9 @@ impl Command for Arguments {
         let unseen = inside.values().iter().filter(|inside| !**inside).count();
 
         progress.step("writing");
-        let camera = CameraFile {
-            intrinsics: found.target,
-            size: Some(size),
-        };
         let mut files = vec![(&arguments.out, png::encode(&new)?)];
         if let Some(path) = &arguments.new_camera {
-            files.push((path, camera.encode().into_bytes()));
+            files.push((path, camera::encode(&found.target, Some(size)).into_bytes()));
         }
         output::write_together(files)?;
         drop(progress);

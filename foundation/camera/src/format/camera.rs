@@ -12,14 +12,13 @@
 //! `Camera_Matrix` and `Distortion_Coefficients` are those of an old example of OpenCV.
 //! Without distortion the camera is a pinhole. Everything else in the file is ignored.
 
-use std::path::Path;
-
-use ga_files::{ReadError, WriteError};
-
-use super::yaml::{Matrix, Storage, YamlError};
+use super::camera_file::{CameraFile, NamedCamera, SINGLE};
+use super::error::{CameraFileError, Place};
+use super::yaml::{Matrix, Storage};
 use crate::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 
-const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
+/// The names of K.
+pub(super) const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
 const DISTORTION: [&str; 5] = [
     "distortion_coefficients",
     "distCoeffs",
@@ -28,65 +27,35 @@ const DISTORTION: [&str; 5] = [
     "D",
 ];
 
-/// A camera, and the size of its pictures in pixels where it is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CameraFile {
-    /// Focal lengths, principal point and lens.
-    pub intrinsics: Intrinsics,
-    /// Width and height.
-    pub size: Option<[usize; 2]>,
+/// The camera of a file.
+pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
+    let is_fisheye = is_fisheye(storage)?;
+    let intrinsics = intrinsics(storage, &MATRIX, &DISTORTION, is_fisheye)?;
+    let camera = NamedCamera::new(SINGLE, intrinsics).with_size(size(storage)?);
+    Ok(CameraFile::new(vec![camera]))
 }
 
-impl CameraFile {
-    /// Reads a camera from the text of a file.
-    ///
-    /// # Errors
-    /// [`YamlError`] for what is not such YAML, and for a camera that is missing or impossible.
-    ///
-    /// ```
-    /// use ga_camera::format::camera::CameraFile;
-    /// let text = "%YAML:1.0\n---\nK: [[500, 0, 320], [0, 501, 240], [0, 0, 1]]\n";
-    /// let file = CameraFile::decode(text.as_bytes())?;
-    /// assert_eq!(file.intrinsics.focal(), [500.0, 501.0]);
-    /// assert_eq!(file, CameraFile::decode(file.encode().as_bytes())?);
-    /// # Ok::<(), ga_camera::format::yaml::YamlError>(())
-    /// ```
-    pub fn decode(bytes: &[u8]) -> Result<Self, YamlError> {
-        let storage = Storage::decode(bytes)?;
-        let is_fisheye = is_fisheye(&storage)?;
-        Ok(Self {
-            intrinsics: intrinsics(&storage, &MATRIX, &DISTORTION, is_fisheye)?,
-            size: size(&storage)?,
-        })
+/// The text of a file.
+///
+/// ```
+/// use std::path::Path;
+/// use ga_camera::{Intrinsics, format};
+/// let intrinsics = Intrinsics::new([500.0, 501.0], [320.0, 240.0])?;
+/// let text = format::camera::encode(&intrinsics, Some([640, 480]));
+/// let file = format::decode(text.as_bytes(), Path::new(""))?;
+/// assert_eq!(file.cameras[0].intrinsics()?, intrinsics);
+/// assert_eq!(file.cameras[0].size, Some([640, 480]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn encode(intrinsics: &Intrinsics, size: Option<[usize; 2]>) -> String {
+    let mut storage = Storage::default();
+    set_size(&mut storage, size);
+    if matches!(intrinsics.lens(), Lens::Fisheye(_)) {
+        storage.set_number("fisheye_model", 1.0);
     }
-
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// [`ReadError`] with the file and an error of [`decode`](Self::decode).
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError<YamlError>> {
-        ga_files::read(path, Self::decode)
-    }
-
-    /// The text of a file.
-    #[must_use]
-    pub fn encode(&self) -> String {
-        let mut storage = Storage::default();
-        set_size(&mut storage, self.size);
-        if matches!(self.intrinsics.lens(), Lens::Fisheye(_)) {
-            storage.set_number("fisheye_model", 1.0);
-        }
-        set_intrinsics(&mut storage, [MATRIX[0], DISTORTION[0]], &self.intrinsics);
-        storage.encode()
-    }
-
-    /// Writes a file, whole or not at all.
-    ///
-    /// # Errors
-    /// [`WriteError`] where it cannot be written.
-    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        ga_files::write(path, self.encode().as_bytes())
-    }
+    set_intrinsics(&mut storage, [MATRIX[0], DISTORTION[0]], intrinsics);
+    storage.encode()
 }
 
 /// The first of several names under which a value is stored.
@@ -95,15 +64,16 @@ pub(super) fn first<'a>(storage: &Storage, names: &[&'a str]) -> Option<&'a str>
     names.find(|name| storage.names().any(|other| other == *name))
 }
 
-pub(super) fn missing(names: &[&'static str]) -> YamlError {
-    let quoted: Vec<String> = names[1..].iter().map(|name| format!("`{name}`")).collect();
-    YamlError::Missing {
-        name: names[0],
-        also: match quoted.as_slice() {
-            [] => String::new(),
-            quoted => format!(", and none of {}", quoted.join(", ")),
-        },
+pub(super) fn missing(names: &[&'static str]) -> CameraFileError {
+    CameraFileError::Missing {
+        place: Place::on_line(0, names[0]),
+        also: names[1..].to_vec(),
     }
+}
+
+/// Where a value stands.
+pub(super) fn place(storage: &Storage, name: &str) -> Place {
+    Place::on_line(storage.line(name), name)
 }
 
 /// A matrix of some shape, with the name under which it was found.
@@ -112,15 +82,14 @@ pub(super) fn shaped<'a, const N: usize>(
     names: &[&'static str],
     shapes: &[[usize; 2]],
     expected: &'static str,
-) -> Result<(&'a str, [f64; N]), YamlError> {
+) -> Result<(&'a str, [f64; N]), CameraFileError> {
     let name = first(storage, names).ok_or_else(|| missing(names))?;
     let matrix = storage.matrix(name)?.ok_or_else(|| missing(names))?;
     let values = <[f64; N]>::try_from(matrix.values());
     match values {
         Ok(values) if shapes.contains(&[matrix.rows(), matrix.columns()]) => Ok((name, values)),
-        _ => Err(YamlError::Shape {
-            name: name.to_owned(),
-            line: storage.line(name),
+        _ => Err(CameraFileError::Shape {
+            place: place(storage, name),
             rows: matrix.rows(),
             columns: matrix.columns(),
             expected,
@@ -138,11 +107,10 @@ pub(super) fn intrinsics(
     matrix: &[&'static str],
     distortion: &[&'static str],
     is_fisheye: bool,
-) -> Result<Intrinsics, YamlError> {
+) -> Result<Intrinsics, CameraFileError> {
     let (name, values) = shaped::<9>(storage, matrix, &[[3, 3]], "3 × 3")?;
-    let refuse = |name: &str, error: CameraError| YamlError::Camera {
-        name: name.to_owned(),
-        line: storage.line(name),
+    let refuse = |name: &str, error: CameraError| CameraFileError::Camera {
+        place: place(storage, name),
         error: error.into(),
     };
     let plain = Intrinsics::from_matrix(by_rows(values)).map_err(|error| refuse(name, error))?;
@@ -151,9 +119,8 @@ pub(super) fn intrinsics(
     };
     let matrix = storage.matrix(name)?.ok_or_else(|| missing(distortion))?;
     if matrix.rows() > 1 && matrix.columns() > 1 {
-        return Err(YamlError::Shape {
-            name: name.to_owned(),
-            line: storage.line(name),
+        return Err(CameraFileError::Shape {
+            place: place(storage, name),
             rows: matrix.rows(),
             columns: matrix.columns(),
             expected: "one row or one column",
@@ -168,38 +135,35 @@ pub(super) fn intrinsics(
     Ok(plain.with_lens(lens.map_err(|error| refuse(name, error))?))
 }
 
-pub(super) fn is_fisheye(storage: &Storage) -> Result<bool, YamlError> {
+pub(super) fn is_fisheye(storage: &Storage) -> Result<bool, CameraFileError> {
     if let Some(number) = storage.number("fisheye_model")? {
         return Ok(number != 0.0);
     }
     match storage.text("distortion_model")?.as_deref() {
         Some("equidistant" | "fisheye") => Ok(true),
         None | Some("plumb_bob" | "rational_polynomial" | "radtan") => Ok(false),
-        Some(_) => Err(YamlError::Type {
-            name: "distortion_model".to_owned(),
-            line: storage.line("distortion_model"),
+        Some(_) => Err(CameraFileError::Value {
+            place: place(storage, "distortion_model"),
             expected: "equidistant, fisheye, plumb_bob, radtan or rational_polynomial",
         }),
     }
 }
 
-pub(super) fn size(storage: &Storage) -> Result<Option<[usize; 2]>, YamlError> {
+pub(super) fn size(storage: &Storage) -> Result<Option<[usize; 2]>, CameraFileError> {
     for names in [
         ["image_width", "image_height"],
         ["image_Width", "image_Height"],
     ] {
-        let [width, height] = names.map(|name| Ok::<_, YamlError>((name, storage.number(name)?)));
+        let [width, height] =
+            names.map(|name| Ok::<_, CameraFileError>((name, storage.number(name)?)));
         match (width?, height?) {
             ((_, None), (_, None)) => {}
             ((first, Some(width)), (second, Some(height))) => {
-                let pixels = |name, value| pixels(name, storage.line(name), value);
+                let pixels = |name, value| pixels(place(storage, name), value);
                 return Ok(Some([pixels(first, width)?, pixels(second, height)?]));
             }
             ((name, None), _) | (_, (name, None)) => {
-                return Err(YamlError::Missing {
-                    name,
-                    also: String::new(),
-                });
+                return Err(missing(&[name]));
             }
         }
     }
@@ -209,22 +173,15 @@ pub(super) fn size(storage: &Storage) -> Result<Option<[usize; 2]>, YamlError> {
     }
     let (name, [width, height]) =
         shaped::<2>(storage, &names, &[[2, 1], [1, 2]], "width and height")?;
-    let line = storage.line(name);
-    Ok(Some([
-        pixels(name, line, width)?,
-        pixels(name, line, height)?,
-    ]))
+    let pixels = |value| pixels(place(storage, name), value);
+    Ok(Some([pixels(width)?, pixels(height)?]))
 }
 
-fn pixels(name: &str, line: usize, value: f64) -> Result<usize, YamlError> {
+fn pixels(place: Place, value: f64) -> Result<usize, CameraFileError> {
     if value >= 1.0 && value <= f64::from(u32::MAX) && value.fract() == 0.0 {
         Ok(value as usize)
     } else {
-        Err(YamlError::Size {
-            name: name.to_owned(),
-            line,
-            value,
-        })
+        Err(CameraFileError::Size { place, value })
     }
 }
 

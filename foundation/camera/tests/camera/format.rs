@@ -1,15 +1,23 @@
 //! Files of cameras and rigs: OpenCV's own, round trips, and what is wrong with others.
 
-use ga_camera::format::calib::{Calib, CalibError};
-use ga_camera::format::camera::CameraFile;
-use ga_camera::format::rig::RigFile;
-use ga_camera::format::yaml::{Matrix, Storage, YamlError};
-use ga_camera::rig::StereoRig;
+use std::path::Path;
+
+use ga_camera::format::yaml::{Matrix, Storage};
+use ga_camera::format::{self, CameraFile, CameraFileError, NamedCamera, Rectified};
+use ga_camera::rig::{RectifiedRig, StereoRig};
 use ga_camera::{Camera, CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 
 use super::{motor, vector};
+
+fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
+    format::decode(text.as_bytes(), Path::new("folder"))
+}
+
+fn rig(text: &str) -> StereoRig {
+    decode(text).unwrap().rig(&[]).unwrap()
+}
 
 fn lens() -> impl Strategy<Value = Lens> {
     let coefficients = || prop::collection::vec(-0.3..0.3, 14);
@@ -42,9 +50,63 @@ proptest! {
         intrinsics in prop_oneof![intrinsics(lens()), intrinsics(fisheye())],
         size in size(),
     ) {
-        let file = CameraFile { intrinsics, size };
-        let again = CameraFile::decode(file.encode().as_bytes()).unwrap();
-        prop_assert_eq!(again, file, "{}", file.encode());
+        let text = format::camera::encode(&intrinsics, size);
+        let again = decode(&text).unwrap();
+        let expected = NamedCamera::new("camera", intrinsics).with_size(size);
+        prop_assert_eq!(again.cameras, [expected], "{}", text);
+    }
+
+    #[test]
+    fn cameras_and_views_come_back_from_json(
+        intrinsics in prop_oneof![intrinsics(lens()), intrinsics(fisheye())],
+        (size, skew) in ([1usize..9000, 1usize..9000], prop_oneof![Just(0.0), -3.0..3.0]),
+        pose in prop::option::of((vector(1.0), -3.0..3.0, vector(2.0))),
+        depths in [prop::option::of(0.1..1.0), prop::option::of(5.0..9.0)],
+    ) {
+        let mut camera = NamedCamera::new("camera", intrinsics).with_skew(skew);
+        camera.size = Some(size);
+        camera.pose = pose.map(|(axis, angle, along)| motor(axis, angle, along));
+        [camera.near, camera.far] = depths;
+        let again = decode(&format::json::encode(&camera).unwrap()).unwrap();
+        prop_assert!(is_same(&again.cameras[0], &camera), "{again:?}");
+
+        camera.picture = Some("folder/a.png".into());
+        let text = format::json::encode_views(&[camera.clone()], Path::new("folder"));
+        match text {
+            Ok(text) => {
+                camera.name = "a.png".to_owned();
+                prop_assert!(is_same(&decode(&text).unwrap().cameras[0], &camera));
+            }
+            Err(error) => {
+                prop_assert!(camera.pose.is_none());
+                let is_pose = matches!(error, CameraFileError::NoPose { .. });
+                prop_assert!(is_pose, "{error}");
+            }
+        }
+    }
+
+    #[test]
+    fn rectified_rigs_come_back(
+        (f, c) in ([100.0..2000.0, 100.0..2000.0], [0.0..900.0, 0.0..900.0, 0.0..900.0]),
+        baseline in 0.01..2.0,
+        (size, disparities) in (size(), prop::option::of(1usize..500)),
+    ) {
+        let camera = |column| Intrinsics::new(f, [column, c[2]]).unwrap();
+        let rig = RectifiedRig::new(camera(c[0]), camera(c[1]), baseline).unwrap();
+        let rectified = Rectified { rig, disparities };
+        let again = decode(&format::calib::encode(&rectified, size)).unwrap();
+        let found = again.rectified.unwrap();
+        prop_assert_eq!(found.rig.left(), rig.left());
+        prop_assert_eq!(found.rig.right(), rig.right());
+        prop_assert!((found.rig.baseline() / baseline - 1.0).abs() < 1e-15);
+        prop_assert_eq!(found.disparities, disparities);
+        for camera in &again.cameras {
+            prop_assert_eq!(camera.size, size);
+        }
+        // The cameras of the list are the two of the rectified rig.
+        let listed = again.rig(&[]).unwrap();
+        prop_assert_eq!(listed.right.intrinsics, rig.right());
+        prop_assert!((listed.baseline() / baseline - 1.0).abs() < 1e-14);
     }
 
     #[test]
@@ -62,12 +124,12 @@ proptest! {
             left: camera(cameras.0, identity),
             right: camera(cameras.1, motor(pose.0, pose.1, pose.2)),
         };
-        let file = RigFile { rig, size };
-        let again = RigFile::decode(file.encode().unwrap().as_bytes()).unwrap();
-        prop_assert_eq!(again.size, size);
-        prop_assert_eq!(again.rig.left, rig.left);
-        prop_assert_eq!(again.rig.right.intrinsics, rig.right.intrinsics);
-        let (a, b) = (again.rig.left_to_right().motor.to_matrix(), rig.left_to_right().motor.to_matrix());
+        let file = decode(&format::rig::encode(&rig, size).unwrap()).unwrap();
+        prop_assert!(file.cameras.iter().all(|camera| camera.size == size));
+        let again = file.rig(&[]).unwrap();
+        prop_assert_eq!(again.left, rig.left);
+        prop_assert_eq!(again.right.intrinsics, rig.right.intrinsics);
+        let (a, b) = (again.left_to_right().motor.to_matrix(), rig.left_to_right().motor.to_matrix());
         for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
             prop_assert!((a - b).abs() < 1e-14, "{a} {b}");
         }
@@ -96,10 +158,25 @@ proptest! {
     #[test]
     fn no_text_makes_the_reader_panic(text in "[-%:\\[\\]{}#&*!|>'\"0-9a-eM \n.,]{0,60}") {
         _ = Storage::decode(text.as_bytes());
-        _ = RigFile::decode(format!("%YAML:1.0\nM1: {text}").as_bytes());
-        _ = Calib::decode(text.as_bytes());
-        _ = Calib::decode(format!("cam0=[{text}").as_bytes());
+        _ = decode(&text);
+        _ = decode(&format!("%YAML:1.0\nM1: {text}"));
+        _ = decode(&format!("cam0=[{text}"));
+        _ = decode(&format!("{{\"views\": [{text}"));
     }
+}
+
+/// Whether cameras are equal but for rounding in their poses.
+fn is_same(a: &NamedCamera, b: &NamedCamera) -> bool {
+    let poses = match (a.pose, b.pose) {
+        (None, None) => true,
+        (Some(p), Some(q)) => {
+            let (p, q) = (p.to_matrix(), q.to_matrix());
+            let mut pairs = p.iter().flatten().zip(q.iter().flatten());
+            pairs.all(|(p, q)| (p - q).abs() < 1e-14)
+        }
+        _ => false,
+    };
+    poses && a.clone().with_pose(None) == b.clone().with_pose(None)
 }
 
 #[test]
@@ -107,14 +184,16 @@ fn cameras_of_opencv_are_read() {
     let Some(path) = shared("data/vision/opencv/left_intrinsics.yml") else {
         return;
     };
-    let file = CameraFile::read(path).unwrap();
-    assert_eq!(file.size, Some([640, 480]));
-    assert_eq!(file.intrinsics.focal(), [535.915_733_961_632; 2]);
+    let file = format::read(path).unwrap();
+    let camera = file.one(None).unwrap();
+    let intrinsics = camera.intrinsics().unwrap();
+    assert_eq!(camera.size, Some([640, 480]));
+    assert_eq!(intrinsics.focal(), [535.915_733_961_632; 2]);
     assert_eq!(
-        file.intrinsics.principal(),
+        intrinsics.principal(),
         [342.283_154_733_083_73, 235.570_829_097_881_73]
     );
-    let found = file.intrinsics.lens().coefficients();
+    let found = intrinsics.lens().coefficients();
     assert_eq!(found[0], -0.266_372_609_096_606_8);
     assert_eq!(found[4], 0.238_391_530_808_784_86);
     assert!(found[5..].iter().all(|x| *x == 0.0));
@@ -128,16 +207,16 @@ fn the_intrinsics_of_opencvs_rig_are_read() {
     // It has no R and T, which OpenCV writes to a file of their own.
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(matches!(
-        RigFile::decode(text.as_bytes()),
-        Err(YamlError::Missing { name: "T", .. })
+        decode(&text),
+        Err(CameraFileError::Missing { place, .. }) if place.key == "T"
     ));
-    let error = RigFile::read(&path).unwrap_err().to_string();
+    let error = format::read(&path).unwrap_err().to_string();
     assert!(
         error.contains("intrinsics.yml: there is no `T`, and none of `t`"),
         "{error}"
     );
     let more = format!("{text}R: [ 0.01, -0.02, 0.03 ]\nT: [ -3.3, 0.04, 0.05 ]\n");
-    let rig = RigFile::decode(more.as_bytes()).unwrap().rig;
+    let rig = rig(&more);
     assert_eq!(rig.left.intrinsics.focal()[0], 534.803_268_450_513_1);
     assert_eq!(rig.right.intrinsics.principal()[1], 242.053_245_733_766);
     let rotation = rig.left_to_right().motor.rotor().to_rotation_vector();
@@ -172,15 +251,15 @@ T: !!opencv-matrix
    data: [ -0.1, 0., 0. ]
 ";
 
-fn refused(text: &str, from: &str, to: &str) -> YamlError {
+fn refused(text: &str, from: &str, to: &str) -> CameraFileError {
     assert!(text.contains(from), "{from}");
-    RigFile::decode(text.replacen(from, to, 1).as_bytes()).unwrap_err()
+    decode(&text.replacen(from, to, 1)).unwrap_err()
 }
 
 #[test]
 fn what_is_wrong_with_a_rig_is_named_with_its_line() {
-    let rig = RigFile::decode(RIG.as_bytes()).unwrap();
-    assert_eq!((rig.rig.baseline(), rig.size), (0.1, None));
+    assert_eq!(rig(RIG).baseline(), 0.1);
+    assert_eq!(decode(RIG).unwrap().cameras[0].size, None);
     let error = |from, to| refused(RIG, from, to).to_string();
     assert_eq!(
         error("-0.1, 0., 0.", "0., 0., 0."),
@@ -223,39 +302,32 @@ fn what_is_no_camera_of_a_rig_is_refused() {
     assert!(
         matches!(
             &negative,
-            YamlError::Camera { line: 3, error, .. }
-                if matches!(**error, CameraError::Intrinsics { .. })
+            CameraFileError::Camera { place, error }
+                if place.line == Some(3) && matches!(**error, CameraError::Intrinsics { .. })
         ),
         "{negative}"
     );
     let skewed = refused(RIG, "500., 0., 320.", "500., 0.5, 320.");
     assert!(matches!(
         skewed,
-        YamlError::Camera { error, .. }
+        CameraFileError::Camera { error, .. }
             if matches!(*error, CameraError::Matrix { row: 0, column: 1, .. })
     ));
     let distorted = refused(RIG, "M2:", "D1: [ 0.1, 0.2, 0.3 ]\nM2:");
     assert!(matches!(
         distorted,
-        YamlError::Camera { error, .. }
+        CameraFileError::Camera { error, .. }
             if matches!(*error, CameraError::CoefficientCount { found: 3, .. })
     ));
     let size = refused(RIG, "M1:", "image_width: 640.5\nimage_height: 480\nM1:");
     assert!(matches!(
         size,
-        YamlError::Size {
-            line: 3,
-            value: 640.5,
-            ..
-        }
+        CameraFileError::Size { place, value: 640.5 } if place.line == Some(3)
     ));
     let half = refused(RIG, "M1:", "image_width: 640\nM1:");
     assert!(matches!(
         half,
-        YamlError::Missing {
-            name: "image_height",
-            ..
-        }
+        CameraFileError::Missing { place, .. } if place.key == "image_height"
     ));
 }
 
@@ -266,21 +338,17 @@ fn what_is_no_rotation_of_a_rig_is_refused() {
         "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
         "1., 0., 0., 0., 1.1, 0., 0., 0., 1. ]\nT",
     );
-    let YamlError::Rotation {
-        line: 13,
-        deviation,
-        ..
-    } = scaled
-    else {
+    let CameraFileError::Rotation { place, deviation } = scaled else {
         panic!("{scaled}");
     };
+    assert_eq!(place.line, Some(13));
     assert!((deviation - 0.1).abs() < 1e-12);
     let mirrored = refused(
         RIG,
         "1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
         "-1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT",
     );
-    assert!(matches!(mirrored, YamlError::Rotation { .. }));
+    assert!(matches!(mirrored, CameraFileError::Rotation { .. }));
 }
 
 #[test]
@@ -291,8 +359,11 @@ fn a_rotation_of_few_digits_is_replaced_by_the_nearest() {
         -sine
     );
     let text = RIG.replacen("1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT", &rotation, 1);
-    let rig = RigFile::decode(text.as_bytes()).unwrap().rig;
-    let [x, y, z] = rig.left_to_right().motor.rotor().to_rotation_vector();
+    let [x, y, z] = rig(&text)
+        .left_to_right()
+        .motor
+        .rotor()
+        .to_rotation_vector();
     assert!(
         x.abs() < 1e-15 && z.abs() < 1e-15 && (y - 0.3).abs() < 1e-5,
         "{y}"
@@ -317,57 +388,63 @@ fn no_values_and_values_with_any_name_come_back() {
 #[test]
 fn what_is_not_such_yaml() {
     let error = |bytes: &[u8]| Storage::decode(bytes).unwrap_err();
-    assert_eq!(error(b"a: 1\nb: \xff"), YamlError::NotText { line: 2 });
-    assert_eq!(error(b"<?xml version=\"1.0\"?>"), YamlError::Xml);
+    assert!(matches!(
+        error(b"a: 1\nb: \xff"),
+        CameraFileError::NotText { line: 2 }
+    ));
+    assert!(matches!(
+        error(b"<?xml version=\"1.0\"?>"),
+        CameraFileError::Xml
+    ));
     assert!(matches!(
         error(b"just words"),
-        YamlError::Unsupported { line: 1, .. }
+        CameraFileError::Unsupported { line: 1, .. }
     ));
-    assert!(matches!(error(b""), YamlError::Unsupported { .. }));
+    assert!(matches!(error(b""), CameraFileError::Unsupported { .. }));
     assert!(matches!(
         error(b"%YAML:1.0\na: [ 1, 2\nb: 3"),
-        YamlError::Syntax { line: 2.., .. }
+        CameraFileError::Syntax { line: 2.., .. }
     ));
     assert!(matches!(
         error(b"a: &x 1\nb: *x\n"),
-        YamlError::Unsupported { line: 2, .. }
+        CameraFileError::Unsupported { line: 2, .. }
     ));
     assert!(matches!(
         error(b"a: 1\n---\nb: 2\n"),
-        YamlError::Unsupported { .. }
+        CameraFileError::Unsupported { .. }
     ));
     let deep = format!("a: {}{}", "[".repeat(100_000), "]".repeat(100_000));
     assert!(matches!(
         error(deep.as_bytes()),
-        YamlError::Unsupported { .. } | YamlError::Syntax { .. }
+        CameraFileError::Unsupported { .. } | CameraFileError::Syntax { .. }
     ));
     // Sizes that would overflow are compared with the values before anything is allocated.
     let huge = "a: { rows: 4294967295, cols: 4294967295, dt: \"4294967295d\", data: [ 1 ] }";
     let storage = Storage::decode(huge.as_bytes()).unwrap();
     assert!(matches!(
         storage.matrix("a"),
-        Err(YamlError::ValueCount { found: 1, .. })
+        Err(CameraFileError::ValueCount { found: 1, .. })
     ));
     assert!(matches!(
         Storage::decode(b"a: x").unwrap().number("a"),
-        Err(YamlError::Type { line: 1, .. })
+        Err(CameraFileError::Value { place, .. }) if place.line == Some(1)
     ));
-    let mixed = RigFile {
-        rig: StereoRig {
-            left: Camera {
-                intrinsics: Intrinsics::new([1.0, 1.0], [0.0, 0.0]).unwrap(),
-                world_to_camera: motor([1.0, 0.0, 0.0], 0.0, [0.0; 3]),
-            },
-            right: Camera {
-                intrinsics: Intrinsics::new([1.0, 1.0], [0.0, 0.0])
-                    .unwrap()
-                    .with_lens(Fisheye::new(&[0.0; 4]).unwrap()),
-                world_to_camera: motor([1.0, 0.0, 0.0], 0.0, [-1.0, 0.0, 0.0]),
-            },
+    let mixed = StereoRig {
+        left: Camera {
+            intrinsics: Intrinsics::new([1.0, 1.0], [0.0, 0.0]).unwrap(),
+            world_to_camera: motor([1.0, 0.0, 0.0], 0.0, [0.0; 3]),
         },
-        size: None,
+        right: Camera {
+            intrinsics: Intrinsics::new([1.0, 1.0], [0.0, 0.0])
+                .unwrap()
+                .with_lens(Fisheye::new(&[0.0; 4]).unwrap()),
+            world_to_camera: motor([1.0, 0.0, 0.0], 0.0, [-1.0, 0.0, 0.0]),
+        },
     };
-    assert_eq!(mixed.encode(), Err(YamlError::MixedLenses));
+    assert!(matches!(
+        format::rig::encode(&mixed, None),
+        Err(CameraFileError::MixedLenses)
+    ));
 }
 
 #[test]
@@ -375,8 +452,9 @@ fn the_calibration_of_eth3d_is_read() {
     let Some(path) = shared("data/vision/stereo/eth3d_terrace/calib.txt") else {
         return;
     };
-    let calib = Calib::read(path).unwrap();
-    assert_eq!(calib.size, Some([713, 434]));
+    let file = format::read(path).unwrap();
+    let calib = file.rectified.unwrap();
+    assert_eq!(file.cameras[0].size, Some([713, 434]));
     assert_eq!(calib.disparities, Some(713));
     assert_eq!(calib.rig.left().focal(), [711.499; 2]);
     assert_eq!(calib.rig.baseline(), 0.059_943_2);
@@ -390,24 +468,22 @@ fn calibrations_of_middlebury() {
                 cam1=[3979.911 0 1369.115; 0 3979.911 1019.507; 0 0 1]\n\
                 doffs=124.343\nbaseline=193.001\nwidth=2964\nheight=2000\nndisp=280\nisint=0\n\
                 vmin=31\nvmax=257\ndyavg=0.918\ndymax=1.516\n";
-    let calib = Calib::decode(text.as_bytes()).unwrap();
+    let calib = decode(text).unwrap().rectified.unwrap();
     assert!((calib.rig.disparity_offset() - 124.343).abs() < 1e-9);
     let depth = calib.rig.depth(202.0).unwrap();
     assert!((depth - 3979.911 * 0.193001 / (202.0 + 124.343)).abs() < 1e-12);
     let error = |from: &str, to: &str| {
         assert!(text.contains(from), "{from}");
-        Calib::decode(text.replacen(from, to, 1).as_bytes())
-            .unwrap_err()
-            .to_string()
+        decode(&text.replacen(from, to, 1)).unwrap_err().to_string()
     };
-    assert_eq!(error("baseline=193.001\n", ""), "there is no baseline");
+    assert_eq!(error("baseline=193.001\n", ""), "there is no `baseline`");
     assert_eq!(
         error("baseline=193.001", "baseline=0"),
         "line 4: the baseline is 0 m, which is not positive and finite"
     );
     assert_eq!(
         error("baseline=193.001", "baseline=far"),
-        "line 4: baseline is not a number"
+        "line 4: `baseline` is not a number"
     );
     assert_eq!(
         error("doffs=124.343", "doffs"),
@@ -415,14 +491,15 @@ fn calibrations_of_middlebury() {
     );
     assert_eq!(
         error("height=", "width="),
-        "line 6: width is given a second time"
+        "line 6: `width` is given a second time"
     );
-    assert!(error("doffs=124.343", "doffs=12").starts_with("line 3: doffs is 12, and"));
-    assert!(error("0 0 1]", "0 0 1 0]").starts_with("line 1: cam0 is not a matrix"));
-    assert!(error("cam0=[3979.911", "cam0=[-3979.911").starts_with("line 1: cam0: focal"));
-    assert!(error("cam0=[3979.911", "cam0=[nan").starts_with("line 1: cam0: focal"));
+    assert!(error("doffs=124.343", "doffs=12").starts_with("line 3: `doffs` is 12, and"));
+    assert!(error("0 0 1]", "0 0 1 0]").starts_with("line 1: `cam0` is not a matrix"));
+    assert!(error("cam0=[3979.911", "cam0=[-3979.911").starts_with("line 1: `cam0`: focal"));
+    assert!(error("cam0=[3979.911", "cam0=[nan").starts_with("line 1: `cam0`: focal"));
     assert!(error("cam1=[3979.911", "cam1=[3979").starts_with("line 2: the focal lengths"));
-    assert!(matches!(Calib::decode(b"\xff"), Err(CalibError::NotText)));
+    let not_text = format::decode(b"\xff", Path::new("")).unwrap_err();
+    assert!(matches!(not_text, CameraFileError::NotText { line: 1 }));
 }
 
 /// The time for many names grows with their number, not with its square.
@@ -434,15 +511,14 @@ fn a_name_given_twice_is_found_among_many() {
         names.collect()
     };
     let yaml = format!("{}n7: 2\n", names(": "));
-    let error = RigFile::decode(yaml.as_bytes()).unwrap_err();
-    assert!(
-        matches!(&error, YamlError::Duplicate { line, name } if *line == COUNT + 1 && name == "n7"),
-        "{error}"
-    );
+    let is_seventh = |error: &CameraFileError| {
+        let place = match error {
+            CameraFileError::Duplicate(place) => place,
+            _ => panic!("{error}"),
+        };
+        (place.line, place.key.as_str()) == (Some(COUNT + 1), "n7")
+    };
+    assert!(is_seventh(&decode(&yaml).unwrap_err()));
     let calib = format!("{}n7=2\n", names("="));
-    let error = Calib::decode(calib.as_bytes()).unwrap_err();
-    assert!(
-        matches!(&error, CalibError::Duplicate { line, key } if *line == COUNT + 1 && key == "n7"),
-        "{error}"
-    );
+    assert!(is_seventh(&decode(&calib).unwrap_err()));
 }

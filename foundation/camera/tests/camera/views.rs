@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ga_camera::Lens;
-use ga_camera::format::views::{self, ViewEntry, ViewsError};
+use ga_camera::format::{self, CameraFileError, NamedCamera};
 use ga_runtime::cga3::Point;
 use tempfile::tempdir;
 
@@ -15,8 +15,8 @@ fn file(values: &str, in_camera: &str) -> String {
     format!(r#"{{"views": [{{"picture": "a.png", "camera": {camera}{values}}}]}}"#)
 }
 
-fn read(text: &str) -> Result<Vec<ViewEntry>, ViewsError> {
-    views::decode(text.as_bytes(), Path::new("folder"))
+fn read(text: &str) -> Result<Vec<NamedCamera>, CameraFileError> {
+    Ok(format::decode(text.as_bytes(), Path::new("folder"))?.cameras)
 }
 
 /// A rotation by 90° about y: x of the world points away from the camera.
@@ -33,11 +33,16 @@ fn a_pose_may_stand_beside_the_camera_or_in_it() {
     let turned = read(&file(TRANSLATION, &quaternion)).unwrap();
     assert_eq!(beside, within);
     assert_eq!(beside, split);
-    assert_eq!(beside[0].picture, Path::new("folder/a.png"));
+    assert_eq!(
+        beside[0].picture.as_deref(),
+        Some(Path::new("folder/a.png"))
+    );
+    assert_eq!(beside[0].name, "a.png");
     assert_eq!(beside[0].size, Some([64, 48]));
     for view in [&beside[0], &turned[0]] {
         // (x, y, z) = (2 + 0.5, 0.3, −1 + 3).
-        let pixel = view.camera.project(Point::new(1.0, 0.3, 2.0)).unwrap();
+        let camera = view.camera().unwrap();
+        let pixel = camera.project(Point::new(1.0, 0.3, 2.0)).unwrap();
         let expected = [50.0 * 2.5 / 2.0 + 30.0, 60.0 * 0.3 / 2.0 + 20.0];
         assert!(
             (0..2).all(|k| (pixel[k] - expected[k]).abs() < 1e-9),
@@ -51,7 +56,7 @@ fn lenses_are_those_of_opencv() {
     let pose = [ROTATION, TRANSLATION].concat();
     let lens = |more: &str| {
         let views = read(&file(&pose, more)).unwrap();
-        views[0].camera.intrinsics.lens()
+        views[0].intrinsics().unwrap().lens()
     };
     assert_eq!(lens(""), Lens::Pinhole);
     let radial = lens(r#", "distortion": [-0.1, 0.02, 0.001, 0.002, 0.003]"#);
@@ -77,15 +82,15 @@ fn cameras_may_be_in_files_of_their_own() {
     );
     let path = folder.path().join("views.json");
     std::fs::write(&path, text).unwrap();
-    let views = views::read(&path).unwrap();
-    assert_eq!(views[0].camera, views[1].camera);
+    let views = format::read(&path).unwrap().cameras;
+    assert_eq!(views[0].camera().unwrap(), views[1].camera().unwrap());
     assert_eq!((views[0].size, views[1].size), (None, Some([64, 48])));
-    assert_eq!(views[1].picture, folder.path().join("b.png"));
-    assert_eq!(views::read(folder.path()).unwrap(), views);
+    assert_eq!(views[1].picture, Some(folder.path().join("b.png")));
+    assert_eq!(format::read(folder.path()).unwrap().cameras, views);
 
     let text = r#"{"views": [{"picture": "a.png", "camera": "none.yml"}]}"#;
     std::fs::write(&path, text).unwrap();
-    let message = views::read(&path).unwrap_err().to_string();
+    let message = format::read(&path).unwrap_err().to_string();
     assert!(
         message.contains("views.json: view 0: `camera`: cannot read"),
         "{message}"
@@ -97,7 +102,7 @@ fn cameras_may_be_in_files_of_their_own() {
 fn faults_name_the_view_and_the_key() {
     let pose = [ROTATION, TRANSLATION].concat();
     let fault = |text: &str| read(text).unwrap_err().to_string();
-    assert!(fault("[").starts_with("EOF"));
+    assert!(fault("[").starts_with("line 1: not JSON: EOF"));
     for text in ["[]", "{}", r#"{"views": []}"#, r#"{"views": 3}"#] {
         assert_eq!(fault(text), "`views` is not a list of at least one view");
     }
@@ -172,8 +177,10 @@ fn faults_name_the_view_and_the_key() {
         long.starts_with("view 0: `quaternion_wxyz` is not a rotation"),
         "{long}"
     );
-    let skew = fault(&file(&pose, r#", "skew": 1"#));
-    assert!(skew.starts_with("view 0: `camera.skew` is not 0"), "{skew}");
+    let skewed = read(&file(&pose, r#", "skew": 1.5"#)).unwrap();
+    assert_eq!(skewed[0].intrinsics_and_skew().1, 1.5);
+    let error = skewed[0].camera().unwrap_err();
+    assert!(matches!(error, CameraFileError::Skew { skew: 1.5, .. }));
     let few = fault(&file(&pose, r#", "distortion": [0.1, 0.2, 0.3]"#));
     assert!(
         few.starts_with("view 0: `camera`: 3 distortion coefficients"),

@@ -4,13 +4,13 @@
 //!
 //! ```
 //! use ga_render::model::Model;
-//! use ga_render::{Camera, Style, ViewDirection, render};
+//! use ga_render::{View, Style, ViewDirection, render};
 //!
 //! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
 //! let model = Model::from_mesh(&mesh, None)?;
 //! let style = Style::default();
 //! let view = ViewDirection::default();
-//! let camera = Camera::fit(model.points(), view, 0.5, style.aspect(), 0.1)?;
+//! let camera = View::fit(model.points(), view, 0.5, style.aspect(), 0.1)?;
 //! let materials = model.materials();
 //! let picture = render(&model.scene(&materials), &camera, &style)?;
 //! assert!(picture.depth.range().is_some());

@@ -4,11 +4,11 @@ use super::options::Framing;
 use super::{Frame, Options, SheetError};
 use crate::resolve::KEY_TANGENT;
 use crate::shade::WorldLighting;
-use crate::{Camera, Ground, RenderError, Vector};
+use crate::{Ground, RenderError, Vector, View};
 
 /// The cameras of the frames, and the ground they all see.
 pub(super) struct Stage {
-    pub(super) cameras: Vec<Camera>,
+    pub(super) cameras: Vec<View>,
     pub(super) ground: Ground,
 }
 
@@ -93,7 +93,7 @@ impl Stage {
             .clone()
             .filter_map(|p| shadow_of(p, ground, towards_light?))
             .flatten();
-        let camera = Camera::fit(
+        let camera = View::fit(
             seen.chain(shadows),
             options.view,
             FIELD_OF_VIEW,

@@ -40,7 +40,7 @@ mod sequence;
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::{Appearance, Camera, Ground, Object, Rendering, Scene, Style, render};
+use crate::{Ground, Appearance, Object, Rendering, Scene, Style, View, render};
 pub use error::SheetError;
 pub use frame::{Frame, Kind};
 pub use sequence::{Sequence, Shooting};
@@ -70,7 +70,7 @@ impl<'a> Subject<'a> {
         &self,
         frame: &Frame,
         ground: Ground,
-        camera: &Camera,
+        camera: &View,
         style: &Style,
     ) -> Result<Rendering, SheetError> {
         let scene = Scene {

@@ -1,11 +1,11 @@
 //! What is seen in each pixel, against spheres and rays cast by plain arithmetic.
 
-use ga_render::{Attribute, Buffers, Camera, MaterialChoice, Object, RenderError, Scene};
+use ga_render::{Attribute, Buffers, MaterialChoice, Object, RenderError, Scene, View};
 use proptest::prelude::*;
 
-use crate::camera::point;
 use crate::pictures::sphere;
 use crate::scenes::{CORNERS, UNIT_SQUARE, cross, dot, minus, square};
+use crate::view::point;
 use crate::{FIELD_OF_VIEW, front};
 
 const SIZE: u32 = 41;
@@ -124,7 +124,7 @@ proptest! {
         let near = 2.0;
         let eye = [0.0, 0.0, 30.0];
         let scene = Scene { objects: objects.to_vec(), materials: &[Default::default()], ..Scene::default() };
-        let camera = Camera::look_at(eye, [0.0; 3], [0.0, 1.0, 0.0], FIELD_OF_VIEW, near).unwrap();
+        let camera = View::look_at(eye, [0.0; 3], [0.0, 1.0, 0.0], FIELD_OF_VIEW, near).unwrap();
         let buffers = Buffers::new(&scene, &camera, SIZE, SIZE).unwrap();
         for row in 0..SIZE as usize {
             for column in 0..SIZE as usize {

@@ -2,8 +2,8 @@
 
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Appearance, Attribute, Camera, Dot, Ground, Light, Lighting, MaterialChoice, Normals, Polyline,
-    RenderError, Scene, Style, ViewDirection, Visibility, render,
+    Attribute, Dot, Ground, Light, Lighting, Appearance, MaterialChoice, Normals, Polyline,
+    RenderError, Scene, Style, View, ViewDirection, Visibility, render,
 };
 use ga_runtime::cga3::{Motor, Translator};
 
@@ -106,23 +106,23 @@ fn bad_input_is_named() {
     let up = [0.0, 1.0, 0.0];
     let (eye, target) = ([0.0, 0.0, 5.0], [0.0; 3]);
     for bad in [
-        Camera::look_at(eye, eye, up, 0.8, 0.1),
-        Camera::look_at(eye, target, [0.0, 0.0, 2.0], 0.8, 0.1),
-        Camera::look_at(eye, target, [0.0; 3], 0.8, 0.1),
-        Camera::look_at(eye, [f64::NAN; 3], up, 0.8, 0.1),
-        Camera::look_at(eye, target, up, 0.0, 0.1),
-        Camera::look_at(eye, target, up, 3.2, 0.1),
-        Camera::look_at(eye, target, up, 0.8, 0.0),
-        Camera::fit([], ViewDirection::default(), 0.8, 0.75, 0.1),
-        Camera::fit([[1.0; 3]; 4], ViewDirection::default(), 0.8, 0.75, 0.1),
-        Camera::fit(
+        View::look_at(eye, eye, up, 0.8, 0.1),
+        View::look_at(eye, target, [0.0, 0.0, 2.0], 0.8, 0.1),
+        View::look_at(eye, target, [0.0; 3], 0.8, 0.1),
+        View::look_at(eye, [f64::NAN; 3], up, 0.8, 0.1),
+        View::look_at(eye, target, up, 0.0, 0.1),
+        View::look_at(eye, target, up, 3.2, 0.1),
+        View::look_at(eye, target, up, 0.8, 0.0),
+        View::fit([], ViewDirection::default(), 0.8, 0.75, 0.1),
+        View::fit([[1.0; 3]; 4], ViewDirection::default(), 0.8, 0.75, 0.1),
+        View::fit(
             [[1.0; 3], [f64::NAN; 3]],
             ViewDirection::default(),
             0.8,
             0.75,
             0.1,
         ),
-        Camera::fit(
+        View::fit(
             good,
             ViewDirection {
                 elevation: 1.6,
@@ -132,8 +132,8 @@ fn bad_input_is_named() {
             0.75,
             0.1,
         ),
-        Camera::fit(good, ViewDirection::default(), 0.8, -1.0, 0.1),
-        Camera::fit(good, ViewDirection::default(), 0.8, 0.75, 1.0),
+        View::fit(good, ViewDirection::default(), 0.8, -1.0, 0.1),
+        View::fit(good, ViewDirection::default(), 0.8, 0.75, 1.0),
     ] {
         assert!(matches!(bad, Err(RenderError::Camera(_))), "{bad:?}");
     }

@@ -3,17 +3,15 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
-use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
-use ga_render::{
-    Appearance, Attribute, Camera, Ground, MaterialChoice, Object, Scene, Style, render,
-};
+use ga_render::texture::{Filter, Sampler, Mipmap, Wrap};
+use ga_render::{Attribute, Ground, Appearance, MaterialChoice, Object, Scene, Style, View, render};
 
 use crate::pictures::sphere;
 use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};
 
-fn above(height: f64, distance: f64) -> Camera {
+fn above(height: f64, distance: f64) -> View {
     let eye = [0.0, height, distance];
-    Camera::look_at(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, 0.1).unwrap()
+    View::look_at(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, 0.1).unwrap()
 }
 
 /// A horizontal square of half side `half` at this height.

@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod buffers;
-mod camera;
 mod errors;
 mod light;
 mod materials;
@@ -14,9 +13,10 @@ mod scenes;
 mod sheet;
 mod strokes;
 mod transparent;
+mod view;
 
 use ga_image::plane::Plane;
-use ga_render::{Camera, Style};
+use ga_render::{Style, View};
 
 const FIELD_OF_VIEW: f64 = 0.8;
 
@@ -29,8 +29,8 @@ fn small() -> Style {
 }
 
 /// From +z, looking at the origin.
-fn front(distance: f64) -> Camera {
-    Camera::look_at(
+fn front(distance: f64) -> View {
+    View::look_at(
         [0.0, 0.0, distance],
         [0.0; 3],
         [0.0, 1.0, 0.0],

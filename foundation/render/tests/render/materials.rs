@@ -5,8 +5,8 @@ use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
 use ga_render::texture::{Filter, Mipmap, Sampler, TextureError, Wrap};
 use ga_render::{
-    Appearance, Attribute, Camera, Light, Lighting, MaterialChoice, Normals, Object, Scene,
-    Shading, Style, render,
+    Attribute, Light, Lighting, Appearance, MaterialChoice, Normals, Object, Scene, Shading, Style,
+    View, render,
 };
 use ga_runtime::cga3::{Motor, Rotor};
 use proptest::prelude::*;
@@ -14,9 +14,9 @@ use proptest::prelude::*;
 use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};
 
 /// Sees exactly the square from (−1, −1) to (1, 1) at height 0, facing it.
-fn straight() -> Camera {
+fn straight() -> View {
     let angle = 2.0 * (1f64 / 20.0).atan();
-    Camera::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap()
+    View::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap()
 }
 
 fn sampler(filter: Filter, wrap: Wrap) -> Sampler {
@@ -168,7 +168,7 @@ fn textures_need_pixels() {
 }
 
 /// The middle pixel of a picture.
-fn middle(scene: &Scene, camera: &Camera, style: &Style) -> [u8; 3] {
+fn middle(scene: &Scene, camera: &View, style: &Style) -> [u8; 3] {
     let picture = render(scene, camera, style).unwrap().colour;
     picture.pixel(style.width / 2, style.height / 2)
 }

@@ -10,7 +10,7 @@ use ga_mesh::{
     AlphaMode, CornerAttribute, Faces, Filter, Image, Material, Mesh, Texture, TextureCoordinates,
 };
 use ga_render::model::Model;
-use ga_render::{Buffers, Camera, Scene, Shading, Style, render};
+use ga_render::{Buffers, Scene, Shading, Style, View, render};
 
 /// The square from (−1, −1) to (1, 1) that faces +z, with texture coordinates from 0 to 1.
 fn square(material: Material) -> Mesh {
@@ -32,7 +32,7 @@ fn square(material: Material) -> Mesh {
 fn seen(mesh: &Mesh) -> Vec<([f64; 2], [f64; 2])> {
     let model = Model::from_mesh(mesh, None).unwrap();
     let angle = 2.0 * (1f64 / 20.0).atan();
-    let camera = Camera::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
+    let camera = View::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
     let materials = model.materials();
     let scene = model.scene(&materials);
     let buffers = Buffers::new(&scene, &camera, 8, 8).unwrap();
@@ -153,7 +153,7 @@ fn each_texture_has_its_own_place() {
     let mesh = mesh.with_texture_coordinates(vec![first, second]).unwrap();
     let mut model = Model::from_mesh(&mesh, None).unwrap();
     let angle = 2.0 * (1f64 / 20.0).atan();
-    let camera = Camera::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
+    let camera = View::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
     let picture = |model: &Model, emission: bool| {
         let mut materials = model.materials();
         if emission {
@@ -209,7 +209,7 @@ fn lines_and_points_of_a_mesh_are_drawn() {
         ..model.scene(&materials)
     };
     let angle = 2.0 * (1f64 / 20.0).atan();
-    let camera = Camera::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
+    let camera = View::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap();
     let style = Style {
         width: 80,
         height: 80,

@@ -3,13 +3,13 @@
 use crate::Pixels;
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Camera, Ground, Light, Lighting, Polyline, Rendering, Scene, Style, ViewDirection, Visibility,
+    Ground, Light, Lighting, Polyline, Rendering, Scene, Style, View, ViewDirection, Visibility,
     render,
 };
 use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
 
-use crate::camera::point;
+use crate::view::point;
 use crate::{FIELD_OF_VIEW, front, small};
 
 /// Light from all around and none from a side: a surface shows its own colour.
@@ -119,7 +119,7 @@ fn a_floor_under_the_camera_and_behind_it_is_cut_at_the_near_depth() {
         ..flat(LinearColour::WHITE)
     };
     let near = 3.0;
-    let camera = Camera::look_at(
+    let camera = View::look_at(
         [0.0; 3],
         [0.0, 0.0, -1.0],
         [0.0, 1.0, 0.0],
@@ -182,7 +182,7 @@ fn half_a_pixel_of_white_is_half_the_light() {
         supersampling: 4,
         ..flat(LinearColour::WHITE)
     };
-    let camera = Camera::look_at(
+    let camera = View::look_at(
         [0.0, 0.0, 1.0],
         [0.0; 3],
         [0.0, 1.0, 0.0],
@@ -284,7 +284,7 @@ fn the_ground_carries_a_shadow_away_from_the_light_and_hides_what_is_below() {
         gloss: 0.0,
         ..small()
     };
-    let camera = Camera::look_at(
+    let camera = View::look_at(
         [0.0, 2.0, 6.0],
         [0.0; 3],
         [0.0, 1.0, 0.0],
@@ -394,7 +394,7 @@ fn depth_pictures_are_brighter_where_it_is_nearer() {
 #[test]
 fn the_largest_allowed_coordinates_give_a_picture() {
     let positions = [[-1e30, -1e30, 0.0], [1e30, -1e30, 0.0], [0.0, 1e30, -1e30]];
-    let camera = Camera::fit(positions, ViewDirection::default(), 0.8, 0.75, 0.1).unwrap();
+    let camera = View::fit(positions, ViewDirection::default(), 0.8, 0.75, 0.1).unwrap();
     let scene = Scene {
         ground: Some(Ground {
             height: -1e30,
@@ -470,7 +470,7 @@ proptest! {
             .iter()
             .map(|t| t.map(|i| i.index(positions.len()) as u32))
             .collect();
-        let camera = Camera::look_at(eye, [1.0, 2.0, 70.0], [0.0, 1.0, 0.0], 1.5, 1e-3).unwrap();
+        let camera = View::look_at(eye, [1.0, 2.0, 70.0], [0.0, 1.0, 0.0], 1.5, 1e-3).unwrap();
         let scene = Scene {
             ground: Some(Ground { height, grid: 3.0 }),
             bones: &[[positions[0], positions[1]]],

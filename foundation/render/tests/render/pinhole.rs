@@ -1,6 +1,7 @@
 //! Cameras with given intrinsics, against the plain formula of projection.
 
-use ga_render::{Buffers, Camera, Intrinsics, Object, PixelOrigin, RenderError, Scene};
+use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
+use ga_render::{Buffers, Object, RenderError, Scene, View};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use proptest::prelude::*;
 
@@ -43,11 +44,16 @@ impl Plain {
         ]
     }
 
-    fn intrinsics(&self) -> Intrinsics {
-        Intrinsics {
-            skew: self.skew,
-            ..Intrinsics::new(self.focal, self.principal)
-        }
+    fn view(&self) -> View {
+        let view = View::pinhole(&camera(self.focal, self.principal, self.motor()), 0.1);
+        view.unwrap().with_skew(self.skew).unwrap()
+    }
+}
+
+fn camera(focal: [f64; 2], principal: [f64; 2], world_to_camera: Motor<f64>) -> Camera {
+    Camera {
+        intrinsics: Intrinsics::new(focal, principal).unwrap(),
+        world_to_camera,
     }
 }
 
@@ -73,16 +79,12 @@ fn plain() -> impl Strategy<Value = Plain> {
 proptest! {
     #[test]
     fn points_fall_where_the_formula_says(plain in plain(), point in prop::array::uniform3(-1f64..1.0)) {
-        let camera = Camera::pinhole(plain.intrinsics(), plain.motor(), 0.1).unwrap();
+        let camera = plain.view();
         let [u, v] = plain.pixel(point);
         let [column, row, depth] = camera.project(point, 64, 48).unwrap();
         // The middle of the first pixel is (0, 0) in one convention and (½, ½) in the other.
         prop_assert!((column - 0.5 - u).abs() < 1e-9 && (row - 0.5 - v).abs() < 1e-9);
         prop_assert!((depth - plain.in_frame(point)[2]).abs() < 1e-12);
-        let corner = Intrinsics { origin: PixelOrigin::Corner, ..plain.intrinsics() };
-        let camera = Camera::pinhole(corner, plain.motor(), 0.1).unwrap();
-        let [column, row, _] = camera.project(point, 64, 48).unwrap();
-        prop_assert!((column - u).abs() < 1e-9 && (row - v).abs() < 1e-9);
     }
 
     /// The surface point seen in a pixel is projected back to the middle of that pixel.
@@ -91,7 +93,7 @@ proptest! {
         let (positions, scale) = (square(0.0), 3.0);
         let positions = positions.map(|p| p.map(|c| c * scale));
         let scene = Scene::new(&positions, &UNIT_SQUARE);
-        let camera = Camera::pinhole(plain.intrinsics(), plain.motor(), 0.1).unwrap();
+        let camera = plain.view();
         let buffers = Buffers::new(&scene, &camera, 64, 48).unwrap();
         let mut seen = 0;
         for row in 0..48 {
@@ -114,8 +116,8 @@ proptest! {
 
     #[test]
     fn the_pose_comes_back(plain in plain()) {
-        let camera = Camera::pinhole(plain.intrinsics(), plain.motor(), 0.1).unwrap();
-        let [a, b] = [plain.motor(), camera.world_to_camera()].map(|m| m.to_matrix());
+        let camera = plain.view();
+        let [a, b] = [plain.motor(), camera.camera(64, 48).unwrap().world_to_camera].map(|m| m.to_matrix());
         for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
             prop_assert!((a - b).abs() < 1e-12);
         }
@@ -123,15 +125,12 @@ proptest! {
 }
 
 #[test]
-fn a_picture_without_skew_agrees_with_ga_vision() {
+fn a_picture_without_skew_agrees_with_ga_camera() {
     let intrinsics = [[70.0, 65.0], [31.0, 22.5]];
     let pose = Translator::from_displacement([0.2, -0.1, 2.5])
         * Rotor::from_axis_angle([1.0, 2.0, 0.5], 0.4).unwrap();
-    let other = ga_camera::Camera {
-        intrinsics: ga_camera::Intrinsics::new(intrinsics[0], intrinsics[1]).unwrap(),
-        world_to_camera: pose,
-    };
-    let camera = Camera::pinhole(Intrinsics::new(intrinsics[0], intrinsics[1]), pose, 0.1).unwrap();
+    let other = camera(intrinsics[0], intrinsics[1], pose);
+    let camera = View::pinhole(&other, 0.1).unwrap();
     let positions = square(0.3);
     let scene = Scene::new(&positions, &UNIT_SQUARE);
     let buffers = Buffers::new(&scene, &camera, 64, 48).unwrap();
@@ -155,11 +154,8 @@ fn nothing_is_seen_beyond_the_far_depth() {
         [-50.0, 1.0, 90.0],
     ];
     let scene = Scene::new(&positions, &UNIT_SQUARE);
-    let intrinsics = Intrinsics::new([40.0, 40.0], [20.0, 0.0]);
-    let camera = Camera::pinhole(intrinsics, Motor::default(), 0.1)
-        .unwrap()
-        .with_far(10.0)
-        .unwrap();
+    let camera = camera([40.0, 40.0], [20.0, 0.0], Motor::default());
+    let camera = View::pinhole(&camera, 0.1).unwrap().with_far(10.0).unwrap();
     let buffers = Buffers::new(&scene, &camera, 41, 41).unwrap();
     for row in 1..41 {
         let depth = 40.0 / row as f64;
@@ -185,7 +181,7 @@ fn objects_are_moved_by_their_transform() {
         * Rotor::from_axis_angle([0.3, 1.0, -0.4], 0.8).unwrap();
     let positions = square(0.0);
     let moved = positions.map(|p| motor.transform(Point::from(p)).coordinates());
-    let camera = Camera::look_at([0.0, 1.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], 0.8, 0.1).unwrap();
+    let camera = View::look_at([0.0, 1.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], 0.8, 0.1).unwrap();
     let object = Object {
         transform: motor,
         ..Object::new(&positions, &UNIT_SQUARE)
@@ -213,47 +209,37 @@ fn objects_are_moved_by_their_transform() {
 
 #[test]
 fn bad_cameras_are_refused() {
-    let good = Intrinsics::new([50.0, 50.0], [20.0, 20.0]);
     let scaled = Motor::new_unchecked(2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     let lost = Motor::from(Translator::from_displacement([f64::NAN, 0.0, 0.0]));
     let pose = Motor::default();
+    let good = camera([50.0, 50.0], [20.0, 20.0], pose);
     for bad in [
-        Camera::pinhole(
-            Intrinsics {
-                focal: [0.0, 50.0],
-                ..good
-            },
-            pose,
-            0.1,
-        ),
-        Camera::pinhole(
-            Intrinsics {
-                focal: [50.0, f64::NAN],
-                ..good
-            },
-            pose,
-            0.1,
-        ),
-        Camera::pinhole(
-            Intrinsics {
-                principal: [f64::INFINITY, 0.0],
-                ..good
-            },
-            pose,
-            0.1,
-        ),
-        Camera::pinhole(
-            Intrinsics {
-                skew: f64::NAN,
-                ..good
-            },
-            pose,
-            0.1,
-        ),
-        Camera::pinhole(good, scaled, 0.1),
-        Camera::pinhole(good, lost, 0.1),
-        Camera::pinhole(good, pose, 0.0),
+        View::pinhole(&camera([1e-31, 50.0], [20.0, 20.0], pose), 0.1),
+        View::pinhole(&camera([50.0, 50.0], [1e31, 0.0], pose), 0.1),
+        View::pinhole(&camera([50.0, 50.0], [20.0, 20.0], scaled), 0.1),
+        View::pinhole(&camera([50.0, 50.0], [20.0, 20.0], lost), 0.1),
+        View::pinhole(&good, 0.0),
+        View::pinhole(&good, 0.1).unwrap().with_skew(f64::NAN),
     ] {
         assert!(matches!(bad, Err(RenderError::Camera(_))), "{bad:?}");
+    }
+}
+
+#[test]
+fn a_lens_with_distortion_is_refused() {
+    let good = camera([50.0, 50.0], [20.0, 20.0], Motor::default());
+    for lens in [
+        RadialTangential::new(&[-0.1, 0.0, 0.0, 0.0])
+            .unwrap()
+            .into(),
+        ga_camera::Lens::from(Fisheye::new(&[0.0; 4]).unwrap()),
+    ] {
+        let bad = Camera {
+            intrinsics: good.intrinsics.with_lens(lens),
+            ..good
+        };
+        let error = View::pinhole(&bad, 0.1).unwrap_err();
+        assert_eq!(error, RenderError::Lens);
+        assert!(error.to_string().contains("stereo undistort"), "{error}");
     }
 }

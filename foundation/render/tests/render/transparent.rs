@@ -3,16 +3,16 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Appearance, Buffers, Camera, Ground, MaterialChoice, Object, Scene, Shading, Style, render,
+    Buffers, Ground, Appearance, MaterialChoice, Object, Scene, Shading, Style, View, render,
 };
 use proptest::prelude::*;
 
 use crate::scenes::{UNIT_SQUARE, code, one_light, square};
 
 /// Sees exactly the square from (−1, −1) to (1, 1) at height 0, facing it.
-fn straight() -> Camera {
+fn straight() -> View {
     let angle = 2.0 * (1f64 / 20.0).atan();
-    Camera::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap()
+    View::look_at([0.0, 0.0, 20.0], [0.0; 3], [0.0, 1.0, 0.0], angle, 1.0).unwrap()
 }
 
 fn style(supersampling: u32) -> Style {
@@ -123,7 +123,7 @@ fn a_transparent_surface_is_in_the_buffers_and_hidden_below_the_ground() {
     assert_eq!(buffers.get(3, 3).unwrap().material, Some(0));
 
     let shown = |scene: &Scene| {
-        let camera = Camera::look_at([0.0, 3.0, 8.0], [0.0; 3], [0.0, 1.0, 0.0], 0.3, 0.1).unwrap();
+        let camera = View::look_at([0.0, 3.0, 8.0], [0.0; 3], [0.0, 1.0, 0.0], 0.3, 0.1).unwrap();
         render(scene, &camera, &style(2)).unwrap().colour
     };
     scene.ground = Some(Ground {

@@ -25,8 +25,8 @@ use super::cameras::CameraFiles;
 /// where the view does not show it, or [u, v, deviation] with its own standard deviation. Joints
 /// have the names of the character's, or those that `nullcone animate` understands.
 ///
-/// The cameras are in OpenCV's YAML (--rig), in the order of the views: a stereo rig for two, a
-/// camera for one. For more, --views has the file of `nullcone render --views`: each view belongs
+/// The cameras are in a file of any format (--rig), in the order of the views: a stereo rig for two,
+/// such as OpenCV's YAML, a camera for one. For more, --views has the file of `nullcone render --views`: each view belongs
 /// to the picture of its name, with or without the ending, such as the view "view-003" or
 /// view-003.json to view-003.png; where no name is that of a picture, they are in one order.
 ///

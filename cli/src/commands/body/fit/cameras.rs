@@ -5,21 +5,28 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail, ensure};
 use ga_body::format::JointViews;
 use ga_camera::Camera;
-use ga_camera::format::camera::CameraFile;
-use ga_camera::format::rig::RigFile;
-use ga_camera::format::views::{self, ViewEntry};
+use ga_camera::format::{self, NamedCamera};
 use ga_runtime::cga3::{Motor, Rotor};
+
+use crate::camera_file::{ChosenPair, about};
 
 /// The file with the cameras.
 #[derive(Clone, Debug, clap::Args)]
-#[group(required = true, multiple = false)]
 pub(super) struct CameraFiles {
-    /// The cameras of one or two views: a camera for one and a stereo rig for two, in OpenCV's
-    /// YAML.
-    #[arg(long, value_name = "rig.yml")]
+    /// The cameras of one or two views, of a file of any format: a camera for one and a stereo rig
+    /// for two. The person stands in the frame of the first camera with y up.
+    #[arg(
+        long,
+        value_name = "FILE",
+        required_unless_present = "views",
+        conflicts_with = "views"
+    )]
     rig: Option<PathBuf>,
+    #[command(flatten)]
+    chosen: ChosenPair,
     /// The cameras of any number of views, as `nullcone render --views` writes them and `nullcone
-    /// texture` reads them; or a folder with them in views.json. The pictures are not read.
+    /// texture` reads them, or of a file of another format that states poses; or a folder with them
+    /// in views.json. The person stands in the world of the file. The pictures are not read.
     #[arg(long, value_name = "VIEWS.json")]
     views: Option<PathBuf>,
 }
@@ -32,21 +39,24 @@ impl CameraFiles {
     /// The camera of each view of the joints. The world of a rig has y up.
     pub(super) fn read(&self, joints: &JointViews) -> Result<Vec<Camera>> {
         match (&self.rig, &self.views) {
-            (Some(path), _) => of_rig(path, joints.views().len()),
+            (Some(path), _) => of_rig(path, &self.chosen, joints.views().len()),
             (None, Some(path)) => of_views(path, joints),
             (None, None) => bail!("--rig or --views is needed: the cameras"),
         }
     }
 }
 
-fn of_rig(path: &Path, views: usize) -> Result<Vec<Camera>> {
+fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<Camera>> {
     let found = match views {
         1 => vec![Camera {
-            intrinsics: CameraFile::read(path)?.intrinsics,
+            intrinsics: chosen
+                .read_one(path)?
+                .intrinsics()
+                .map_err(|error| about(path, error))?,
             world_to_camera: Motor::default(),
         }],
         2 => {
-            let rig = RigFile::read(path)?.rig;
+            let rig = chosen.read(path)?.rig;
             vec![rig.left, rig.right]
         }
         _ => bail!(
@@ -66,7 +76,8 @@ fn of_rig(path: &Path, views: usize) -> Result<Vec<Camera>> {
 
 /// By the names of the pictures, or in their order where no name is that of a picture.
 fn of_views(path: &Path, joints: &JointViews) -> Result<Vec<Camera>> {
-    let entries = views::read(path)?;
+    let entries = format::read(path)?.cameras;
+    let camera = |entry: &NamedCamera| entry.camera().map_err(|error| about(path, error));
     let named: Vec<Option<usize>> = joints
         .views()
         .iter()
@@ -80,7 +91,7 @@ fn of_views(path: &Path, joints: &JointViews) -> Result<Vec<Camera>> {
             "{shown}: the joints are in {views} views, whose names are not those of pictures, and \
              there are {cameras} cameras"
         );
-        return Ok(entries.iter().map(|entry| entry.camera).collect());
+        return entries.iter().map(camera).collect();
     }
     let mut cameras = Vec::with_capacity(named.len());
     for (index, (view, entry)) in joints.views().iter().zip(&named).enumerate() {
@@ -97,18 +108,14 @@ fn of_views(path: &Path, joints: &JointViews) -> Result<Vec<Camera>> {
             let (other, name) = (&joints.views()[other].name, &view.name);
             bail!("{shown}: the views {other:?} and {name:?} are of one picture");
         }
-        cameras.push(entries[entry].camera);
+        cameras.push(camera(&entries[entry])?);
     }
     Ok(cameras)
 }
 
 /// The one picture of this name, with or without its ending.
-fn entry_named(entries: &[ViewEntry], name: &str) -> Option<usize> {
-    let is_named = |entry: &ViewEntry| {
-        let picture = entry.picture.as_path();
-        [picture.file_name(), picture.file_stem()].contains(&Some(name.as_ref()))
-    };
-    let mut found = (0..entries.len()).filter(|&index| is_named(&entries[index]));
+fn entry_named(entries: &[NamedCamera], name: &str) -> Option<usize> {
+    let mut found = (0..entries.len()).filter(|&index| entries[index].is_named(name));
     match (found.next(), found.next()) {
         (Some(index), None) => Some(index),
         _ => None,

@@ -1,8 +1,7 @@
 //! Matrices of numbers.
 
-use super::YamlError;
-use super::error::wrong_type;
 use super::tree::{Content, Node};
+use crate::format::error::{CameraFileError, Place, wrong_type};
 
 /// Numbers in rows and columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,9 +15,9 @@ impl Matrix {
     /// A matrix from its values by rows.
     ///
     /// # Errors
-    /// [`YamlError::ValueCount`] for another number of values, [`YamlError::NotFinite`] for one
+    /// [`CameraFileError::ValueCount`] for another number of values, [`CameraFileError::NotFinite`] for one
     /// that is not finite. The name in the error is empty, the line 0.
-    pub fn new(rows: usize, columns: usize, values: Vec<f64>) -> Result<Self, YamlError> {
+    pub fn new(rows: usize, columns: usize, values: Vec<f64>) -> Result<Self, CameraFileError> {
         Self::named("", 0, rows, columns, values)
     }
 
@@ -28,20 +27,18 @@ impl Matrix {
         rows: usize,
         columns: usize,
         values: Vec<f64>,
-    ) -> Result<Self, YamlError> {
+    ) -> Result<Self, CameraFileError> {
         if rows.checked_mul(columns) != Some(values.len()) {
-            return Err(YamlError::ValueCount {
-                name: name.to_owned(),
-                line,
+            return Err(CameraFileError::ValueCount {
+                place: Place::on_line(line, name),
                 found: values.len(),
                 rows,
                 columns,
             });
         }
         if let Some(value) = values.iter().copied().find(|value| !value.is_finite()) {
-            return Err(YamlError::NotFinite {
-                name: name.to_owned(),
-                line,
+            return Err(CameraFileError::NotFinite {
+                place: Place::on_line(line, name),
                 value,
             });
         }
@@ -70,7 +67,7 @@ impl Matrix {
         &self.values
     }
 
-    pub(super) fn from_node(name: &str, node: &Node) -> Result<Self, YamlError> {
+    pub(super) fn from_node(name: &str, node: &Node) -> Result<Self, CameraFileError> {
         match &node.content {
             Content::Scalar(_) => Err(wrong_type(name, node.line, "a matrix")),
             Content::List(items) => Self::from_list(name, node.line, items),
@@ -79,7 +76,7 @@ impl Matrix {
     }
 
     /// A column of numbers, or a list of rows.
-    fn from_list(name: &str, line: usize, items: &[Node]) -> Result<Self, YamlError> {
+    fn from_list(name: &str, line: usize, items: &[Node]) -> Result<Self, CameraFileError> {
         let mut values = Vec::new();
         let mut columns = None;
         for item in items {
@@ -98,9 +95,13 @@ impl Matrix {
         Self::named(name, line, items.len(), columns.unwrap_or(0), values)
     }
 
-    fn from_map(name: &str, line: usize, entries: &[(String, Node)]) -> Result<Self, YamlError> {
+    fn from_map(
+        name: &str,
+        line: usize,
+        entries: &[(String, Node)],
+    ) -> Result<Self, CameraFileError> {
         let entry = |key: &str| entries.iter().find(|(other, _)| other == key);
-        let size = |key: &str| -> Result<usize, YamlError> {
+        let size = |key: &str| -> Result<usize, CameraFileError> {
             let Some((_, node)) = entry(key) else {
                 return Err(wrong_type(name, line, "a matrix with rows, cols and data"));
             };
@@ -127,7 +128,7 @@ impl Matrix {
         let Content::List(items) = &data.content else {
             return Err(wrong_type(name, data.line, "a matrix with a list of data"));
         };
-        let values: Result<Vec<f64>, YamlError> =
+        let values: Result<Vec<f64>, CameraFileError> =
             items.iter().map(|item| item.number(name)).collect();
         let width = columns.saturating_mul(channels);
         Self::named(name, line, rows, width, values?)

@@ -21,21 +21,20 @@
 //! let mut written = Storage::default();
 //! written.set_matrix("M1", Matrix::new(1, 2, vec![1.0, 2.5])?);
 //! assert_eq!(Storage::decode(written.encode().as_bytes())?.matrix("M1")?, Some(found));
-//! # Ok::<(), ga_camera::format::yaml::YamlError>(())
+//! # Ok::<(), ga_camera::format::CameraFileError>(())
 //! ```
 
 mod entry;
-mod error;
 mod matrix;
 mod tree;
 mod write;
 
-pub use error::YamlError;
 pub use matrix::Matrix;
 
 use entry::Entry;
-use error::wrong_type;
 use tree::{Content, Node};
+
+use super::error::{CameraFileError, wrong_type};
 
 /// Named values of a file, in its order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,8 +46,8 @@ impl Storage {
     /// Reads the text of a file.
     ///
     /// # Errors
-    /// [`YamlError`] for what is not YAML, or not a map of names to values, with the line.
-    pub fn decode(bytes: &[u8]) -> Result<Self, YamlError> {
+    /// [`CameraFileError`] for what is not YAML, or not a map of names to values, with the line.
+    pub fn decode(bytes: &[u8]) -> Result<Self, CameraFileError> {
         let entries = tree::entries(bytes)?.into_iter();
         Ok(Self {
             entries: entries
@@ -80,9 +79,9 @@ impl Storage {
     /// The matrix of a name; `None` where the name is absent. All its numbers are finite.
     ///
     /// # Errors
-    /// [`YamlError`] where the value is not a matrix, has another number of values than rows and
+    /// [`CameraFileError`] where the value is not a matrix, has another number of values than rows and
     /// columns say, or a number that is not finite.
-    pub fn matrix(&self, name: &str) -> Result<Option<Matrix>, YamlError> {
+    pub fn matrix(&self, name: &str) -> Result<Option<Matrix>, CameraFileError> {
         match self.entry(name) {
             None => Ok(None),
             Some(Entry::Matrix(matrix)) => Ok(Some(matrix.clone())),
@@ -94,8 +93,8 @@ impl Storage {
     /// The number of a name, finite; `None` where the name is absent.
     ///
     /// # Errors
-    /// [`YamlError`] where the value is not a finite number.
-    pub fn number(&self, name: &str) -> Result<Option<f64>, YamlError> {
+    /// [`CameraFileError`] where the value is not a finite number.
+    pub fn number(&self, name: &str) -> Result<Option<f64>, CameraFileError> {
         match self.entry(name) {
             None => Ok(None),
             Some(Entry::Number(number)) => Ok(Some(*number)),
@@ -107,8 +106,8 @@ impl Storage {
     /// The text of a name; `None` where the name is absent.
     ///
     /// # Errors
-    /// [`YamlError`] where the value is a list or a map.
-    pub fn text(&self, name: &str) -> Result<Option<String>, YamlError> {
+    /// [`CameraFileError`] where the value is a list or a map.
+    pub fn text(&self, name: &str) -> Result<Option<String>, CameraFileError> {
         match self.entry(name) {
             None => Ok(None),
             Some(Entry::Text(text)) => Ok(Some(text.clone())),

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use saphyr_parser::{Event, Parser, Span};
 
-use super::YamlError;
-use super::error::wrong_type;
+use crate::format::error::{CameraFileError, Place, wrong_type};
+use crate::format::text::text;
 
 /// How deeply lists and maps may be nested: files of cameras have four levels.
 const DEPTH: usize = 16;
@@ -26,7 +26,7 @@ pub(super) enum Content {
 
 impl Node {
     /// The finite number that a value is.
-    pub(super) fn number(&self, name: &str) -> Result<f64, YamlError> {
+    pub(super) fn number(&self, name: &str) -> Result<f64, CameraFileError> {
         let Content::Scalar(text) = &self.content else {
             return Err(wrong_type(name, self.line, "a number"));
         };
@@ -41,9 +41,8 @@ impl Node {
         if number.is_finite() {
             Ok(number)
         } else {
-            Err(YamlError::NotFinite {
-                name: name.to_owned(),
-                line: self.line,
+            Err(CameraFileError::NotFinite {
+                place: Place::on_line(self.line, name),
                 value: number,
             })
         }
@@ -51,16 +50,10 @@ impl Node {
 }
 
 /// The names and values of the map that a file is.
-pub(super) fn entries(bytes: &[u8]) -> Result<Vec<(String, Node)>, YamlError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        YamlError::NotText {
-            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-        }
-    })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+pub(super) fn entries(bytes: &[u8]) -> Result<Vec<(String, Node)>, CameraFileError> {
+    let text = text(bytes)?;
     if text.starts_with("<?xml") {
-        return Err(YamlError::Xml);
+        return Err(CameraFileError::Xml);
     }
     // `%YAML:1.0` is not a directive of YAML. As a comment it keeps its line.
     let commented = text
@@ -69,11 +62,11 @@ pub(super) fn entries(bytes: &[u8]) -> Result<Vec<(String, Node)>, YamlError> {
     let root = document(commented.as_deref().unwrap_or(text))?;
     match root.map(|root| (root.line, root.content)) {
         Some((_, Content::Map(entries))) => Ok(entries),
-        Some((line, _)) => Err(YamlError::Unsupported {
+        Some((line, _)) => Err(CameraFileError::Unsupported {
             line,
             problem: "not a map of names to values",
         }),
-        None => Err(YamlError::Unsupported {
+        None => Err(CameraFileError::Unsupported {
             line: 1,
             problem: "there are no values",
         }),
@@ -97,12 +90,13 @@ enum OpenKind {
 }
 
 /// The root of the only document; `None` for an empty text.
-fn document(text: &str) -> Result<Option<Node>, YamlError> {
+fn document(text: &str) -> Result<Option<Node>, CameraFileError> {
     let mut root = None;
     let mut open: Vec<Open> = Vec::new();
     for event in Parser::new_from_str(text) {
-        let (event, span) = event.map_err(|error| YamlError::Syntax {
+        let (event, span) = event.map_err(|error| CameraFileError::Syntax {
             line: error.marker().line(),
+            format: "YAML",
             problem: error.info().to_owned(),
         })?;
         let line = line_of(span);
@@ -135,13 +129,13 @@ fn document(text: &str) -> Result<Option<Node>, YamlError> {
                 None => continue,
             },
             Event::Alias(_) => {
-                return Err(YamlError::Unsupported {
+                return Err(CameraFileError::Unsupported {
                     line,
                     problem: "references to other values are not supported",
                 });
             }
             Event::DocumentStart(_) if root.is_some() => {
-                return Err(YamlError::Unsupported {
+                return Err(CameraFileError::Unsupported {
                     line,
                     problem: "a second document begins here",
                 });
@@ -160,9 +154,9 @@ fn line_of(span: Span) -> usize {
     span.start.line()
 }
 
-fn begin(open: &mut Vec<Open>, line: usize, kind: OpenKind) -> Result<(), YamlError> {
+fn begin(open: &mut Vec<Open>, line: usize, kind: OpenKind) -> Result<(), CameraFileError> {
     if open.len() == DEPTH {
-        return Err(YamlError::Unsupported {
+        return Err(CameraFileError::Unsupported {
             line,
             problem: "lists and maps are nested too deeply",
         });
@@ -171,7 +165,7 @@ fn begin(open: &mut Vec<Open>, line: usize, kind: OpenKind) -> Result<(), YamlEr
     Ok(())
 }
 
-fn insert(parent: &mut Open, node: Node) -> Result<(), YamlError> {
+fn insert(parent: &mut Open, node: Node) -> Result<(), CameraFileError> {
     match &mut parent.kind {
         OpenKind::List(items) => items.push(node),
         OpenKind::Map {
@@ -182,16 +176,13 @@ fn insert(parent: &mut Open, node: Node) -> Result<(), YamlError> {
             Some(name) => entries.push((name, node)),
             None => {
                 let Content::Scalar(text) = node.content else {
-                    return Err(YamlError::Unsupported {
+                    return Err(CameraFileError::Unsupported {
                         line: node.line,
                         problem: "a name is a list or a map",
                     });
                 };
                 if !names.insert(text.clone()) {
-                    return Err(YamlError::Duplicate {
-                        line: node.line,
-                        name: text,
-                    });
+                    return Err(CameraFileError::Duplicate(Place::on_line(node.line, text)));
                 }
                 *name = Some(text);
             }

@@ -1,12 +1,14 @@
-//! The pinhole camera of a picture.
+//! From where and how a scene is seen.
 
+use ga_camera::{Camera, Intrinsics, Lens};
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::geometry::LookAtError;
 
 use crate::space::is_rigid;
-use crate::{Intrinsics, LARGEST_COORDINATE, RenderError, Vector};
+use crate::{LARGEST_COORDINATE, RenderError, Vector};
 
-/// A pinhole camera: position, viewing direction and projection.
+/// From where and how a scene is seen: the position, viewing direction and projection of a pinhole
+/// camera, and the depths between which it draws.
 ///
 /// A point's *depth* is its distance along the viewing direction. Pixel *(0, 0)* is at the top
 /// left; columns and rows count from its upper left corner, so that pixel centres lie on halves. A
@@ -17,15 +19,16 @@ use crate::{Intrinsics, LARGEST_COORDINATE, RenderError, Vector};
 /// row    = height/2 − (y/d) (height/2) / tan(φ/2)
 /// ```
 ///
-/// with φ the vertical field of view, or where the [`Intrinsics`] of [`Camera::pinhole`] place it.
+/// with φ the vertical field of view, or where the [`Camera`] of [`View::pinhole`] sees it.
 /// Lengths are in the unit of the model, angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
+pub struct View {
     eye: Vector,
     right: Vector,
     up: Vector,
     forward: Vector,
     projection: Projection,
+    skew: f64,
     near: f64,
     far: f64,
 }
@@ -35,8 +38,11 @@ pub struct Camera {
 pub(crate) enum Projection {
     /// By the tangent of half the vertical field of view, for a picture of any size.
     FieldOfView { tangent: f64 },
-    /// By pixels of one picture.
-    Pixels(Intrinsics),
+    /// By pixels of one picture, from the middle of the first.
+    Pixels {
+        focal: [f64; 2],
+        principal: [f64; 2],
+    },
 }
 
 /// The side a model is seen from, in a world whose *y* axis points up.
@@ -76,7 +82,7 @@ impl ViewDirection {
     }
 }
 
-impl Camera {
+impl View {
     /// A camera at `eye` looking at `target`, with `up` pointing up in the picture.
     ///
     /// Nothing nearer than the depth `near` is drawn.
@@ -117,42 +123,58 @@ impl Camera {
             projection: Projection::FieldOfView {
                 tangent: half_tangent(vertical_field_of_view)?,
             },
+            skew: 0.0,
             near,
             far: f64::INFINITY,
         })
     }
 
-    /// A camera with given intrinsics in a given pose.
+    /// What a camera sees.
     ///
-    /// The motor takes the world into the camera's frame, which has the axes of computer vision:
-    /// *x* to the right, *y* down, *z* forwards. The picture is as large as
-    /// [`Style`](crate::Style) says; the intrinsics are those of that picture. Nothing nearer than
-    /// the depth `near` is drawn.
+    /// The picture is as large as [`Style`](crate::Style) says; the intrinsics are those of that
+    /// picture. Nothing nearer than the depth `near` is drawn.
     ///
     /// # Errors
     ///
-    /// [`RenderError::Camera`] when a number is not finite, a focal length or `near` is not
-    /// positive, or the motor is not a rigid motion.
+    /// [`RenderError::Lens`] for a lens with distortion; [`RenderError::Camera`] when a number is
+    /// beyond 10³⁰, `near` is not positive, or the pose is not a rigid motion.
     ///
     /// ```
-    /// use ga_render::{Camera, Intrinsics};
-    /// use ga_runtime::cga3::{Motor, Translator};
+    /// use ga_camera::{Camera, Intrinsics};
+    /// use ga_render::View;
+    /// use ga_runtime::cga3::Translator;
     ///
-    /// let intrinsics = Intrinsics::new([500.0, 500.0], [319.5, 239.5]);
-    /// let pose = Motor::from(Translator::from_displacement([0.0, 0.0, 2.0]));
-    /// let camera = Camera::pinhole(intrinsics, pose, 0.1)?;
+    /// let camera = Camera {
+    ///     intrinsics: Intrinsics::new([500.0, 500.0], [319.5, 239.5])?,
+    ///     world_to_camera: Translator::from_displacement([0.0, 0.0, 2.0]).into(),
+    /// };
+    /// let view = View::pinhole(&camera, 0.1)?;
     /// // u = 500 · 0.1/2 + 319.5 = 344.5 and v = 500 · 0.2/2 + 239.5 = 289.5; columns and rows
     /// // count from a corner, u and v from the middle of the first pixel.
-    /// let [column, row, depth] = camera.project([0.1, 0.2, 0.0], 640, 480).unwrap();
+    /// let [column, row, depth] = view.project([0.1, 0.2, 0.0], 640, 480).unwrap();
     /// assert!((column - 345.0).abs() < 1e-12 && (row - 290.0).abs() < 1e-12 && depth == 2.0);
-    /// # Ok::<(), ga_render::RenderError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn pinhole(
-        intrinsics: Intrinsics,
-        world_to_camera: Motor<f64>,
-        near: f64,
-    ) -> Result<Self, RenderError> {
-        intrinsics.check()?;
+    pub fn pinhole(camera: &Camera, near: f64) -> Result<Self, RenderError> {
+        let Camera {
+            intrinsics,
+            world_to_camera,
+        } = *camera;
+        if intrinsics.lens() != Lens::Pinhole {
+            return Err(RenderError::Lens);
+        }
+        // Quotients of two numbers within this range stay finite.
+        let reasonable = |number: f64| number.abs() <= LARGEST_COORDINATE;
+        if !intrinsics
+            .focal()
+            .iter()
+            .all(|&f| reasonable(f) && f > 1e-30)
+        {
+            return Err(RenderError::Camera("a focal length is not positive"));
+        }
+        if !intrinsics.principal().iter().all(|&c| reasonable(c)) {
+            return Err(RenderError::Camera("its principal point is not finite"));
+        }
         let [right, down, forward] = world_to_camera.rotor().to_matrix().map(Vector::from);
         let eye = Vector::from(world_to_camera.reverse().transform(Point::default()));
         if !is_rigid(world_to_camera) {
@@ -173,10 +195,27 @@ impl Camera {
             right,
             up: -down,
             forward,
-            projection: Projection::Pixels(intrinsics),
+            projection: Projection::Pixels {
+                focal: intrinsics.focal(),
+                principal: intrinsics.principal(),
+            },
+            skew: 0.0,
             near,
             far: f64::INFINITY,
         })
+    }
+
+    /// The same view with a skew s in pixels: `u = f_x x/z + s y/z + c_x`.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::Camera`] when it is not finite.
+    pub fn with_skew(self, skew: f64) -> Result<Self, RenderError> {
+        if skew.abs() <= LARGEST_COORDINATE {
+            Ok(Self { skew, ..self })
+        } else {
+            Err(RenderError::Camera("its skew is not finite"))
+        }
     }
 
     /// The same camera, which draws nothing further away than the depth `far`.
@@ -261,6 +300,7 @@ impl Camera {
             up,
             forward,
             projection: Projection::FieldOfView { tangent },
+            skew: 0.0,
             near: (nearest - eye_depth) * 0.25,
             far: f64::INFINITY,
         })
@@ -278,11 +318,11 @@ impl Camera {
     /// it as before.
     ///
     /// ```
-    /// use ga_render::Camera;
+    /// use ga_render::View;
     /// use ga_runtime::cga3::{Motor, Rotor};
     ///
     /// let up = [0.0, 1.0, 0.0];
-    /// let camera = Camera::look_at([0.0, 0.0, 5.0], [0.0; 3], up, 0.8, 0.1)?;
+    /// let camera = View::look_at([0.0, 0.0, 5.0], [0.0; 3], up, 0.8, 0.1)?;
     /// let quarter = Rotor::from_axis_angle(up, std::f64::consts::FRAC_PI_2).unwrap();
     /// let [x, y, z] = camera.moved(Motor::from(quarter)).eye();
     /// assert!((x - 5.0).abs() < 1e-12 && y.abs() < 1e-12 && z.abs() < 1e-12);
@@ -329,37 +369,49 @@ impl Camera {
         self.far
     }
 
-    /// The motor from the world into the camera's frame with *x* to the right, *y* down and *z*
-    /// forwards.
-    pub fn world_to_camera(&self) -> Motor<f64> {
+    /// The skew in pixels, 0 for most cameras.
+    pub fn skew(&self) -> f64 {
+        self.skew
+    }
+
+    fn world_to_camera(&self) -> Motor<f64> {
         let row = |axis: Vector| [axis.e1, axis.e2, axis.e3, -axis.dot(self.eye)];
         let rows = [row(self.right), row(-self.up), row(self.forward)];
         Motor::from_matrix(rows).unwrap_or_default()
     }
 
-    /// The projection onto the pixels of a picture of the given size. That of a camera with
-    /// [`Intrinsics`] is for one size, and the one given here is not used.
+    /// The camera that takes a picture of the given size, but for its [skew](Self::skew). That of
+    /// [`View::pinhole`] is for one size, and the one given here is not used.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::Style`] for a picture without rows.
     ///
     /// ```
-    /// use ga_render::Camera;
+    /// use ga_render::View;
     ///
     /// let (eye, target, up) = ([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0]);
-    /// let camera = Camera::look_at(eye, target, up, std::f64::consts::FRAC_PI_2, 0.1)?;
+    /// let view = View::look_at(eye, target, up, std::f64::consts::FRAC_PI_2, 0.1)?;
     /// // The tangent of half the field of view is 1: half the height at depth 1.
-    /// let intrinsics = camera.intrinsics(640, 480);
-    /// assert!((intrinsics.focal[0] - 240.0).abs() < 1e-9);
-    /// assert_eq!(intrinsics.principal, [319.5, 239.5]);
+    /// let intrinsics = view.camera(640, 480)?.intrinsics;
+    /// assert!((intrinsics.focal()[0] - 240.0).abs() < 1e-9);
+    /// assert_eq!(intrinsics.principal(), [319.5, 239.5]);
     /// # Ok::<(), ga_render::RenderError>(())
     /// ```
-    pub fn intrinsics(&self, width: u32, height: u32) -> Intrinsics {
+    pub fn camera(&self, width: u32, height: u32) -> Result<Camera, RenderError> {
         let [width, height] = [width, height].map(f64::from);
-        match self.projection {
-            Projection::Pixels(intrinsics) => intrinsics,
-            Projection::FieldOfView { tangent } => Intrinsics::new(
+        let (focal, principal) = match self.projection {
+            Projection::Pixels { focal, principal } => (focal, principal),
+            Projection::FieldOfView { tangent } => (
                 [height / (2.0 * tangent); 2],
                 [width, height].map(|side| (side - 1.0) / 2.0),
             ),
-        }
+        };
+        let intrinsics = Intrinsics::new(focal, principal);
+        Ok(Camera {
+            intrinsics: intrinsics.map_err(|_| RenderError::Style("it has no rows"))?,
+            world_to_camera: self.world_to_camera(),
+        })
     }
 
     pub(crate) fn projection(&self) -> Projection {

@@ -1,6 +1,6 @@
 //! Where cameras stand and where they see points.
 
-use ga_render::{Camera, ViewDirection};
+use ga_render::{View, ViewDirection};
 use ga_runtime::vga3::Vector;
 use proptest::prelude::*;
 
@@ -21,7 +21,7 @@ proptest! {
         margin in 0f64..0.5,
     ) {
         let view = ViewDirection { azimuth, elevation };
-        let camera = Camera::fit(points.clone(), view, FIELD_OF_VIEW, aspect, margin).unwrap();
+        let camera = View::fit(points.clone(), view, FIELD_OF_VIEW, aspect, margin).unwrap();
         let (width, height) = ((1e4 * aspect) as u32, 10_000);
         let mut most = 0f64;
         for &point in &points {
@@ -48,7 +48,7 @@ proptest! {
     fn projected_points_lie_on_their_lines_of_sight(eye in point(), target in point(), at in point()) {
         prop_assume!(Vector::from(eye).distance(target.into()) > 1.0);
         let up = [0.1, 1.0, 0.2];
-        let Ok(camera) = Camera::look_at(eye, target, up, FIELD_OF_VIEW, 1e-3) else {
+        let Ok(camera) = View::look_at(eye, target, up, FIELD_OF_VIEW, 1e-3) else {
             return Ok(());
         };
         let middle = camera.project(target, 200, 100).unwrap();

@@ -1,0 +1,231 @@
+//! The cameras of a file, whatever its format.
+
+use std::path::PathBuf;
+
+use ga_runtime::cga3::Motor;
+
+use super::error::CameraFileError;
+use crate::rig::{RectifiedRig, StereoRig};
+use crate::{Camera, Intrinsics};
+
+/// The cameras of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CameraFile {
+    /// One camera or more, in the order of the file.
+    pub cameras: Vec<NamedCamera>,
+    /// The rectified rig, where the file says that its pictures are rectified.
+    pub rectified: Option<Rectified>,
+}
+
+/// What a file says of rectified pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rectified {
+    /// The two cameras, in metres.
+    pub rig: RectifiedRig,
+    /// An upper bound of the disparities in pixels.
+    pub disparities: Option<usize>,
+}
+
+/// A camera of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedCamera {
+    /// `left` and `right` in a rig, the file name of the picture in a list of views, and `camera`
+    /// in the file of one camera.
+    pub name: String,
+    /// The path of its picture, where the file states one.
+    pub picture: Option<PathBuf>,
+    /// Width and height of its pictures in pixels, where the file states them.
+    pub size: Option<[usize; 2]>,
+    /// The motor that takes the world into the camera's frame, where the file states a pose. The
+    /// world of a rig is the frame of its left camera.
+    pub pose: Option<Motor<f64>>,
+    /// The least depth that a renderer draws.
+    pub near: Option<f64>,
+    /// The greatest depth that a renderer draws.
+    pub far: Option<f64>,
+    intrinsics: Intrinsics,
+    skew: f64,
+}
+
+/// The name of the camera of a file that holds one.
+pub(super) const SINGLE: &str = "camera";
+
+impl NamedCamera {
+    /// A camera of which nothing but its projection is known.
+    #[must_use]
+    pub fn new(name: impl Into<String>, intrinsics: Intrinsics) -> Self {
+        Self {
+            name: name.into(),
+            picture: None,
+            size: None,
+            pose: None,
+            near: None,
+            far: None,
+            intrinsics,
+            skew: 0.0,
+        }
+    }
+
+    /// The same camera with a skew in pixels, which a renderer can use: `u = f_x x' + s y' + c_x`.
+    #[must_use]
+    pub fn with_skew(self, skew: f64) -> Self {
+        Self { skew, ..self }
+    }
+
+    /// The same camera for pictures of a size.
+    #[must_use]
+    pub fn with_size(self, size: Option<[usize; 2]>) -> Self {
+        Self { size, ..self }
+    }
+
+    /// The same camera in a pose.
+    #[must_use]
+    pub fn with_pose(self, pose: Option<Motor<f64>>) -> Self {
+        Self { pose, ..self }
+    }
+
+    /// Focal lengths, principal point and lens.
+    ///
+    /// # Errors
+    /// [`CameraFileError::Skew`] for a camera with skew.
+    pub fn intrinsics(&self) -> Result<Intrinsics, CameraFileError> {
+        if self.skew == 0.0 {
+            return Ok(self.intrinsics);
+        }
+        Err(CameraFileError::Skew {
+            name: self.name.clone(),
+            skew: self.skew,
+        })
+    }
+
+    /// Focal lengths, principal point and lens, and beside them the skew in pixels.
+    #[must_use]
+    pub fn intrinsics_and_skew(&self) -> (Intrinsics, f64) {
+        (self.intrinsics, self.skew)
+    }
+
+    /// The motor that takes the world into the camera's frame.
+    ///
+    /// # Errors
+    /// [`CameraFileError::NoPose`] where the file states none.
+    pub fn world_to_camera(&self) -> Result<Motor<f64>, CameraFileError> {
+        self.pose.ok_or_else(|| CameraFileError::NoPose {
+            name: self.name.clone(),
+        })
+    }
+
+    /// The camera in its world.
+    ///
+    /// # Errors
+    /// As [`intrinsics`](Self::intrinsics) and [`world_to_camera`](Self::world_to_camera).
+    pub fn camera(&self) -> Result<Camera, CameraFileError> {
+        Ok(Camera {
+            intrinsics: self.intrinsics()?,
+            world_to_camera: self.world_to_camera()?,
+        })
+    }
+
+    /// Whether the camera has a name, or its picture has it, with or without its ending.
+    #[must_use]
+    pub fn is_named(&self, name: &str) -> bool {
+        let picture = self.picture.as_deref();
+        let file = picture.map(|path| [path.file_name(), path.file_stem()]);
+        self.name == name || file.is_some_and(|names| names.contains(&Some(name.as_ref())))
+    }
+}
+
+impl CameraFile {
+    /// Cameras of pictures that are not known to be rectified.
+    pub(super) fn new(cameras: Vec<NamedCamera>) -> Self {
+        Self {
+            cameras,
+            rectified: None,
+        }
+    }
+
+    /// The camera of a name, or of a number from 0.
+    ///
+    /// # Errors
+    /// [`CameraFileError::NoSuchCamera`] where there is none, or several have the name.
+    pub fn camera(&self, name: &str) -> Result<&NamedCamera, CameraFileError> {
+        let mut named = self.cameras.iter().filter(|camera| camera.is_named(name));
+        let found = match (named.next(), named.next()) {
+            (Some(camera), None) => Some(camera),
+            (None, _) => name
+                .parse()
+                .ok()
+                .and_then(|index: usize| self.cameras.get(index)),
+            (Some(_), Some(_)) => None,
+        };
+        found.ok_or_else(|| CameraFileError::NoSuchCamera {
+            name: name.to_owned(),
+            names: self.names(),
+        })
+    }
+
+    /// The camera of a name, or the only one.
+    ///
+    /// # Errors
+    /// [`CameraFileError::Several`] where no name chooses among several cameras, and as
+    /// [`camera`](Self::camera).
+    pub fn one(&self, name: Option<&str>) -> Result<&NamedCamera, CameraFileError> {
+        match (name, self.cameras.as_slice()) {
+            (Some(name), _) => self.camera(name),
+            (None, [camera]) => Ok(camera),
+            (None, _) => Err(self.several("one")),
+        }
+    }
+
+    /// The cameras of two names, left and right, or the only two.
+    ///
+    /// # Errors
+    /// [`CameraFileError::NoRig`] where there is one camera, [`CameraFileError::Several`] where two
+    /// names do not choose among several, and as [`camera`](Self::camera).
+    pub fn pair(&self, names: &[String]) -> Result<[&NamedCamera; 2], CameraFileError> {
+        match (names, self.cameras.as_slice()) {
+            (_, [_]) => Err(CameraFileError::NoRig),
+            ([left, right], _) => Ok([self.camera(left)?, self.camera(right)?]),
+            ([], [left, right]) => Ok([left, right]),
+            _ => Err(self.several("a pair")),
+        }
+    }
+
+    /// The rig of a [`pair`](Self::pair). Its world is the frame of the left camera.
+    ///
+    /// # Errors
+    /// As [`pair`](Self::pair) and [`NamedCamera::camera`], and [`CameraFileError::SamePlace`] for
+    /// cameras without a baseline.
+    pub fn rig(&self, names: &[String]) -> Result<StereoRig, CameraFileError> {
+        let [first, second] = self.pair(names)?;
+        let (left, right) = (first.camera()?, second.camera()?);
+        let rig = StereoRig {
+            left: Camera {
+                world_to_camera: Motor::default(),
+                ..left
+            },
+            right: Camera {
+                world_to_camera: right.world_to_camera * left.world_to_camera.reverse(),
+                ..right
+            },
+        };
+        if rig.baseline() > 0.0 {
+            return Ok(rig);
+        }
+        Err(CameraFileError::SamePlace {
+            left: first.name.clone(),
+            right: second.name.clone(),
+        })
+    }
+
+    fn names(&self) -> Vec<String> {
+        let names = self.cameras.iter().map(|camera| camera.name.clone());
+        names.collect()
+    }
+
+    fn several(&self, needed: &'static str) -> CameraFileError {
+        CameraFileError::Several {
+            needed,
+            names: self.names(),
+        }
+    }
+}

@@ -1,0 +1,276 @@
+//! What is wrong with a file of cameras.
+
+use std::fmt;
+
+use ga_files::ReadError;
+
+use crate::CameraError;
+use crate::rig::RectifiedRigError;
+
+/// Where in a file of cameras a value stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The line, from 1, of formats by lines.
+    pub line: Option<usize>,
+    /// The view, from 0, in a list of views.
+    pub view: Option<usize>,
+    /// The key, with those of the objects around it.
+    pub key: String,
+}
+
+/// What is wrong with a file of cameras, or why its cameras are not those that are needed.
+#[derive(Debug, thiserror::Error)]
+pub enum CameraFileError {
+    /// The bytes are not text.
+    #[error("line {line}: not text in UTF-8")]
+    NotText {
+        /// The line with the first byte that is not UTF-8.
+        line: usize,
+    },
+    /// The text is XML.
+    #[error("line 1: this is XML; only YAML is read")]
+    Xml,
+    /// The text is not of its format.
+    #[error("line {line}: not {format}: {problem}")]
+    Syntax {
+        /// The line.
+        line: usize,
+        /// The format.
+        format: &'static str,
+        /// What the parser says.
+        problem: String,
+    },
+    /// What is valid has no place in such a file.
+    #[error("line {line}: {problem}")]
+    Unsupported {
+        /// The line.
+        line: usize,
+        /// What it is.
+        problem: &'static str,
+    },
+    /// There is no list of views, or an empty one.
+    #[error("`views` is not a list of at least one view")]
+    NoViews,
+    /// A key is given twice.
+    #[error("{0} is given a second time")]
+    Duplicate(Place),
+    /// A value is given by two keys.
+    #[error("{place} is given, and also `{other}`")]
+    Twice {
+        /// One key.
+        place: Place,
+        /// The other one.
+        other: String,
+    },
+    /// A value is missing.
+    #[error("{}", missing(.place, .also))]
+    Missing {
+        /// The key that is missing.
+        place: Place,
+        /// Other keys under which it was looked for.
+        also: Vec<&'static str>,
+    },
+    /// A key is not known.
+    #[error("{0} is not a key of a view")]
+    Unknown(Place),
+    /// A value is not what it must be.
+    #[error("{place} is not {expected}")]
+    Value {
+        /// The value.
+        place: Place,
+        /// What it must be.
+        expected: &'static str,
+    },
+    /// A number is infinite or not a number.
+    #[error("{place} has the value {value}, which is not finite")]
+    NotFinite {
+        /// The number's key.
+        place: Place,
+        /// The number.
+        value: f64,
+    },
+    /// A number of pixels is not a positive integer.
+    #[error("{place} is {value}, not a number of pixels")]
+    Size {
+        /// The number's key.
+        place: Place,
+        /// The number.
+        value: f64,
+    },
+    /// A matrix has another number of values than its rows and columns say.
+    #[error("{place} has {found} values, not {rows} × {columns}")]
+    ValueCount {
+        /// The matrix.
+        place: Place,
+        /// How many values there are.
+        found: usize,
+        /// The number of rows.
+        rows: usize,
+        /// The number of columns, times that of channels.
+        columns: usize,
+    },
+    /// A matrix does not have the shape that its meaning demands.
+    #[error("{place} has {rows} × {columns} values, not {expected}")]
+    Shape {
+        /// The matrix.
+        place: Place,
+        /// The number of rows.
+        rows: usize,
+        /// The number of columns.
+        columns: usize,
+        /// What is expected.
+        expected: &'static str,
+    },
+    /// The numbers do not form a camera.
+    #[error("{place}: {error}")]
+    Camera {
+        /// The matrix or the object.
+        place: Place,
+        /// What is wrong.
+        error: Box<CameraError>,
+    },
+    /// Numbers are not a rotation.
+    #[error("{place} is not a rotation: it differs from the nearest by {deviation:e}")]
+    Rotation {
+        /// The numbers.
+        place: Place,
+        /// The largest difference of an entry from the nearest rotation.
+        deviation: f64,
+    },
+    /// The two cameras of a rig are at the same place.
+    #[error("{0} is zero, so the cameras are at the same place")]
+    ZeroBaseline(Place),
+    /// The cameras and the baseline are not a rectified rig.
+    #[error("line {line}: {error}")]
+    Rectified {
+        /// The line of the right camera, or of the baseline.
+        line: usize,
+        /// What is wrong.
+        error: RectifiedRigError,
+    },
+    /// The difference of the principal points is not the one that is stated.
+    #[error("{place} is {found}, and the principal points differ by {expected}")]
+    Offset {
+        /// The stated difference.
+        place: Place,
+        /// Its value.
+        found: f64,
+        /// The difference.
+        expected: f64,
+    },
+    /// The file of a camera to which a view refers cannot be read.
+    #[error("{place}: {error}")]
+    Referred {
+        /// The reference.
+        place: Place,
+        /// What is wrong with the file, which it names.
+        error: Box<ReadError<CameraFileError>>,
+    },
+    /// One camera of a rig is a fisheye and the other is not: OpenCV has one mark for both.
+    #[error("a file cannot hold a fisheye and another lens in one rig")]
+    MixedLenses,
+    /// A camera is asked for that the file does not have.
+    #[error("there is no camera {name:?}: the cameras are {}", listed(.names))]
+    NoSuchCamera {
+        /// The name that was asked for.
+        name: String,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// There are other cameras than the number that is needed.
+    #[error("there are {} cameras ({}), and {needed} is needed: choose by name", .names.len(), listed(.names))]
+    Several {
+        /// How many are needed.
+        needed: &'static str,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// There is one camera where a rig is needed.
+    #[error(
+        "there is one camera, and a rig of two is needed: `M1`, `M2`, `R` and `T` in OpenCV's \
+         YAML, `cam0` and `cam1` in a calib.txt, or two of the `views` in JSON"
+    )]
+    NoRig,
+    /// A camera has no pose.
+    #[error(
+        "the camera {name:?} has no pose, which is needed: `rotation` and `translation` in JSON, \
+         or `R` and `T` of a rig"
+    )]
+    NoPose {
+        /// The camera.
+        name: String,
+    },
+    /// The size of a camera's pictures is not known, and the format needs it.
+    #[error("the camera {name:?} has no `width` and `height`")]
+    NoSize {
+        /// The camera.
+        name: String,
+    },
+    /// A camera has no picture, and a view needs one.
+    #[error("the camera {name:?} has no `picture`")]
+    NoPicture {
+        /// The camera.
+        name: String,
+    },
+    /// The rows of a picture are not perpendicular to its columns.
+    #[error("the camera {name:?} has the skew {skew}, which only `nullcone render` can use")]
+    Skew {
+        /// The camera.
+        name: String,
+        /// The skew in pixels.
+        skew: f64,
+    },
+    /// Two cameras of which a rig is made are at one place.
+    #[error("the cameras {left:?} and {right:?} are at the same place")]
+    SamePlace {
+        /// The first camera.
+        left: String,
+        /// The second one.
+        right: String,
+    },
+}
+
+impl Place {
+    /// A key on a line from 1, or 0 where there is none.
+    pub(super) fn on_line(line: usize, key: impl Into<String>) -> Self {
+        Self {
+            line: Some(line).filter(|line| *line > 0),
+            view: None,
+            key: key.into(),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(line) = self.line {
+            write!(f, "line {line}: ")?;
+        }
+        if let Some(view) = self.view {
+            write!(f, "view {view}: ")?;
+        }
+        write!(f, "`{}`", self.key)
+    }
+}
+
+fn missing(place: &Place, also: &[&'static str]) -> String {
+    if place.view.is_some() {
+        return format!("{place} is missing");
+    }
+    let quoted: Vec<String> = also.iter().map(|key| format!("`{key}`")).collect();
+    match quoted.as_slice() {
+        [] => format!("there is no {place}"),
+        quoted => format!("there is no {place}, and none of {}", quoted.join(", ")),
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    names.join(", ")
+}
+
+pub(super) fn wrong_type(key: &str, line: usize, expected: &'static str) -> CameraFileError {
+    CameraFileError::Value {
+        place: Place::on_line(line, key),
+        expected,
+    }
+}
