@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, ensure};
-use ga_mesh::format::{self, Loaded, Options};
+use ga_mesh::format::{self, Options};
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Node, Target, Transform, to_glb,
 };
@@ -21,10 +21,12 @@ use super::arguments::Area;
 use super::keys::{self, Key};
 use super::points::Points;
 use crate::format::Format;
+use crate::frame::Warning;
 use crate::mesh_file;
 
 /// A mesh, and how it follows its keys.
 pub(super) struct Surface {
+    pub(super) warnings: Vec<Warning>,
     mesh: Mesh,
     keys: Vec<Key>,
     motion: SurfaceMotion,
@@ -56,14 +58,8 @@ impl Surface {
         arguments: &Arguments,
         points: &Points,
         rest: &[Point<f64>],
-        quiet: bool,
     ) -> Result<Self> {
-        let Loaded { mesh, warnings } = format::read(path)?;
-        if !quiet {
-            for warning in warnings {
-                eprintln!("warning: {}: {warning}", path.display());
-            }
-        }
+        let (mesh, warnings) = mesh_file::read(path)?;
         let keys = match &arguments.keys {
             Some(path) => ga_files::read(path, |bytes| keys::parse(bytes, points, &mesh))?,
             None => (0..)
@@ -95,6 +91,7 @@ impl Surface {
             None => LocalArea::whole(&shape).map_err(named)?,
         };
         Ok(Self {
+            warnings,
             fit,
             to_mesh,
             motion,

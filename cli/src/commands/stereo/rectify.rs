@@ -1,8 +1,8 @@
 //! `nullcone stereo rectify`: views in which the images of a point are in one row.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_camera::format::rig::RigFile;
 use ga_camera::format::yaml::{Matrix, Storage};
 use ga_image::png;
@@ -11,13 +11,13 @@ use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
 use serde::Serialize;
 
 use super::pixels;
-use crate::files::Files;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, command_line};
 use crate::output::{self, File};
 
 const LEFT: &str = "left.png";
 const RIGHT: &str = "right.png";
-const RIG: &str = "rig.yml";
+/// The name of the file with the rectified cameras.
+pub(super) const RIG: &str = "rig.yml";
 
 /// Rectify two views, so that the images of a point are in the same row of both.
 ///
@@ -60,14 +60,13 @@ pub(crate) struct Arguments {
     /// The size of the results, such as 800x600; by default that of the views.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = pixels::size)]
     size: Option<[usize; 2]>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    folder: PathBuf,
     width_px: usize,
     height_px: usize,
     focal_px: f64,
@@ -90,64 +89,64 @@ struct Valid {
     height: usize,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let inputs = [&arguments.left, &arguments.right, &arguments.rig];
-    Files::reading(inputs).write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
-    let progress = Progress::new(4, quiet);
-    progress.step("reading the views");
-    let file = RigFile::read(&arguments.rig)?;
-    let left = ga_image::file::read(&arguments.left)?;
-    let right = ga_image::file::read(&arguments.right)?;
-    let size = [left.width(), left.height()];
-    ensure!(
-        size == [right.width(), right.height()],
-        "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
-        arguments.left.display(),
-        size[0],
-        size[1],
-        arguments.right.display(),
-        right.width(),
-        right.height()
-    );
-    pixels::check(file.size, size, &arguments.left, &arguments.rig)?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("rectifying");
-    let options = RectificationOptions {
-        zero_disparity: !arguments.separate_centres,
-        alpha: arguments.alpha,
-        size: arguments.size,
-    };
-    let found = Rectification::new(&file.rig, size, options)
-        .with_context(|| format!("{} cannot be rectified", arguments.rig.display()))?;
-    let new_left = left.view().warped(&found.left_map())?;
-    let new_right = right.view().warped(&found.right_map())?;
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let inputs = [&arguments.left, &arguments.right, &arguments.rig];
+        context
+            .files(inputs)?
+            .write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
+        let progress = context.progress(4);
+        progress.step("reading the views");
+        let file = RigFile::read(&arguments.rig)?;
+        let left = ga_image::file::read(&arguments.left)?;
+        let right = ga_image::file::read(&arguments.right)?;
+        let size = [left.width(), left.height()];
+        ensure!(
+            size == [right.width(), right.height()],
+            "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
+            arguments.left.display(),
+            size[0],
+            size[1],
+            arguments.right.display(),
+            right.width(),
+            right.height()
+        );
+        pixels::check(file.size, size, &arguments.left, &arguments.rig)?;
 
-    progress.step("encoding");
-    let files = [
-        File {
-            name: LEFT,
-            contents: png::encode(&new_left)?,
-        },
-        File {
-            name: RIGHT,
-            contents: png::encode(&new_right)?,
-        },
-        File {
-            name: RIG,
-            contents: cameras(&found)?.encode().into_bytes(),
-        },
-    ];
-    progress.step("writing");
-    output::write_all(&arguments.out, &files)?;
-    drop(progress);
+        progress.step("rectifying");
+        let options = RectificationOptions {
+            zero_disparity: !arguments.separate_centres,
+            alpha: arguments.alpha,
+            size: arguments.size,
+        };
+        let found = Rectification::new(&file.rig, size, options)
+            .with_context(|| format!("{} cannot be rectified", arguments.rig.display()))?;
+        let new_left = left.view().warped(&found.left_map())?;
+        let new_right = right.view().warped(&found.right_map())?;
 
-    let report = Report::new(&found);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines())
+        progress.step("encoding");
+        let files = [
+            File {
+                name: LEFT,
+                contents: png::encode(&new_left)?,
+            },
+            File {
+                name: RIGHT,
+                contents: png::encode(&new_right)?,
+            },
+            File {
+                name: RIG,
+                contents: cameras(&found)?.encode().into_bytes(),
+            },
+        ];
+        progress.step("writing");
+        output::write_all(&arguments.out, &files)?;
+        drop(progress);
+
+        Ok(Report::new(&found, &arguments.out))
     }
 }
 
@@ -192,7 +191,7 @@ fn cameras(found: &Rectification) -> Result<Storage> {
 }
 
 impl Report {
-    fn new(found: &Rectification) -> Self {
+    fn new(found: &Rectification, folder: &Path) -> Self {
         let degrees = |motor: Motor<f64>| motor.rotor().to_axis_angle().1.to_degrees();
         let valid = |part: Rectangle| Valid {
             left: part.left,
@@ -201,6 +200,7 @@ impl Report {
             height: part.height,
         };
         Self {
+            folder: folder.to_path_buf(),
             width_px: found.size[0],
             height_px: found.size[1],
             focal_px: found.rig.left().focal()[0],
@@ -214,8 +214,25 @@ impl Report {
             right_valid_px: valid(found.valid[1]),
         }
     }
+}
 
-    fn lines(&self) -> String {
+impl frame::Report for Report {
+    /// Disparities are looked for in a quarter of the width, and are mostly less.
+    fn next(&self) -> Option<String> {
+        let range = self.width_px.div_ceil(4).to_string();
+        let [left, right] = [LEFT, RIGHT].map(|name| self.folder.join(name));
+        Some(command_line([
+            "nullcone stereo match".as_ref(),
+            left.as_os_str(),
+            right.as_os_str(),
+            "--max-disparity".as_ref(),
+            range.as_ref(),
+            "--out".as_ref(),
+            self.folder.join("disparities.pfm").as_os_str(),
+        ]))
+    }
+
+    fn text(&self) -> String {
         format!(
             "{} × {} pixels, focal length {:.3} px, baseline {:.6} m\n\
              principal points {:.3}, {:.3} px and {:.3}, {:.3} px\n\
