@@ -18,6 +18,7 @@ mod curve;
 mod demo;
 mod draw;
 mod expand;
+mod frame;
 mod manuals;
 mod mesh;
 mod mesh_subdivide;

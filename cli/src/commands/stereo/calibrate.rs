@@ -171,72 +171,90 @@ impl Command for Arguments {
         let settings = settings(arguments)?;
         let files = pairs_of_files(&arguments.left, &arguments.right)?;
         check_outputs(arguments, context, &files)?;
-        let progress = context.progress(files.len() as u64 + 1);
-        let (size, pairs, mut rejected) = find_boards(arguments, &files, &progress)?;
-        progress.step("calibrating");
-        if pairs.len() < LEAST_VIEWS {
-            let first = rejected.first().map(|rejected| rejected.reason.clone());
-            bail!(
-                "the board was found in {} of {} pairs, and {LEAST_VIEWS} are needed{}",
-                pairs.len(),
-                files.len(),
-                first
-                    .map(|reason| format!("; first: {reason}"))
-                    .unwrap_or_default()
-            );
+        let other_numbers = warning_of_other_numbers(&files);
+        let report = calibrated(arguments, context, &files, &settings);
+        if report.is_err() && !context.is_quiet() {
+            // It may be the reason of the failure, which has no report.
+            frame::print_warnings(other_numbers.as_slice());
         }
-        let corners = |side: usize| -> Vec<Vec<[f64; 2]>> {
-            let boards = pairs
-                .iter()
-                .map(|pair| pair.boards[side].corners().to_vec());
-            boards.collect()
-        };
-        let [left, right] = [corners(0), corners(1)];
-        let places = arguments.board.places(square);
-        let found = calibrate_stereo([&left, &right], &places, size, &settings);
-        let found = found.map_err(|error| {
-            let pair = error.view().map(|pair| &files[pairs[pair].index]);
-            let error = anyhow::Error::new(error);
-            match pair {
-                Some([left, right]) => {
-                    error.context(format!("{} and {}", left.display(), right.display()))
-                }
-                None => error,
-            }
-        })?;
-        for outlier in &found.outliers {
-            rejected.push(Rejected::new(
-                &files[pairs[outlier.pair].index],
-                outlier.to_string(),
-            ));
-        }
-        let used = |views: &[Vec<[f64; 2]>]| -> Vec<Vec<[f64; 2]>> {
-            found.used.iter().map(|&pair| views[pair].clone()).collect()
-        };
-        let edges = square_edges(
-            &found.rig,
-            [&used(&left), &used(&right)],
-            arguments.board,
-            square,
-        )
-        .context("the edges of the squares cannot be measured")?;
-        let rig = RigFile {
-            rig: found.rig,
-            size: Some(size),
-        };
-        let contents = rig.encode();
-        let contents = contents.with_context(|| arguments.out.display().to_string())?;
-        let mut outputs = vec![(arguments.out.clone(), contents.into_bytes())];
-        if let Some(folder) = &arguments.pictures {
-            outputs.extend(pictures(folder, &pairs)?);
-        }
-        output::write_together(outputs)?;
-        drop(progress);
-        let mut report = Report::new(&found, edges, &files, rejected);
-        report.warnings.extend(warning_of_other_numbers(&files));
-        report.next = next(&files[pairs[found.used[0]].index], &arguments.out);
+        let mut report = report?;
+        report.warnings.extend(other_numbers);
         Ok(report)
     }
+}
+
+/// Finds the boards, calibrates and writes the results.
+fn calibrated(
+    arguments: &Arguments,
+    context: &Context,
+    files: &[[PathBuf; 2]],
+    settings: &StereoSettings,
+) -> Result<Report> {
+    let square = arguments.square;
+    let progress = context.progress(files.len() as u64 + 1);
+    let (size, pairs, mut rejected) = find_boards(arguments, files, &progress)?;
+    progress.step("calibrating");
+    if pairs.len() < LEAST_VIEWS {
+        let first = rejected.first().map(|rejected| rejected.reason.clone());
+        bail!(
+            "the board was found in {} of {} pairs, and {LEAST_VIEWS} are needed{}",
+            pairs.len(),
+            files.len(),
+            first
+                .map(|reason| format!("; first: {reason}"))
+                .unwrap_or_default()
+        );
+    }
+    let corners = |side: usize| -> Vec<Vec<[f64; 2]>> {
+        let boards = pairs
+            .iter()
+            .map(|pair| pair.boards[side].corners().to_vec());
+        boards.collect()
+    };
+    let [left, right] = [corners(0), corners(1)];
+    let places = arguments.board.places(square);
+    let found = calibrate_stereo([&left, &right], &places, size, settings);
+    let found = found.map_err(|error| {
+        let pair = error.view().map(|pair| &files[pairs[pair].index]);
+        let error = anyhow::Error::new(error);
+        match pair {
+            Some([left, right]) => {
+                error.context(format!("{} and {}", left.display(), right.display()))
+            }
+            None => error,
+        }
+    })?;
+    for outlier in &found.outliers {
+        rejected.push(Rejected::new(
+            &files[pairs[outlier.pair].index],
+            outlier.to_string(),
+        ));
+    }
+    let used = |views: &[Vec<[f64; 2]>]| -> Vec<Vec<[f64; 2]>> {
+        found.used.iter().map(|&pair| views[pair].clone()).collect()
+    };
+    let edges = square_edges(
+        &found.rig,
+        [&used(&left), &used(&right)],
+        arguments.board,
+        square,
+    )
+    .context("the edges of the squares cannot be measured")?;
+    let rig = RigFile {
+        rig: found.rig,
+        size: Some(size),
+    };
+    let contents = rig.encode();
+    let contents = contents.with_context(|| arguments.out.display().to_string())?;
+    let mut outputs = vec![(arguments.out.clone(), contents.into_bytes())];
+    if let Some(folder) = &arguments.pictures {
+        outputs.extend(pictures(folder, &pairs)?);
+    }
+    output::write_together(outputs)?;
+    drop(progress);
+    let mut report = Report::new(&found, edges, files, rejected);
+    report.next = next(&files[pairs[found.used[0]].index], &arguments.out);
+    Ok(report)
 }
 
 /// How a pair of views is rectified with the rig.
