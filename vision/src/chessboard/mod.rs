@@ -15,6 +15,7 @@
 mod board_size;
 mod grid;
 mod margin;
+mod picture;
 mod refinement;
 mod saddle;
 
@@ -26,6 +27,7 @@ use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
 pub use board_size::{BoardSize, ChessboardError};
+pub use picture::pair_picture;
 use refinement::Gradient;
 
 /// The inner corners of a chessboard in a picture.

@@ -10,6 +10,7 @@
 //! [`RectificationOptions`].
 
 mod error;
+mod storage;
 mod undistortion;
 mod view;
 

@@ -1,11 +1,8 @@
 //! `nullcone capture`: the pose of a head, its expression, and the motion of its surface.
 
 mod arguments;
-mod keys;
-mod points;
 mod report;
 mod surface;
-mod tables;
 
 pub(crate) use arguments::Arguments;
 
@@ -14,6 +11,7 @@ use std::time::Instant;
 
 use anyhow::{Context as _, Result, anyhow, ensure};
 use ga_runtime::cga3::{Motor, Point};
+use ga_vision::capture::table::{PointTable, expressions_csv, matrices_csv, poses_csv};
 use ga_vision::capture::{
     Capture, CaptureError, CapturedFrame, FrameError, PoseError, PoseOptions,
 };
@@ -21,7 +19,6 @@ use ga_vision::capture::{
 use crate::format::Format;
 use crate::frame::{Command, Context};
 use crate::output;
-use points::Points;
 use report::Report;
 use surface::{Motion, Surface};
 
@@ -34,7 +31,7 @@ impl Command for Arguments {
         let begin = Instant::now();
         let progress = context.progress(4);
         progress.step("reading");
-        let points = ga_files::read(&arguments.points, Points::parse)?;
+        let points = ga_files::read(&arguments.points, PointTable::parse)?;
         let named = || arguments.points.display().to_string();
         let reference =
             frame(arguments.reference.as_deref(), "--reference", &points).with_context(named)?;
@@ -127,7 +124,7 @@ fn check(arguments: &Arguments, context: &Context) -> Result<Vec<Format>> {
 }
 
 /// The frame of this name, or the first.
-fn frame(name: Option<&str>, option: &str, points: &Points) -> Result<usize> {
+fn frame(name: Option<&str>, option: &str, points: &PointTable) -> Result<usize> {
     let Some(name) = name else {
         return Ok(0);
     };
@@ -139,7 +136,7 @@ fn frame(name: Option<&str>, option: &str, points: &Points) -> Result<usize> {
     })
 }
 
-fn calibrated(arguments: &Arguments, points: &Points) -> Result<Vec<usize>> {
+fn calibrated(arguments: &Arguments, points: &PointTable) -> Result<Vec<usize>> {
     let words = arguments.calibrated.iter().map(|word| word.trim());
     let point = |word: &str| {
         points.point(word).with_context(|| {
@@ -154,7 +151,7 @@ fn calibrated(arguments: &Arguments, points: &Points) -> Result<Vec<usize>> {
 }
 
 /// The points of the reference frame, which must all be there.
-fn at_rest(points: &Points, reference: usize) -> Result<Vec<Point<f64>>> {
+fn at_rest(points: &PointTable, reference: usize) -> Result<Vec<Point<f64>>> {
     let row = points.frames[reference].points.iter().zip(&points.names);
     let place = |(place, name): (&Option<Point<f64>>, &String)| {
         place.with_context(|| {
@@ -166,7 +163,7 @@ fn at_rest(points: &Points, reference: usize) -> Result<Vec<Point<f64>>> {
 }
 
 /// An error with the names of frames and points.
-fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error {
+fn text(error: CaptureError, points: &PointTable, reference: usize) -> anyhow::Error {
     let name = |point: &usize| points.names[*point].as_str();
     match error {
         CaptureError::Twice(point) => anyhow!("--calibrated: {} is named twice", name(&point)),
@@ -204,7 +201,7 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
 fn files(
     arguments: &Arguments,
     formats: &[Format],
-    points: &Points,
+    points: &PointTable,
     frames: &[CapturedFrame],
     surface: Option<(&Surface, &Motion)>,
     one: usize,
@@ -223,14 +220,14 @@ fn files(
                 let found = surface.frame_files(place, arguments, motion, one, poses[one]);
                 files.extend(found.with_context(|| cannot(path))?);
             }
-            _ => files.push((path.clone(), tables::expressions(points, frames)?)),
+            _ => files.push((path.clone(), expressions_csv(points, frames)?)),
         }
     }
     if let Some(path) = &arguments.pose {
-        files.push((path.clone(), tables::poses(points, frames)?));
+        files.push((path.clone(), poses_csv(points, frames)?));
     }
     if let Some(path) = &arguments.matrix {
-        files.push((path.clone(), tables::matrices(points, frames)?));
+        files.push((path.clone(), matrices_csv(points, frames)?));
     }
     Ok(files)
 }

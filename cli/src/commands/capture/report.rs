@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use ga_runtime::vga3::Vector;
 use ga_vision::capture::CapturedFrame;
+use ga_vision::capture::table::PointTable;
 use serde::Serialize;
 
 use super::Arguments;
 use super::arguments::Area;
-use super::points::Points;
 use super::surface::{Motion, Surface};
 use crate::frame::{self, Warning};
 use crate::rotation::smaller_rotation;
@@ -100,7 +100,7 @@ struct AreaReport {
 impl Report {
     pub(super) fn new(
         arguments: &Arguments,
-        points: &Points,
+        points: &PointTable,
         calibrated: &[usize],
         reference: usize,
         frames: &[CapturedFrame],
@@ -210,7 +210,7 @@ impl frame::Report for Report {
 }
 
 impl Expression {
-    fn new(points: &Points, frames: &[CapturedFrame]) -> Self {
+    fn new(points: &PointTable, frames: &[CapturedFrame]) -> Self {
         let mut of_points = Vec::with_capacity(points.names.len());
         let (mut squares, mut count) = (0.0, 0);
         // The greatest, its point and its frame.

@@ -1,7 +1,6 @@
 //! `nullcone curve`: a smooth curve through the keys of a table.
 
 mod plot;
-mod table;
 
 use std::fmt::{Display, Formatter};
 use std::path::PathBuf;
@@ -9,13 +8,13 @@ use std::str::FromStr;
 
 use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use clap::ValueEnum;
+use ga_anim::curve::table::KeyTable;
 use ga_anim::curve::{self, Curve, CurveError, EndKind, ResampleError, Resampled, SplineSystem};
 use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
-use table::Table;
 
 /// More rows than this are taken for a mistake.
 const MOST_ROWS: usize = 10_000_000;
@@ -151,7 +150,7 @@ impl Command for Arguments {
         files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
         let progress = context.progress(3);
         progress.step("reading");
-        let table = ga_files::read(&arguments.keys, Table::parse)?;
+        let table = ga_files::read(&arguments.keys, KeyTable::parse)?;
         progress.step("fitting");
         let name = || arguments.keys.display().to_string();
         let curves = splines(&table, &arguments.ends).with_context(name)?;
@@ -197,7 +196,7 @@ impl frame::Report for Report {
 /// so that an error in one leaves no other behind.
 fn write(
     arguments: &Arguments,
-    table: &Table,
+    table: &KeyTable,
     curves: &[Curve<f64>],
     rows: &Resampled<Vec<f64>>,
 ) -> Result<()> {
@@ -232,7 +231,7 @@ fn check_arguments(arguments: &Arguments) -> Result<()> {
 }
 
 /// A spline for each channel.
-fn splines(table: &Table, ends: &Ends) -> Result<Vec<Curve<f64>>> {
+fn splines(table: &KeyTable, ends: &Ends) -> Result<Vec<Curve<f64>>> {
     let kind = match ends {
         Ends::Natural => EndKind::Natural,
         Ends::Clamped | Ends::Slopes(_) => EndKind::Slopes,
@@ -269,7 +268,7 @@ fn splines(table: &Table, ends: &Ends) -> Result<Vec<Curve<f64>>> {
 }
 
 /// An error with the line and the column of the table that it is about.
-fn located(error: CurveError, table: &Table, column: usize) -> anyhow::Error {
+fn located(error: CurveError, table: &KeyTable, column: usize) -> anyhow::Error {
     let key = match error {
         CurveError::Time { key, .. }
         | CurveError::NotRising { key, .. }
@@ -322,7 +321,7 @@ fn even_rows(curves: &[Curve<f64>], count: usize) -> Resampled<Vec<f64>> {
     }
 }
 
-fn title(arguments: &Arguments, table: &Table) -> String {
+fn title(arguments: &Arguments, table: &KeyTable) -> String {
     let name = arguments
         .keys
         .file_name()

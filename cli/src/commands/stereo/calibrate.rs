@@ -13,10 +13,10 @@ use ga_vision::calibration::{
     CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start, StereoCalibration,
     StereoSettings, calibrate_stereo, square_edges,
 };
-use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find};
+use ga_vision::chessboard::{BoardSize, Chessboard, ChessboardError, find, pair_picture};
 use serde::Serialize;
 
-use super::{corners, views};
+use super::views;
 use crate::file_list;
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning, command_line};
@@ -421,7 +421,7 @@ fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     {
         if let Some(views) = views {
             let path = folder.join(corners_name(*index));
-            files.push((path, png::encode(&corners::picture(views, boards))?));
+            files.push((path, png::encode(&pair_picture(views, boards))?));
         }
     }
     Ok(files)

@@ -1,7 +1,6 @@
 //! `nullcone stereo`: two views of a scene.
 
 mod calibrate;
-mod corners;
 mod diagnose;
 mod evaluate;
 mod match_views;

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use ga_camera::format::rig::RigFile;
-use ga_camera::format::yaml::{Matrix, Storage};
 use ga_image::png;
 use ga_runtime::cga3::Motor;
 use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
@@ -139,7 +138,7 @@ impl Command for Arguments {
             },
             File {
                 name: RIG,
-                contents: cameras(&found)?.encode().into_bytes(),
+                contents: found.storage()?.encode().into_bytes(),
             },
         ];
         progress.step("writing");
@@ -148,46 +147,6 @@ impl Command for Arguments {
 
         Ok(Report::new(&found, &arguments.out))
     }
-}
-
-/// The rectified cameras, with the matrices that OpenCV's `stereoRectify` returns.
-fn cameras(found: &Rectification) -> Result<Storage> {
-    let file = RigFile {
-        rig: found.rig.stereo_rig(),
-        size: Some(found.size),
-    };
-    let mut storage = file.storage()?;
-    for (name, motor) in [("R1", found.left.motor), ("R2", found.right.motor)] {
-        let rows = motor.rotor().to_matrix();
-        storage.set_matrix(
-            name,
-            Matrix::new(3, 3, rows.into_iter().flatten().collect())?,
-        );
-    }
-    let (left, right) = (found.rig.left(), found.rig.right());
-    let (focal, baseline) = (left.focal()[0], found.rig.baseline());
-    for (name, camera, along) in [("P1", left, 0.0), ("P2", right, -focal * baseline)] {
-        let [a, b, c] = camera.to_matrix();
-        let rows = [
-            [a[0], a[1], a[2], along],
-            [b[0], b[1], b[2], 0.0],
-            [c[0], c[1], c[2], 0.0],
-        ];
-        storage.set_matrix(
-            name,
-            Matrix::new(3, 4, rows.into_iter().flatten().collect())?,
-        );
-    }
-    let [cx, cy] = left.principal();
-    let offset = found.rig.disparity_offset() / baseline;
-    let q = [
-        [1.0, 0.0, 0.0, -cx],
-        [0.0, 1.0, 0.0, -cy],
-        [0.0, 0.0, 0.0, focal],
-        [0.0, 0.0, 1.0 / baseline, offset],
-    ];
-    storage.set_matrix("Q", Matrix::new(4, 4, q.into_iter().flatten().collect())?);
-    Ok(storage)
 }
 
 impl Report {
