@@ -110,7 +110,7 @@ fn a_report_has_the_values_of_a_command_without_a_page_of_its_own() {
         "The result is doubtful.",
         "turned.obj: the faces at 3 edges have opposite orientations",
         "<td>inconsistent_edges</td><td>3</td>",
-        "<td>bounds.max</td><td>[1.0,1.0,1.0]</td>",
+        "<td>bounds.max</td><td>1.0, 1.0, 1.0</td>",
     ] {
         assert!(page.contains(part), "{part:?} is not in {page}");
     }

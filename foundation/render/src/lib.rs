@@ -10,6 +10,7 @@
 //! | --- | --- |
 //! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
 //! | [`model`] | models from files as such scenes |
+//! | [`bake`] | pictures for the maps of [`ga_mesh::bake`] |
 //! | [`Material`], [`texture::Texture`] | the appearance of surfaces |
 //! | [`Camera`], [`Intrinsics`], [`ViewDirection`] | from where it is seen |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
@@ -34,6 +35,7 @@
 //! # Ok::<(), ga_render::RenderError>(())
 //! ```
 
+pub mod bake;
 mod barycentric;
 mod buffers;
 mod camera;

@@ -1,8 +1,6 @@
 //! `nullcone mesh bake`: maps of a fine mesh for a coarse one.
 
 mod coarse;
-mod colour;
-mod picture;
 mod report;
 
 use std::collections::BTreeSet;
@@ -14,11 +12,11 @@ use clap::ValueEnum;
 use clap::builder::RangedI64ValueParser;
 use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
 use ga_mesh::{Image, atlas};
+use ga_render::bake::{MeshColours, colour_picture, height_picture, normal_picture, share_picture};
 
 use crate::frame::{Command, Context};
 use crate::mesh_file;
 use coarse::{Coarse, Images};
-use colour::Colours;
 use report::{Report, Steps};
 
 /// Bake the details of a fine mesh into maps for a coarse one.
@@ -144,11 +142,15 @@ impl Command for Arguments {
         steps.begin("read");
         let (fine_mesh, mut warnings) = mesh_file::read(&arguments.fine)?;
         let (coarse_mesh, of_coarse) = mesh_file::read(&arguments.coarse)?;
-        let mut missing = Vec::new();
-        let colours = match maps.contains(&Map::Colour) {
-            true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut missing)?),
-            false => None,
+        let (colours, missing) = match maps.contains(&Map::Colour) {
+            true => {
+                let found = MeshColours::new(&fine_mesh, arguments.fine.parent());
+                let found = found.with_context(|| arguments.fine.display().to_string())?;
+                (Some(found.0), found.1)
+            }
+            false => (None, Vec::new()),
         };
+        let missing = missing.iter().map(ToString::to_string);
         for warning in mesh_file::missing_parts(&arguments.fine, missing) {
             // The reader of OBJ files says as well which pictures are missing.
             if !warnings.contains(&warning) {
@@ -186,15 +188,15 @@ impl Command for Arguments {
         for &map in &maps {
             steps.begin(map.name());
             let picture = match map {
-                Map::Normal => picture::of_normals(&bake.normals()),
+                Map::Normal => normal_picture(&bake.normals()),
                 Map::Displacement => {
-                    let (picture, found) = picture::of_heights(&bake.displacement(), diagonal);
-                    range = Some(found);
+                    let (picture, found) = height_picture(&bake.displacement(), diagonal);
+                    range = Some(found.into());
                     picture
                 }
                 Map::Colour => {
                     let colours = colours.as_ref().context("no colours were read")?;
-                    picture::of_colours(&bake.colour(|point| colours.at(point)))
+                    colour_picture(&bake.colour(|point| colours.at(point)))
                 }
                 Map::Occlusion => {
                     let mut options = OcclusionOptions::default();
@@ -202,9 +204,7 @@ impl Command for Arguments {
                     options.seed = arguments.seed;
                     options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
                     let occlusion = bake.occlusion(&options);
-                    picture::of_shares(
-                        &occlusion.with_context(|| arguments.fine.display().to_string())?,
-                    )
+                    share_picture(&occlusion.with_context(|| arguments.fine.display().to_string())?)
                 }
             };
             pictures.push((map, picture));

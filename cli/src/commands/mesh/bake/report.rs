@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use ga_render::bake::HeightRange;
 use serde::Serialize;
 use serde_json::Map as Object;
 
@@ -46,6 +47,12 @@ pub(crate) struct Report {
 pub(super) struct Range {
     pub(super) minimum: f64,
     pub(super) maximum: f64,
+}
+
+impl From<HeightRange> for Range {
+    fn from(HeightRange { minimum, maximum }: HeightRange) -> Self {
+        Self { minimum, maximum }
+    }
 }
 
 impl frame::Report for Report {
