@@ -39,6 +39,8 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use commands::completions::Completions;
+use commands::man::Manual;
 use commands::{
     animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
     quality, render, skin, stereo, texture, video,
@@ -117,25 +119,26 @@ fn run(command: &Command, context: &Context) -> Result<ExitCode> {
         Command::Demo(arguments) => frame::unframed(demo::run(arguments, quiet)),
         Command::Animate(arguments) => frame::unframed(animate::run(arguments, quiet)),
         Command::Body(arguments) => body::run(arguments, context),
-        Command::Capture(arguments) => frame::unframed(capture::run(arguments, quiet)),
-        Command::Expand(arguments) => frame::unframed(expand::run(arguments)),
+        Command::Capture(arguments) => frame::run(arguments, context),
+        Command::Expand(arguments) => frame::run(arguments, context),
         Command::Clip(arguments) => clip::run(arguments, context),
-        Command::Contour(arguments) => frame::unframed(contour::run(arguments, quiet)),
-        Command::Curve(arguments) => frame::unframed(curve::run(arguments, quiet)),
-        Command::Draw(arguments) => frame::unframed(draw::run(arguments, quiet)),
+        Command::Contour(arguments) => frame::run(arguments, context),
+        Command::Curve(arguments) => frame::run(arguments, context),
+        Command::Draw(arguments) => frame::run(arguments, context),
         Command::Mesh(arguments) => mesh::run(arguments, context),
         Command::Quality(arguments) => quality::run(arguments, context),
-        Command::Render(arguments) => frame::unframed(render::run(arguments, quiet)),
-        Command::Skin(arguments) => frame::unframed(skin::run(arguments, quiet)),
+        Command::Render(arguments) => frame::run(arguments, context),
+        Command::Skin(arguments) => frame::run(arguments, context),
         Command::Stereo(arguments) => stereo::run(arguments, context),
-        Command::Texture(arguments) => frame::unframed(texture::run(arguments, quiet)),
+        Command::Texture(arguments) => frame::run(arguments, context),
         Command::Video(arguments) => video::run(arguments, context),
         Command::Completions(arguments) => {
-            frame::unframed(completions::run(arguments, Cli::command()))
+            let program = Cli::command();
+            frame::run(&Completions { arguments, program }, context)
         }
         Command::Man(arguments) => {
-            let command = examples::with_examples(Cli::command());
-            frame::unframed(man::run(arguments, command, quiet))
+            let program = examples::with_examples(Cli::command());
+            frame::run(&Manual { arguments, program }, context)
         }
     }
 }

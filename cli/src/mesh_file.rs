@@ -1,4 +1,4 @@
-//! Meshes as they are written.
+//! Meshes as they are read and written.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,24 @@ use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
 
 use crate::format::Format;
+use crate::frame::Warning;
 use crate::standard_output::is_standard_output;
+
+/// Reads a mesh, with warnings of what its file refers to that is not there.
+pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
+    let (mesh, warnings) = format::read(file)?;
+    Ok((mesh, missing_parts(file, warnings)))
+}
+
+/// Warnings of what the file of a mesh refers to that is not there.
+pub(crate) fn missing_parts(
+    file: &Path,
+    sentences: impl IntoIterator<Item = String>,
+) -> Vec<Warning> {
+    let sentences = sentences.into_iter();
+    let warnings = sentences.map(|text| Warning::new("missing_part", text).in_file(file));
+    warnings.collect()
+}
 
 /// The paths and contents of the files of a mesh, that at `out` first.
 ///

@@ -23,6 +23,7 @@ mod linear;
 mod piecewise;
 mod resample;
 mod spline;
+pub mod table;
 mod value;
 
 pub use arc_length::ArcLength;

@@ -1,12 +1,14 @@
 //! `nullcone completions`: scripts with which a shell completes commands and options.
 
 use anyhow::Result;
-use clap::Command;
 use clap_complete::Shell;
+use serde::Serialize;
 
-use crate::output;
+use crate::frame::{self, Command, Context};
 
 /// Print a script with which a shell completes commands and options of this program.
+///
+/// --json prints {"shell": …, "script": …}.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The shell.
@@ -14,9 +16,42 @@ pub(crate) struct Arguments {
     shell: Shell,
 }
 
-pub(crate) fn run(arguments: &Arguments, mut command: Command) -> Result<()> {
-    let mut script = Vec::new();
-    let name = command.get_name().to_owned();
-    clap_complete::generate(arguments.shell, &mut command, name, &mut script);
-    output::print(&String::from_utf8(script)?)
+/// The command together with the program that is completed.
+pub(crate) struct Completions<'a> {
+    pub(crate) arguments: &'a Arguments,
+    pub(crate) program: clap::Command,
+}
+
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    shell: String,
+    script: String,
+}
+
+impl Command for Completions<'_> {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        context.files::<&str>([])?;
+        let shell = self.arguments.shell;
+        let mut program = self.program.clone();
+        let mut script = Vec::new();
+        let name = program.get_name().to_owned();
+        clap_complete::generate(shell, &mut program, name, &mut script);
+        Ok(Report {
+            shell: shell.to_string(),
+            script: String::from_utf8(script)?,
+        })
+    }
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        self.script.clone()
+    }
+
+    fn is_result(&self) -> bool {
+        true
+    }
 }

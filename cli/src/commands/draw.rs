@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use ga_draw::Scene;
+use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context};
 use crate::output;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
@@ -20,7 +21,8 @@ use crate::output;
 ///   {"name": "l", "line": {"through": [[-2, 0, 0], [2, 0, 0.5]]}},
 ///   {"name": "S ∨ l", "meet": ["S", "l"]}]}
 ///
-/// The documentation of ga-draw describes the format in full.
+/// The documentation of ga-draw describes the format in full. --json prints {"out": …,
+/// "shapes": …}, where shapes counts what is drawn.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -33,17 +35,34 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let Arguments { file, out } = arguments;
-    let format = Files::reading([file]).write("--out", out, &[Format::Svg, Format::Html])?;
-    let write = match format {
-        Format::Html => Scene::to_html,
-        _ => Scene::to_svg,
-    };
-    let scene = ga_files::read(file, Scene::decode)?;
-    output::write(out, write(&scene).as_bytes())?;
-    if !quiet {
-        output::print(&format!("wrote {}\n", out.display()))?;
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    out: String,
+    shapes: usize,
+}
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let Self { file, out } = self;
+        let formats = [Format::Svg, Format::Html];
+        let write = match context.files([file])?.write("--out", out, &formats)? {
+            Format::Html => Scene::to_html,
+            _ => Scene::to_svg,
+        };
+        let scene = ga_files::read(file, Scene::decode)?;
+        output::write(out, write(&scene).as_bytes())?;
+        Ok(Report {
+            out: out.display().to_string(),
+            shapes: scene.shapes().count(),
+        })
     }
-    Ok(())
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        format!("wrote {}\n", self.out)
+    }
 }

@@ -3,22 +3,23 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::format::json;
 use ga_image::colour::LinearColour;
 use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::{png, y4m};
-use ga_mesh::format;
 use ga_mesh::gltf;
 use ga_render::model::Model;
 use ga_render::{Buffers, Ground, Polyline, Scene, Shading, Style, Visibility, render};
+use serde::Serialize;
 
 use crate::buffer_files;
 use crate::camera_file;
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context, Warning};
+use crate::mesh_file;
 use crate::output::{self, File};
 use crate::view::{View, bounds, camera_path};
 use crate::view_files::{self, ViewFiles};
@@ -51,6 +52,9 @@ use crate::view_files::{self, ViewFiles};
 ///        "rotation": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "translation": [0, 0, 2]}
 ///
 ///       "skew" (0 by default), "near" and "far" may be added.
+///
+/// --json prints {"out": …, "width_px": …, "height_px": …, "pictures": …, "triangles": …,
+/// "seconds": …, "files": […], "warnings": […]}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -124,102 +128,133 @@ const POINT_DIAMETER: f64 = 5.0;
 /// The most pictures of a turntable.
 const MOST_PICTURES: u32 = 1000;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let Arguments {
-        model: path, out, ..
-    } = arguments;
-    ensure!(
-        (1..=MOST_PICTURES).contains(&arguments.turntable),
-        "--turntable {}: not 1 to {MOST_PICTURES}",
-        arguments.turntable
-    );
-    let format = check_files(arguments)?;
-    let view = View::parse(&arguments.camera, arguments.view.as_deref())?;
-    let size = match &arguments.size {
-        Some(size) => Some(parse_size(size)?),
-        None => None,
-    };
-    let [width, height] = match (view.size(), size) {
-        (Some(own), Some(asked)) if own != asked => bail!(
-            "--size {}x{}: the camera {} is for {}x{}",
-            asked[0],
-            asked[1],
-            arguments.camera,
-            own[0],
-            own[1]
-        ),
-        (None, None) if matches!(view, View::File { .. }) => bail!(
-            "{}: the file does not say how large its pictures are: --size WxH is needed",
-            arguments.camera
-        ),
-        (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
-    };
-    check_pixels(arguments.turntable, [width, height])?;
-    let mut style = Style {
-        width,
-        height,
-        supersampling: arguments.samples,
-        shading: match arguments.shading {
-            Light::Lit => Shading::Lit,
-            Light::Unlit => Shading::Unlit,
-        },
-        self_shadow: 0.8,
-        ambient_occlusion: 0.7,
-        depth_contrast: 0.0,
-        ..Style::default()
-    };
-    if let Some(background) = &arguments.background {
-        style.background = [parse_colour(background)?; 2];
-    }
-
-    let model = read(path, quiet)?;
-    ensure!(
-        !model.is_empty(),
-        "{}: there is no triangle, line or point to be drawn",
-        path.display()
-    );
-    let named = || path.display().to_string();
-    let cameras = view
-        .cameras(&model, style.aspect(), arguments.turntable)
-        .with_context(named)?;
-    let drawing = draw(&model, &cameras, &style, arguments, format).with_context(named)?;
-    drawing.write(arguments)?;
-    let milliseconds = drawing.time.as_millis();
-    if !quiet {
-        let triangles = model.triangle_count();
-        output::print(&format!(
-            "wrote {} ({width} × {height}, {triangles} triangles, {milliseconds} ms)\n",
-            out.display(),
-        ))?;
-    }
-    Ok(())
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    out: String,
+    width_px: u32,
+    height_px: u32,
+    pictures: u32,
+    triangles: usize,
+    /// The time of drawing.
+    seconds: f64,
+    files: Vec<String>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
-/// The model in a file. What it refers to that is not there is said on standard error, unless
-/// `quiet`.
-fn read(path: &Path, quiet: bool) -> Result<Model> {
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let Self {
+            model: path, out, ..
+        } = arguments;
+        ensure!(
+            (1..=MOST_PICTURES).contains(&arguments.turntable),
+            "--turntable {}: not 1 to {MOST_PICTURES}",
+            arguments.turntable
+        );
+        let format = check_files(arguments, context)?;
+        let view = View::parse(&arguments.camera, arguments.view.as_deref())?;
+        let size = match &arguments.size {
+            Some(size) => Some(parse_size(size)?),
+            None => None,
+        };
+        let [width, height] = match (view.size(), size) {
+            (Some(own), Some(asked)) if own != asked => bail!(
+                "--size {}x{}: the camera {} is for {}x{}",
+                asked[0],
+                asked[1],
+                arguments.camera,
+                own[0],
+                own[1]
+            ),
+            (None, None) if matches!(view, View::File { .. }) => bail!(
+                "{}: the file does not say how large its pictures are: --size WxH is needed",
+                arguments.camera
+            ),
+            (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
+        };
+        check_pixels(arguments.turntable, [width, height])?;
+        let mut style = Style {
+            width,
+            height,
+            supersampling: arguments.samples,
+            shading: match arguments.shading {
+                Light::Lit => Shading::Lit,
+                Light::Unlit => Shading::Unlit,
+            },
+            self_shadow: 0.8,
+            ambient_occlusion: 0.7,
+            depth_contrast: 0.0,
+            ..Style::default()
+        };
+        if let Some(background) = &arguments.background {
+            style.background = [parse_colour(background)?; 2];
+        }
+
+        let (model, warnings) = read(path)?;
+        ensure!(
+            !model.is_empty(),
+            "{}: there is no triangle, line or point to be drawn",
+            path.display()
+        );
+        let named = || path.display().to_string();
+        let cameras = view
+            .cameras(&model, style.aspect(), arguments.turntable)
+            .with_context(named)?;
+        let drawing = draw(&model, &cameras, &style, arguments, format).with_context(named)?;
+        let files = drawing.write(arguments)?;
+        Ok(Report {
+            out: out.display().to_string(),
+            width_px: width,
+            height_px: height,
+            pictures: arguments.turntable,
+            triangles: model.triangle_count(),
+            seconds: drawing.time.as_secs_f64(),
+            files,
+            warnings,
+        })
+    }
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        format!(
+            "wrote {} ({} × {}, {} triangles, {:.0} ms)\n",
+            self.out,
+            self.width_px,
+            self.height_px,
+            self.triangles,
+            1e3 * self.seconds
+        )
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+}
+
+/// The model in a file, with warnings of what it refers to that is not there.
+fn read(path: &Path) -> Result<(Model, Vec<Warning>)> {
     let is_gltf = Format::of(path, &[Format::Glb, Format::Gltf]).is_some();
-    let (mesh, mut warnings) = if is_gltf {
-        (gltf::read_mesh(path)?, Vec::new())
-    } else {
-        format::read(path)?
+    let (mesh, mut warnings) = match is_gltf {
+        true => (gltf::read_mesh(path)?, Vec::new()),
+        false => mesh_file::read(path)?,
     };
     let model = Model::from_mesh(&mesh, path.parent());
     let mut model = model.with_context(|| path.display().to_string())?;
     if !is_gltf {
         model = model.with_both_sides();
     }
-    for warning in model.warnings() {
-        if !warnings.contains(warning) {
-            warnings.push(warning.clone());
+    for warning in mesh_file::missing_parts(path, model.warnings().iter().cloned()) {
+        if !warnings.contains(&warning) {
+            warnings.push(warning);
         }
     }
-    if !quiet {
-        for warning in warnings {
-            eprintln!("warning: {}: {warning}", path.display());
-        }
-    }
-    Ok(model)
+    Ok((model, warnings))
 }
 
 /// The files of a picture or film and of buffers.
@@ -233,9 +268,9 @@ struct Drawing {
 }
 
 /// Fails where a file cannot be written; else the format of the picture or film.
-fn check_files(arguments: &Arguments) -> Result<Format> {
+fn check_files(arguments: &Arguments, context: &Context) -> Result<Format> {
     let camera = camera_path(&arguments.camera);
-    let mut files = Files::reading([arguments.model.as_path()]).and_reading(camera);
+    let mut files = context.files([arguments.model.as_path()].into_iter().chain(camera))?;
     let format = files.write("--out", &arguments.out, &[Format::Png, Format::Y4m])?;
     if let Some(folder) = &arguments.buffers {
         files.write_folder("--buffers", folder, buffer_files::NAMES)?;
@@ -334,8 +369,8 @@ fn draw(
 }
 
 impl Drawing {
-    /// Writes all files or none.
-    fn write(&self, arguments: &Arguments) -> Result<()> {
+    /// Writes all files or none, and says their names.
+    fn write(&self, arguments: &Arguments) -> Result<Vec<String>> {
         let mut files = vec![(arguments.out.clone(), &self.film)];
         if let Some(folder) = &arguments.buffers {
             let buffers = self.buffers.iter();
@@ -343,7 +378,10 @@ impl Drawing {
         }
         let cameras = self.cameras.iter();
         files.extend(cameras.map(|(path, contents)| (path.clone(), contents)));
-        output::write_together(files)
+        let names = files.iter().map(|(path, _)| path.display().to_string());
+        let names = names.collect();
+        output::write_together(files)?;
+        Ok(names)
     }
 }
 

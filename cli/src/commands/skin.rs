@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_anim::gltf::{Part, Placement, Player};
 use ga_anim::skin;
@@ -11,8 +11,8 @@ use ga_mesh::gltf::{self, Animation, Document};
 use ga_mesh::{Mesh, obj};
 use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context};
 use crate::output;
 
 /// Pose an animated glTF model at a time and write its vertices in world space.
@@ -41,9 +41,6 @@ pub(crate) struct Arguments {
     /// The mesh to be written.
     #[arg(long, value_name = "FRAME.obj")]
     out: PathBuf,
-    /// Print one JSON object that says what was written.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What moves the nodes.
@@ -90,50 +87,50 @@ impl From<Method> for skin::Method {
     }
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    ensure!(
-        arguments.time.is_finite(),
-        "--time {}: the time must be finite",
-        arguments.time
-    );
-    let mut files = Files::reading([&arguments.model]).printing("--json", arguments.json);
-    files.write("--out", &arguments.out, &[Format::Obj])?;
-    let document = gltf::read(&arguments.model)?;
-    let animation = match arguments.animation {
-        Some(Choice::Animation(animation)) => Some(animation),
-        Some(Choice::Rest) => None,
-        None => (!document.animations.is_empty()).then_some(0),
-    };
-    let in_model = || arguments.model.display().to_string();
-    let player = Player::new(&document).with_context(in_model)?;
-    let pose = player
-        .pose(animation, arguments.time)
-        .with_context(in_model)?;
-    let placement = Placement::new(&player).with_context(in_model)?;
-    let placed = placement
-        .place(&pose, arguments.method.into())
-        .with_context(in_model)?;
-    ensure!(
-        !placement.parts().is_empty(),
-        "{}: no node has a mesh",
-        arguments.model.display()
-    );
-    let mesh = placement.mesh(&placed).with_context(in_model)?;
-    let text = obj::encode(&mesh);
-    output::write(&arguments.out, text.as_bytes())?;
-    let report = Report::new(arguments, &document, animation, &placement, &mesh);
-    if arguments.json {
-        return output::print_json(&report);
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        ensure!(
+            arguments.time.is_finite(),
+            "--time {}: the time must be finite",
+            arguments.time
+        );
+        let mut files = context.files([&arguments.model])?;
+        files.write("--out", &arguments.out, &[Format::Obj])?;
+        let document = gltf::read(&arguments.model)?;
+        let animation = match arguments.animation {
+            Some(Choice::Animation(animation)) => Some(animation),
+            Some(Choice::Rest) => None,
+            None => (!document.animations.is_empty()).then_some(0),
+        };
+        let in_model = || arguments.model.display().to_string();
+        let player = Player::new(&document).with_context(in_model)?;
+        let pose = player
+            .pose(animation, arguments.time)
+            .with_context(in_model)?;
+        let placement = Placement::new(&player).with_context(in_model)?;
+        let placed = placement
+            .place(&pose, arguments.method.into())
+            .with_context(in_model)?;
+        ensure!(
+            !placement.parts().is_empty(),
+            "{}: no node has a mesh",
+            arguments.model.display()
+        );
+        let mesh = placement.mesh(&placed).with_context(in_model)?;
+        let text = obj::encode(&mesh);
+        output::write(&arguments.out, text.as_bytes())?;
+        Ok(Report::new(
+            arguments, &document, animation, &placement, &mesh,
+        ))
     }
-    if quiet {
-        return Ok(());
-    }
-    output::print(&report.line())
 }
 
 /// What was written.
 #[derive(Debug, Serialize)]
-struct Report {
+pub(crate) struct Report {
     out: String,
     /// `null` for the pose of the nodes alone.
     animation: Option<usize>,
@@ -204,9 +201,10 @@ impl Report {
             parts: placement.parts().iter().map(part).collect(),
         }
     }
+}
 
-    /// The same for people, in one line.
-    fn line(&self) -> String {
+impl frame::Report for Report {
+    fn text(&self) -> String {
         let moment = match (self.animation, self.duration_seconds) {
             (Some(animation), Some(duration)) => {
                 let name = self.animation_name.as_ref();

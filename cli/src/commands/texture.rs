@@ -3,17 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use clap::builder::RangedI64ValueParser;
 use ga_camera::format::NamedCamera;
-use ga_mesh::format;
 use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 
 use crate::camera_file;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
 use crate::output;
 
@@ -77,9 +75,6 @@ pub(crate) struct Arguments {
     /// Take the pictures as bright as they are, without levelling their exposures.
     #[arg(long)]
     keep_exposure: bool,
-    /// Print the report as one JSON object.
-    #[arg(long)]
-    json: bool,
 }
 
 /// Sizes that textures may have.
@@ -87,44 +82,50 @@ fn size() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=8192)
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let out = &arguments.out;
-    let inputs = [&arguments.mesh, &arguments.views];
-    let mut files = Files::reading(inputs.into_iter().chain(&arguments.pictures));
-    files = files.printing("--json", arguments.json);
-    // Formats that hold pictures.
-    let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
-    let begin = Instant::now();
-    let progress = Progress::new(8, quiet);
-    progress.step("reading");
-    let (mesh, warnings) = format::read(&arguments.mesh)?;
-    if !quiet {
-        for warning in warnings {
-            eprintln!("warning: {}: {warning}", arguments.mesh.display());
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let out = &arguments.out;
+        let mut files = context.files([&arguments.mesh, &arguments.views].into_iter().chain(&arguments.pictures))?;
+        // Formats that hold pictures.
+        let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
+        let begin = Instant::now();
+        let progress = context.progress(8);
+        progress.step("reading");
+        let (mesh, mut warnings) = mesh_file::read(&arguments.mesh)?;
+        let views = read_views(&arguments.views, &arguments.pictures)?;
+        let mut options = Options::with_size(arguments.size);
+        options.unwrap = arguments.unwrap;
+        options.margin_texels = arguments.margin;
+        options.level_exposure = !arguments.keep_exposure;
+        let textured = texture_mesh(&mesh, &views, &options, |step| progress.step(step));
+        let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
+        progress.step("writing");
+        let model = textured.to_mesh()?;
+        output::write_together(mesh_file::files(out, format, &model, &Default::default())?)?;
+        drop(progress);
+        warnings.extend(views_alone(&textured.report.views));
+        Ok(Report {
+            out: out.display().to_string(),
+            warnings,
+            ..Report::new(&textured, begin.elapsed().as_secs_f64())
+        })
+    }
+}
+
+/// A warning of each view whose exposure cannot be compared with that of another.
+fn views_alone(views: &[texture::ViewReport]) -> impl Iterator<Item = Warning> {
+    let alone = views.iter().filter(|view| view.overlapping_views == 0);
+    let alone = alone.filter(|_| views.len() > 1);
+    alone.map(|view| {
+        let text = "this view overlaps no other, so that its exposure is not levelled";
+        Warning {
+            view: Some(view.name.clone()),
+            ..Warning::new("view_alone", text).in_file(Path::new(&view.name))
         }
-    }
-    let views = read_views(&arguments.views, &arguments.pictures)?;
-    let mut options = Options::with_size(arguments.size);
-    options.unwrap = arguments.unwrap;
-    options.margin_texels = arguments.margin;
-    options.level_exposure = !arguments.keep_exposure;
-    let textured = texture_mesh(&mesh, &views, &options, |step| progress.step(step));
-    let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
-    progress.step("writing");
-    let model = textured.to_mesh()?;
-    output::write_together(mesh_file::files(out, format, &model, &Default::default())?)?;
-    drop(progress);
-    let report = Report::new(&textured, begin.elapsed().as_secs_f64());
-    if !quiet {
-        report.warn();
-    }
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines(out))
-    }
+    })
 }
 
 /// The cameras of a file with their pictures, which are the names of the views.
@@ -157,7 +158,11 @@ fn read_views(path: &Path, pictures: &[PathBuf]) -> Result<Vec<View>> {
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    out: String,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
     size_texels: u32,
     unwrapped: bool,
     charts: usize,
@@ -194,6 +199,8 @@ impl Report {
             affine_triangles: view.affine_triangles,
         };
         Self {
+            out: String::new(),
+            warnings: Vec::new(),
             size_texels: report.size,
             unwrapped: report.unwrapped,
             charts: report.charts,
@@ -205,27 +212,19 @@ impl Report {
             seconds,
         }
     }
+}
 
-    /// Says what may not be as intended.
-    fn warn(&self) {
-        let alone = self.views.iter().filter(|view| view.overlapping_views == 0);
-        for view in alone.filter(|_| self.views.len() > 1) {
-            eprintln!(
-                "warning: {}: this view overlaps no other, so that its exposure is not levelled",
-                view.picture
-            );
-        }
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
     }
 
-    fn lines(&self, out: &Path) -> String {
+    fn text(&self) -> String {
         let atlas = if self.unwrapped { "a new" } else { "its own" };
         let share = |part: usize, whole: usize| 100.0 * part as f64 / whole.max(1) as f64;
         let mut text = format!(
             "{}: {} texels a side, {atlas} atlas of {} charts, {} texels on the surface\n",
-            out.display(),
-            self.size_texels,
-            self.charts,
-            self.covered_texels
+            self.out, self.size_texels, self.charts, self.covered_texels
         );
         for view in &self.views {
             let [red, green, blue] = view.gain_red_green_blue;

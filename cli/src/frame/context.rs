@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
 use super::Progress;
 use crate::files::Files;
@@ -53,6 +53,16 @@ impl Context {
     /// The heading of a page.
     pub(crate) fn title(&self) -> String {
         format!("nullcone {}", self.words.join(" "))
+    }
+
+    /// Fails where nothing would come of the work: neither `is_asked`, an output of the command by
+    /// one of these options, nor a report.
+    pub(crate) fn need_result(&self, is_asked: bool, options: &str) -> Result<()> {
+        ensure!(
+            is_asked || self.options.json || self.options.report.is_some(),
+            "nothing is to be made: give one of {options}, --json and --report"
+        );
+        Ok(())
     }
 
     /// The progress of work in steps.

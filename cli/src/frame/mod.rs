@@ -2,6 +2,7 @@
 //! verdict and its status. A command parses its arguments, calls a library and gives a report.
 
 mod context;
+mod next;
 mod page;
 mod progress;
 mod verdict;
@@ -13,6 +14,7 @@ use anyhow::{Error, Result};
 use serde::Serialize;
 
 pub(crate) use context::{Context, Options};
+pub(crate) use next::command_line;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::{Warning, print as print_warnings};

@@ -29,7 +29,7 @@ pub(super) fn of(report: &impl Report, title: &str) -> Result<Page> {
     Ok(page)
 }
 
-/// The number of elements of a list that have rows.
+/// The number of elements of a list that are shown.
 const LISTED: usize = 20;
 
 /// Adds a row for each value, under the keys that lead to it.
@@ -52,11 +52,37 @@ fn add_rows(key: &str, value: &Value, rows: &mut Vec<[String; 2]>) {
             for (index, value) in values.iter().take(LISTED).enumerate() {
                 add_rows(&below(&index.to_string()), value, rows);
             }
-            if let Some(more) = values.len().checked_sub(LISTED).filter(|more| *more > 0) {
-                rows.push([key.to_owned(), format!("and {more} more")]);
+            if values.len() > LISTED {
+                rows.push([key.to_owned(), more(values)]);
             }
         }
-        Value::String(text) => rows.push([key.to_owned(), text.clone()]),
-        value => rows.push([key.to_owned(), value.to_string()]),
+        Value::Array(values) => {
+            let mut words: Vec<String> = values.iter().take(LISTED).map(word).collect();
+            if values.is_empty() {
+                words.push("none".to_owned());
+            } else if values.len() > LISTED {
+                words.push(more(values));
+            }
+            rows.push([key.to_owned(), words.join(", ")]);
+        }
+        // A text of several lines is that of the report.
+        Value::String(text) if text.contains('\n') => {}
+        value => rows.push([key.to_owned(), word(value)]),
     }
+}
+
+/// A value that is neither a list nor an object.
+fn word(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Bool(true) => "yes".to_owned(),
+        Value::Bool(false) => "no".to_owned(),
+        Value::Null => "–".to_owned(),
+        value => value.to_string(),
+    }
+}
+
+/// How many elements of a list are not shown.
+fn more(values: &[Value]) -> String {
+    format!("and {} more", values.len() - LISTED)
 }

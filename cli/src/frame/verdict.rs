@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::Warning;
+
 /// The verdict of a command that judges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -15,6 +17,14 @@ pub(crate) enum Verdict {
 }
 
 impl Verdict {
+    /// The verdict of a command that warns of everything that makes its result doubtful.
+    pub(crate) fn of(warnings: &[Warning]) -> Self {
+        match warnings {
+            [] => Self::Good,
+            _ => Self::Doubtful,
+        }
+    }
+
     /// The word that is printed.
     pub(crate) fn word(self) -> &'static str {
         match self {

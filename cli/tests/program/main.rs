@@ -19,6 +19,7 @@ mod curve;
 mod demo;
 mod draw;
 mod expand;
+mod frame;
 mod manuals;
 mod mesh;
 mod mesh_subdivide;

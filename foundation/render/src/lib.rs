@@ -10,6 +10,7 @@
 //! | --- | --- |
 //! | [`Scene`], [`Object`], [`Polyline`], [`Dot`], [`Ground`] | what is drawn |
 //! | [`model`] | models from files as such scenes |
+//! | [`bake`] | pictures for the maps of [`ga_mesh::bake`] |
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
 //! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a side |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
@@ -35,6 +36,7 @@
 //! ```
 
 mod appearance;
+pub mod bake;
 mod barycentric;
 mod buffers;
 mod check;

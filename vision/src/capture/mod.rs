@@ -19,6 +19,8 @@
 //!   gravity;
 //! - [`PrincipalShapes`]: a sequence of expressions as morph targets with weights.
 //!
+//! [`table`] reads points and keys, and writes poses and expressions.
+//!
 //! Where the points are known only as pixels of one camera, [`estimate`] finds the pose.
 //!
 //! [`estimate`]: crate::perspective_n_point::estimate
@@ -33,6 +35,7 @@ mod sphere;
 mod spline;
 mod surface_mesh;
 mod surface_motion;
+pub mod table;
 
 pub use area::LocalArea;
 pub use description::description_constant;

@@ -15,6 +15,7 @@
 mod board_size;
 mod grid;
 mod margin;
+mod picture;
 mod refinement;
 mod saddle;
 
@@ -27,6 +28,7 @@ use ga_runtime::vga2::Vector;
 
 use crate::calibration::CalibrationError;
 pub use board_size::BoardSize;
+pub use picture::pair_picture;
 use refinement::Gradient;
 
 /// The inner corners of a chessboard in a picture.

@@ -9,6 +9,7 @@
 //! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
 //! [`RectificationOptions`].
 
+mod storage;
 mod undistortion;
 mod view;
 

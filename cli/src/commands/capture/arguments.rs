@@ -42,10 +42,10 @@ use ga_vision::capture::PoseOptions;
 /// "morph_targets": …, "morph_error_max_metres": …, "metres_per_mesh_unit": …,
 /// "area": {"vertices": …, "centre_metres": […], "centre_kept": …,
 /// "centre_displacement_metres": [[…], …]}}, "seconds": …}. Places on the surface are in the
-/// coordinates of the mesh, scaled to metres.
+/// coordinates of the mesh, scaled to metres. At least one of --out, --pose, --matrix, --json and
+/// --report says what is made.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
-#[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]
 pub(crate) struct Arguments {
     /// The points in each frame.
     #[arg(value_name = "POINTS.csv")]
@@ -103,18 +103,15 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FRAME", requires = "mesh")]
     pub(super) frame: Option<String>,
     /// What to write: .csv, .glb, .obj or .ply. May be given several times.
-    #[arg(long, value_name = "FILE", group = "results")]
+    #[arg(long, value_name = "FILE")]
     pub(super) out: Vec<PathBuf>,
     /// Write the pose of each frame as CSV.
-    #[arg(long, value_name = "FILE.csv", group = "results")]
+    #[arg(long, value_name = "FILE.csv")]
     pub(super) pose: Option<PathBuf>,
     /// Write the capture matrix of each frame as CSV: the homogeneous coordinates of the points
     /// with the pose taken out.
-    #[arg(long, value_name = "FILE.csv", group = "results")]
+    #[arg(long, value_name = "FILE.csv")]
     pub(super) matrix: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long, group = "results")]
-    pub(super) json: bool,
 }
 
 /// What is within a radius of a key.

@@ -1,93 +1,86 @@
 //! `nullcone capture`: the pose of a head, its expression, and the motion of its surface.
 
 mod arguments;
-mod keys;
-mod points;
 mod report;
 mod surface;
-mod tables;
 
 pub(crate) use arguments::Arguments;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, anyhow, ensure};
+use anyhow::{Context as _, Result, anyhow, ensure};
 use ga_runtime::cga3::{Motor, Point};
+use ga_vision::capture::table::{PointTable, expressions_csv, matrices_csv, poses_csv};
 use ga_vision::capture::{Capture, CaptureError, CapturedFrame, PoseOptions};
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Command, Context};
 use crate::output;
-use points::Points;
 use report::Report;
 use surface::{Motion, Surface};
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let formats = check(arguments)?;
-    let begin = Instant::now();
-    let progress = Progress::new(4, quiet);
-    progress.step("reading");
-    let points = ga_files::read(&arguments.points, Points::parse)?;
-    let named = || arguments.points.display().to_string();
-    let reference =
-        frame(arguments.reference.as_deref(), "--reference", &points).with_context(named)?;
-    let one = frame(arguments.frame.as_deref(), "--frame", &points).with_context(named)?;
-    let calibrated = calibrated(arguments, &points).with_context(named)?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("separating pose and expression");
-    let rest = at_rest(&points, reference).with_context(named)?;
-    let options = PoseOptions {
-        threshold: arguments.threshold,
-        seed: arguments.seed,
-        ..PoseOptions::default()
-    };
-    let capture = Capture::new(rest, calibrated, options);
-    let capture = capture
-        .map_err(|error| text(error, &points, reference))
-        .with_context(named)?;
-    let rows: Vec<_> = points
-        .frames
-        .iter()
-        .map(|frame| &frame.points[..])
-        .collect();
-    let frames = capture.frames(&rows);
-    let frames = frames
-        .map_err(|error| text(error, &points, reference))
-        .with_context(named)?;
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let formats = check(arguments, context)?;
+        let begin = Instant::now();
+        let progress = context.progress(4);
+        progress.step("reading");
+        let points = ga_files::read(&arguments.points, PointTable::parse)?;
+        let named = || arguments.points.display().to_string();
+        let reference =
+            frame(arguments.reference.as_deref(), "--reference", &points).with_context(named)?;
+        let one = frame(arguments.frame.as_deref(), "--frame", &points).with_context(named)?;
+        let calibrated = calibrated(arguments, &points).with_context(named)?;
 
-    progress.step("moving the surface");
-    let surface = arguments.mesh.as_ref().map(|path| {
-        let surface = Surface::new(path, arguments, &points, capture.rest(), quiet)?;
-        let motion = surface.follow(&frames, &points, arguments.tolerance);
-        let motion = motion.with_context(named)?;
-        Ok::<_, anyhow::Error>((surface, motion))
-    });
-    let surface = surface.transpose()?;
-    let surface = surface.as_ref().map(|(surface, motion)| (surface, motion));
-    let files = files(arguments, &formats, &points, &frames, surface, one)?;
-    let calibrated = capture.calibrated();
-    let mut report = Report::new(arguments, &points, calibrated, reference, &frames, surface);
-
-    progress.step("writing");
-    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
-    drop(progress);
-    report.seconds = begin.elapsed().as_secs_f64();
-    if arguments.json {
-        return output::print_json(&report);
-    }
-    if !quiet {
-        let written = files
+        progress.step("separating pose and expression");
+        let rest = at_rest(&points, reference).with_context(named)?;
+        let options = PoseOptions {
+            threshold: arguments.threshold,
+            seed: arguments.seed,
+            ..PoseOptions::default()
+        };
+        let capture = Capture::new(rest, calibrated, options);
+        let capture = capture
+            .map_err(|error| text(error, &points, reference))
+            .with_context(named)?;
+        let rows: Vec<_> = points
+            .frames
             .iter()
-            .map(|(path, _)| format!("wrote {}\n", path.display()));
-        output::print(&(report.lines() + &written.collect::<String>()))?;
+            .map(|frame| &frame.points[..])
+            .collect();
+        let frames = capture.frames(&rows);
+        let frames = frames
+            .map_err(|error| text(error, &points, reference))
+            .with_context(named)?;
+
+        progress.step("moving the surface");
+        let surface = arguments.mesh.as_ref().map(|path| {
+            let surface = Surface::new(path, arguments, &points, capture.rest())?;
+            let motion = surface.follow(&frames, &points, arguments.tolerance);
+            let motion = motion.with_context(named)?;
+            Ok::<_, anyhow::Error>((surface, motion))
+        });
+        let surface = surface.transpose()?;
+        let surface = surface.as_ref().map(|(surface, motion)| (surface, motion));
+        let files = files(arguments, &formats, &points, &frames, surface, one)?;
+        let calibrated = capture.calibrated();
+        let mut report = Report::new(arguments, &points, calibrated, reference, &frames, surface);
+
+        progress.step("writing");
+        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        drop(progress);
+        report.seconds = begin.elapsed().as_secs_f64();
+        report.files = files.into_iter().map(|(path, _)| path).collect();
+        Ok(report)
     }
-    Ok(())
 }
 
 /// Checks the arguments that need no file, and says of which format each --out is.
-fn check(arguments: &Arguments) -> Result<Vec<Format>> {
+fn check(arguments: &Arguments, context: &Context) -> Result<Vec<Format>> {
     for (name, value) in [
         ("--threshold", arguments.threshold.unwrap_or(1.0)),
         ("--fps", arguments.fps),
@@ -103,8 +96,10 @@ fn check(arguments: &Arguments) -> Result<Vec<Format>> {
         arguments.tolerance
     );
     let inputs = [&arguments.points].into_iter().chain(&arguments.mesh);
-    let mut files = Files::reading(inputs.chain(&arguments.keys));
-    files = files.printing("--json", arguments.json);
+    let mut files = context.files(inputs.chain(&arguments.keys))?;
+    let is_asked =
+        !arguments.out.is_empty() || arguments.pose.is_some() || arguments.matrix.is_some();
+    context.need_result(is_asked, "--out, --pose, --matrix")?;
     let mut formats = Vec::with_capacity(arguments.out.len());
     for path in &arguments.out {
         let known = [Format::Csv, Format::Glb, Format::Obj, Format::Ply];
@@ -127,7 +122,7 @@ fn check(arguments: &Arguments) -> Result<Vec<Format>> {
 }
 
 /// The frame of this name, or the first.
-fn frame(name: Option<&str>, option: &str, points: &Points) -> Result<usize> {
+fn frame(name: Option<&str>, option: &str, points: &PointTable) -> Result<usize> {
     let Some(name) = name else {
         return Ok(0);
     };
@@ -139,7 +134,7 @@ fn frame(name: Option<&str>, option: &str, points: &Points) -> Result<usize> {
     })
 }
 
-fn calibrated(arguments: &Arguments, points: &Points) -> Result<Vec<usize>> {
+fn calibrated(arguments: &Arguments, points: &PointTable) -> Result<Vec<usize>> {
     let words = arguments.calibrated.iter().map(|word| word.trim());
     let point = |word: &str| {
         points.point(word).with_context(|| {
@@ -154,7 +149,7 @@ fn calibrated(arguments: &Arguments, points: &Points) -> Result<Vec<usize>> {
 }
 
 /// The points of the reference frame, which must all be there.
-fn at_rest(points: &Points, reference: usize) -> Result<Vec<Point<f64>>> {
+fn at_rest(points: &PointTable, reference: usize) -> Result<Vec<Point<f64>>> {
     let row = points.frames[reference].points.iter().zip(&points.names);
     let place = |(place, name): (&Option<Point<f64>>, &String)| {
         place.with_context(|| {
@@ -166,7 +161,7 @@ fn at_rest(points: &Points, reference: usize) -> Result<Vec<Point<f64>>> {
 }
 
 /// An error with the names of frames and points.
-fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error {
+fn text(error: CaptureError, points: &PointTable, reference: usize) -> anyhow::Error {
     let name = |point: &usize| points.names[*point].as_str();
     match error {
         CaptureError::Twice(point) => anyhow!("--calibrated: {} is named twice", name(&point)),
@@ -206,7 +201,7 @@ fn text(error: CaptureError, points: &Points, reference: usize) -> anyhow::Error
 fn files(
     arguments: &Arguments,
     formats: &[Format],
-    points: &Points,
+    points: &PointTable,
     frames: &[CapturedFrame],
     surface: Option<(&Surface, &Motion)>,
     one: usize,
@@ -225,14 +220,14 @@ fn files(
                 let found = surface.frame_files(place, arguments, motion, one, poses[one]);
                 files.extend(found.with_context(|| cannot(path))?);
             }
-            _ => files.push((path.clone(), tables::expressions(points, frames)?)),
+            _ => files.push((path.clone(), expressions_csv(points, frames)?)),
         }
     }
     if let Some(path) = &arguments.pose {
-        files.push((path.clone(), tables::poses(points, frames)?));
+        files.push((path.clone(), poses_csv(points, frames)?));
     }
     if let Some(path) = &arguments.matrix {
-        files.push((path.clone(), tables::matrices(points, frames)?));
+        files.push((path.clone(), matrices_csv(points, frames)?));
     }
     Ok(files)
 }

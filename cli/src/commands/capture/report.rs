@@ -1,19 +1,26 @@
 //! What `nullcone capture` prints.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use ga_runtime::vga3::Vector;
 use ga_vision::capture::CapturedFrame;
+use ga_vision::capture::table::PointTable;
 use serde::Serialize;
 
 use super::Arguments;
 use super::arguments::Area;
-use super::points::Points;
 use super::surface::{Motion, Surface};
+use crate::frame::{self, Warning};
 use crate::rotation::smaller_rotation;
 
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+    /// What was written.
+    #[serde(skip)]
+    pub(super) files: Vec<PathBuf>,
     frames: usize,
     points: usize,
     calibrated: Vec<String>,
@@ -93,7 +100,7 @@ struct AreaReport {
 impl Report {
     pub(super) fn new(
         arguments: &Arguments,
-        points: &Points,
+        points: &PointTable,
         calibrated: &[usize],
         reference: usize,
         frames: &[CapturedFrame],
@@ -125,7 +132,10 @@ impl Report {
                     .collect(),
             }
         });
+        let warnings = surface.map(|(surface, _)| surface.warnings.clone());
         Self {
+            warnings: warnings.unwrap_or_default(),
+            files: Vec::new(),
             frames: frames.len(),
             points: points.names.len(),
             calibrated: calibrated.iter().map(name).collect(),
@@ -143,8 +153,14 @@ impl Report {
             seconds: 0.0,
         }
     }
+}
 
-    pub(super) fn lines(&self) -> String {
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
         let mut lines = format!(
             "{} frames of {} points; {} of them calibrated, at rest in frame {}\n",
             self.frames,
@@ -186,12 +202,15 @@ impl Report {
             };
             let _ = writeln!(lines, "centre of gravity ({x:.4}, {y:.4}, {z:.4}){kept}");
         }
+        for path in &self.files {
+            let _ = writeln!(lines, "wrote {}", path.display());
+        }
         lines
     }
 }
 
 impl Expression {
-    fn new(points: &Points, frames: &[CapturedFrame]) -> Self {
+    fn new(points: &PointTable, frames: &[CapturedFrame]) -> Self {
         let mut of_points = Vec::with_capacity(points.names.len());
         let (mut squares, mut count) = (0.0, 0);
         // The greatest, its point and its frame.

@@ -11,6 +11,7 @@ use ga_mesh::normals::vertex_normals;
 use ga_mesh::{CornerAttribute, Mesh};
 use ga_runtime::cga3::{Motor, Point, Similarity};
 use ga_runtime::vga3::{Rotor, Vector};
+use ga_vision::capture::table::{Key, PointTable, parse_keys};
 use ga_vision::capture::{
     CaptureError, CapturedFrame, LocalArea, PrincipalShapes, SphericalParameterisation,
     SurfaceMesh, SurfaceMotion,
@@ -18,13 +19,13 @@ use ga_vision::capture::{
 
 use super::Arguments;
 use super::arguments::Area;
-use super::keys::{self, Key};
-use super::points::Points;
 use crate::format::Format;
+use crate::frame::Warning;
 use crate::mesh_file;
 
 /// A mesh, and how it follows its keys.
 pub(super) struct Surface {
+    pub(super) warnings: Vec<Warning>,
     mesh: Mesh,
     keys: Vec<Key>,
     motion: SurfaceMotion,
@@ -54,18 +55,12 @@ impl Surface {
     pub(super) fn new(
         path: &Path,
         arguments: &Arguments,
-        points: &Points,
+        points: &PointTable,
         rest: &[Point<f64>],
-        quiet: bool,
     ) -> Result<Self> {
-        let (mesh, warnings) = format::read(path)?;
-        if !quiet {
-            for warning in warnings {
-                eprintln!("warning: {}: {warning}", path.display());
-            }
-        }
+        let (mesh, warnings) = mesh_file::read(path)?;
         let keys = match &arguments.keys {
-            Some(path) => ga_files::read(path, |bytes| keys::parse(bytes, points, &mesh))?,
+            Some(path) => ga_files::read(path, |bytes| parse_keys(bytes, points, &mesh))?,
             None => (0..)
                 .zip(rest)
                 .map(|(point, &place)| Key { point, place })
@@ -95,6 +90,7 @@ impl Surface {
             None => LocalArea::whole(&shape).map_err(named)?,
         };
         Ok(Self {
+            warnings,
             fit,
             to_mesh,
             motion,
@@ -124,7 +120,7 @@ impl Surface {
     pub(super) fn follow(
         &self,
         frames: &[CapturedFrame],
-        points: &Points,
+        points: &PointTable,
         tolerance: f64,
     ) -> Result<Motion> {
         let rotor = Rotor::from(self.to_mesh.rotor());
@@ -357,7 +353,12 @@ fn fit(keys: &[Key], rest: &[Point<f64>], scale: bool) -> Result<(Similarity<f64
     })
 }
 
-fn local(area: &Area, shape: &SurfaceMesh<'_>, keys: &[Key], points: &Points) -> Result<LocalArea> {
+fn local(
+    area: &Area,
+    shape: &SurfaceMesh<'_>,
+    keys: &[Key],
+    points: &PointTable,
+) -> Result<LocalArea> {
     let Area { key: name, radius } = area;
     let point = points.point(name);
     let key = keys.iter().find(|key| Some(key.point) == point);
@@ -366,7 +367,7 @@ fn local(area: &Area, shape: &SurfaceMesh<'_>, keys: &[Key], points: &Points) ->
 }
 
 /// The text of an error, with the names of the points.
-fn text(error: &CaptureError, keys: &[Key], points: &Points) -> String {
+fn text(error: &CaptureError, keys: &[Key], points: &PointTable) -> String {
     let name = |key: &usize| &points.names[keys[*key].point];
     match error {
         CaptureError::KeyNotFinite { key } => format!("key {} is not finite", name(key)),

@@ -8,8 +8,8 @@ use clap::ValueEnum;
 use super::super::stereo::Axes;
 use crate::camera_file::ChosenPair;
 use crate::contour::settling;
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Context;
 
 /// Find contours: the borders of the bright regions of a picture, a closed curve that settles at
 /// edges, or a closed curve in space that two cameras see.
@@ -46,9 +46,6 @@ pub(crate) struct Arguments {
     /// a closed line (.obj).
     #[arg(long, value_name = "FILE.svg or FILE.obj")]
     pub(super) out: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    pub(super) json: bool,
     /// The level above which pixels belong to regions, instead of Otsu's.
     #[arg(long, value_name = "LEVEL", conflicts_with = "snake")]
     pub(super) threshold: Option<u8>,
@@ -78,9 +75,9 @@ pub(super) enum Figure {
 }
 
 /// Fails where the file that is to be written is not of its format, or cannot be written.
-pub(super) fn check_out(arguments: &Arguments, format: Format) -> Result<()> {
+pub(super) fn check_out(arguments: &Arguments, context: &Context, format: Format) -> Result<()> {
     let inputs = arguments.images.iter().chain(&arguments.rig);
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let mut files = context.files(inputs)?;
     files.write_if_given("--out", arguments.out.as_ref(), &[format])?;
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_camera::rig::StereoRig;
 use ga_mesh::format::Options;
 use ga_mesh::{Faces, Mesh, Polylines};
@@ -17,12 +17,14 @@ use super::arguments::{Figure, check_out};
 use super::settling::Settled;
 use crate::commands::stereo::views;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Context, Warning};
 use crate::mesh_file;
 use crate::output;
 
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    pub(super) warnings: Vec<Warning>,
     width_px: usize,
     height_px: usize,
     baseline_metres: f64,
@@ -73,11 +75,11 @@ pub(super) fn run(
     arguments: &Arguments,
     paths: [&PathBuf; 2],
     rig_path: &Path,
-    quiet: bool,
-) -> Result<()> {
-    check_out(arguments, Format::Obj)?;
+    context: &Context,
+) -> Result<Report> {
+    check_out(arguments, context, Format::Obj)?;
     let [left, right] = paths;
-    let progress = Progress::new(4, quiet);
+    let progress = context.progress(4);
     progress.step("reading the views");
     let pictures = views::read_pair(left, right)?;
     let size = [pictures[0].width(), pictures[0].height()];
@@ -99,19 +101,16 @@ pub(super) fn run(
     let found = space_curve(&rig, &left_snake.points, &right_snake.points, &options);
     let found = found.with_context(|| format!("{} and {}", left.display(), right.display()))?;
     let curve = moved(&found, &arguments.axes.motor());
-    let report = report(&curve, size, &rig, [left_snake, right_snake], arguments.fit)?;
+    let snakes = [left_snake, right_snake];
+    let warnings = paths.iter().zip(&snakes);
+    let warnings = warnings.filter_map(|(path, snake)| snake.warning(path));
+    let warnings = warnings.collect();
+    let report = report(&curve, size, &rig, snakes, arguments.fit)?;
     if let Some(out) = &arguments.out {
         let files = mesh_file::files(out, Format::Obj, &mesh(&curve)?, &Options::default())?;
         output::write_together(files)?;
     }
-    drop(progress);
-    if arguments.json {
-        return output::print_json(&report);
-    }
-    if quiet {
-        return Ok(());
-    }
-    output::print(&report.text())
+    Ok(Report { warnings, ..report })
 }
 
 fn moved(curve: &SpaceCurve, motor: &Motor<f64>) -> SpaceCurve {
@@ -151,6 +150,7 @@ fn report(
     let squares = points.iter().map(|point| point.deviation.powi(2));
     let triangulated = curve.triangulated();
     Ok(Report {
+        warnings: Vec::new(),
         width_px,
         height_px,
         baseline_metres: rig.baseline(),
@@ -211,7 +211,7 @@ fn fitted_line(points: &[Point<f64>]) -> Result<Line> {
 }
 
 impl Report {
-    fn text(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let mut text = format!(
             "left snake {}\nright snake {}\n\
              curve of {} points, {} of them bridged: length {:.5} m\n\

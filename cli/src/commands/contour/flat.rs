@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::{file, threshold};
@@ -15,11 +15,13 @@ use super::arguments::check_out;
 use super::settling::Settled;
 use super::{Arguments, drawing};
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Context, Progress, Warning};
 use crate::output;
 
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    pub(super) warnings: Vec<Warning>,
     width_px: usize,
     height_px: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -54,16 +56,16 @@ struct Ellipse {
     angle_rad: f64,
 }
 
-pub(super) fn run(arguments: &Arguments, image: &Path, quiet: bool) -> Result<()> {
+pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Result<Report> {
     let Arguments { out, .. } = arguments;
-    check_out(arguments, Format::Svg)?;
-    let progress = Progress::new(1, quiet);
+    check_out(arguments, context, Format::Svg)?;
+    let progress = context.progress(1);
     progress.step("finding the contours");
     let colours: Plane<[u8; 3]> = file::read(image)?.to_rgb();
     let picture: Plane<u8> = Luma::Bt601.plane(&colours);
     let named = || image.display().to_string();
     let report = if arguments.snake {
-        settled(&picture, arguments, &progress).with_context(named)?
+        settled(&picture, image, arguments, &progress).with_context(named)?
     } else {
         regions(&picture, arguments).with_context(named)?
     };
@@ -72,14 +74,7 @@ pub(super) fn run(arguments: &Arguments, image: &Path, quiet: bool) -> Result<()
         let drawn = curves.map(|curve| (&curve.points_px[..], curve.hole));
         output::write(out, drawing::svg(&colours, drawn)?.as_bytes())?;
     }
-    drop(progress);
-    if arguments.json {
-        return output::print_json(&report);
-    }
-    if quiet {
-        return Ok(());
-    }
-    output::print(&text(&report))
+    Ok(report)
 }
 
 /// The borders of regions above a threshold.
@@ -113,11 +108,17 @@ fn regions(picture: &Plane<u8>, arguments: &Arguments) -> Result<Report> {
         threshold: Some(level),
         snake: None,
         contours,
+        warnings: Vec::new(),
     })
 }
 
 /// The snake.
-fn settled(picture: &Plane<u8>, arguments: &Arguments, progress: &Progress) -> Result<Report> {
+fn settled(
+    picture: &Plane<u8>,
+    image: &Path,
+    arguments: &Arguments,
+    progress: &Progress,
+) -> Result<Report> {
     progress.step("moving the snake");
     let settings = &arguments.settings;
     let circle = settings.circle(false)?;
@@ -127,6 +128,7 @@ fn settled(picture: &Plane<u8>, arguments: &Arguments, progress: &Progress) -> R
         height_px: picture.height(),
         threshold: None,
         contours: vec![curve(settled.points.clone(), false, None)],
+        warnings: settled.warning(image).into_iter().collect(),
         snake: Some(settled),
     })
 }
@@ -156,31 +158,34 @@ fn curve(points_px: Vec<[f64; 2]>, hole: bool, parent: Option<usize>) -> Curve {
     }
 }
 
-fn text(report: &Report) -> String {
-    let mut text = String::new();
-    if let Some(level) = report.threshold {
-        let _ = writeln!(text, "threshold {level}");
-    }
-    if let Some(snake) = &report.snake {
-        let _ = writeln!(text, "snake {}", snake.text());
-    }
-    for (index, curve) in report.contours.iter().enumerate() {
-        let kind = match (&report.snake, curve.hole) {
-            (Some(_), _) => "snake",
-            (None, false) => "region",
-            (None, true) => "hole",
-        };
-        let _ = write!(
-            text,
-            "contour {index}: {kind}, area {:.1} px², perimeter {:.1} px",
-            curve.area_px2, curve.perimeter_px
-        );
-        match curve.parent {
-            Some(parent) => {
-                let _ = writeln!(text, ", in contour {parent}");
-            }
-            None => text.push('\n'),
+impl Report {
+    pub(super) fn text(&self) -> String {
+        let report = self;
+        let mut text = String::new();
+        if let Some(level) = report.threshold {
+            let _ = writeln!(text, "threshold {level}");
         }
+        if let Some(snake) = &report.snake {
+            let _ = writeln!(text, "snake {}", snake.text());
+        }
+        for (index, curve) in report.contours.iter().enumerate() {
+            let kind = match (&report.snake, curve.hole) {
+                (Some(_), _) => "snake",
+                (None, false) => "region",
+                (None, true) => "hole",
+            };
+            let _ = write!(
+                text,
+                "contour {index}: {kind}, area {:.1} px², perimeter {:.1} px",
+                curve.area_px2, curve.perimeter_px
+            );
+            match curve.parent {
+                Some(parent) => {
+                    let _ = writeln!(text, ", in contour {parent}");
+                }
+                None => text.push('\n'),
+            }
+        }
+        text
     }
-    text
 }

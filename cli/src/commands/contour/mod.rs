@@ -9,16 +9,49 @@ mod settling;
 pub(crate) use arguments::Arguments;
 
 use anyhow::Result;
+use serde::Serialize;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    match (&arguments.images[..], &arguments.rig) {
-        ([image], None) => flat::run(arguments, image, quiet),
-        ([left, right], Some(rig)) => curve::run(arguments, [left, right], rig, quiet),
-        ([image], Some(rig)) => anyhow::bail!(
-            "--rig {} needs two views, and {} is one",
-            rig.display(),
-            image.display()
-        ),
-        _ => anyhow::bail!("two views need the cameras that took them: --rig rig.yml"),
+use crate::frame::{self, Command, Context, Warning};
+
+/// What is printed.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum Report {
+    Flat(flat::Report),
+    Curve(Box<curve::Report>),
+}
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        match (&self.images[..], &self.rig) {
+            ([image], None) => flat::run(self, image, context).map(Report::Flat),
+            ([left, right], Some(rig)) => curve::run(self, [left, right], rig, context)
+                .map(Box::new)
+                .map(Report::Curve),
+            ([image], Some(rig)) => anyhow::bail!(
+                "--rig {} needs two views, and {} is one",
+                rig.display(),
+                image.display()
+            ),
+            _ => anyhow::bail!("two views need the cameras that took them: --rig rig.yml"),
+        }
+    }
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        match self {
+            Self::Flat(report) => report.text(),
+            Self::Curve(report) => report.text(),
+        }
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(match self {
+            Self::Flat(report) => &report.warnings,
+            Self::Curve(report) => &report.warnings,
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! Snakes from the arguments of the command.
 
+use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
@@ -8,7 +9,7 @@ use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
 use ga_vision::contour::{ContourError, outline, resampled};
 use serde::Serialize;
 
-use crate::frame::Progress;
+use crate::frame::{Progress, Warning};
 
 /// How a snake settles.
 #[derive(Clone, Debug, clap::Args)]
@@ -138,6 +139,12 @@ impl Settings {
 }
 
 impl Settled {
+    /// A warning where the snake of a view has not settled.
+    pub(super) fn warning(&self, view: &Path) -> Option<Warning> {
+        let text = format!("the snake still moves after {} steps", self.steps);
+        (!self.converged).then(|| Warning::new("not_settled", text).in_file(view))
+    }
+
     pub(super) fn text(&self) -> String {
         let end = if self.converged {
             "settled"

@@ -1,22 +1,20 @@
 //! `nullcone curve`: a smooth curve through the keys of a table.
 
 mod plot;
-mod table;
 
 use std::fmt::{Display, Formatter};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use clap::ValueEnum;
+use ga_anim::curve::table::KeyTable;
 use ga_anim::curve::{self, Curve, CurveError, EndKind, Resampled, SplineSystem};
 use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context};
 use crate::output;
-use table::Table;
 
 /// More rows than this are taken for a mistake.
 const MOST_ROWS: usize = 10_000_000;
@@ -27,9 +25,12 @@ const MOST_ROWS: usize = 10_000_000;
 /// with their names. Through each channel goes a cubic spline with two continuous derivatives. It
 /// is written at equal steps of time, or at as few vertices as keep the straight lines between them
 /// within a tolerance of the curve, which is proven, not sampled.
+///
+/// At least one of --out, --plot, --json and --report says what is made of it. --json prints
+/// {"keys": …, "channels": […], "ends": …, "first_time": …, "last_time": …, "rows": …,
+/// "tolerance": …, "distance": …, "max_deviation": …}, in the units of the table.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
-#[command(group(clap::ArgGroup::new("results").required(true).multiple(true)))]
 pub(crate) struct Arguments {
     /// The keys: a column of times, then the channels.
     #[arg(value_name = "KEYS.csv")]
@@ -53,14 +54,11 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "WHICH", requires = "tolerance")]
     distance: Option<Distance>,
     /// Write the rows, times first, as CSV.
-    #[arg(long, value_name = "FILE.csv", group = "results")]
+    #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
     /// Write a picture of the channels over time with the keys as dots.
-    #[arg(long, value_name = "FILE.svg", group = "results")]
+    #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
-    /// Print a JSON object with what was found, in the units of the table.
-    #[arg(long, group = "results")]
-    json: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -118,11 +116,15 @@ impl Display for Ends {
     }
 }
 
-/// What `--json` prints.
+/// What is printed.
 #[derive(Serialize)]
-struct Report<'a> {
+pub(crate) struct Report {
+    #[serde(skip)]
+    out: Option<String>,
+    #[serde(skip)]
+    plot: Option<String>,
     keys: usize,
-    channels: &'a [String],
+    channels: Vec<String>,
     ends: String,
     first_time: f64,
     last_time: f64,
@@ -135,33 +137,41 @@ struct Report<'a> {
     max_deviation: Option<f64>,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    check_arguments(arguments)?;
-    let mut files = Files::reading([&arguments.keys]).printing("--json", arguments.json);
-    files.write_if_given("--out", arguments.out.as_ref(), &[Format::Csv])?;
-    files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
-    let progress = Progress::new(3, quiet);
-    progress.step("reading");
-    let table = ga_files::read(&arguments.keys, Table::parse)?;
-    progress.step("fitting");
-    let name = || arguments.keys.display().to_string();
-    let curves = splines(&table, &arguments.ends).with_context(name)?;
-    let distance = arguments.distance.unwrap_or(match curves.len() {
-        1 => Distance::EqualTime,
-        _ => Distance::Geometric,
-    });
-    let rows = match arguments.tolerance {
-        Some(tolerance) => vertices(&curves, tolerance, distance).with_context(name)?,
-        None => even_rows(&curves, arguments.samples.unwrap_or(1000)),
-    };
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("writing");
-    write(arguments, &table, &curves, &rows)?;
-    drop(progress);
-    if arguments.json {
-        return output::print_json(&Report {
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        check_arguments(arguments)?;
+        let is_asked = arguments.out.is_some() || arguments.plot.is_some();
+        context.need_result(is_asked, "--out, --plot")?;
+        let mut files = context.files([&arguments.keys])?;
+        files.write_if_given("--out", arguments.out.as_ref(), &[Format::Csv])?;
+        files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
+        let progress = context.progress(3);
+        progress.step("reading");
+        let table = ga_files::read(&arguments.keys, KeyTable::parse)?;
+        progress.step("fitting");
+        let name = || arguments.keys.display().to_string();
+        let curves = splines(&table, &arguments.ends).with_context(name)?;
+        let distance = arguments.distance.unwrap_or(match curves.len() {
+            1 => Distance::EqualTime,
+            _ => Distance::Geometric,
+        });
+        let rows = match arguments.tolerance {
+            Some(tolerance) => vertices(&curves, tolerance, distance).with_context(name)?,
+            None => even_rows(&curves, arguments.samples.unwrap_or(1000)),
+        };
+
+        progress.step("writing");
+        write(arguments, &table, &curves, &rows)?;
+        drop(progress);
+        let shown = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
+        Ok(Report {
+            out: shown(&arguments.out),
+            plot: shown(&arguments.plot),
             keys: table.times.len(),
-            channels: &table.names[1..],
+            channels: table.names[1..].to_vec(),
             ends: arguments.ends.to_string(),
             first_time: table.times[0],
             last_time: table.times[table.times.len() - 1],
@@ -169,25 +179,24 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             tolerance: arguments.tolerance,
             distance: arguments.tolerance.map(|_| distance),
             max_deviation: arguments.tolerance.map(|_| rows.max_deviation),
-        });
+        })
     }
-    if !quiet {
-        if let Some(path) = &arguments.out {
-            let count = rows.times.len();
-            output::print(&format!("wrote {}: {count} rows\n", path.display()))?;
-        }
-        if let Some(path) = &arguments.plot {
-            output::print(&format!("wrote {}\n", path.display()))?;
-        }
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        let out = self.out.as_ref();
+        let out = out.map(|path| format!("wrote {path}: {} rows\n", self.rows));
+        let plot = self.plot.as_ref().map(|path| format!("wrote {path}\n"));
+        out.into_iter().chain(plot).collect()
     }
-    Ok(())
 }
 
 /// Writes the table and the picture that are asked for. Both are complete before either is written,
 /// so that an error in one leaves no other behind.
 fn write(
     arguments: &Arguments,
-    table: &Table,
+    table: &KeyTable,
     curves: &[Curve<f64>],
     rows: &Resampled<Vec<f64>>,
 ) -> Result<()> {
@@ -222,7 +231,7 @@ fn check_arguments(arguments: &Arguments) -> Result<()> {
 }
 
 /// A spline for each channel.
-fn splines(table: &Table, ends: &Ends) -> Result<Vec<Curve<f64>>> {
+fn splines(table: &KeyTable, ends: &Ends) -> Result<Vec<Curve<f64>>> {
     let kind = match ends {
         Ends::Natural => EndKind::Natural,
         Ends::Clamped | Ends::Slopes(_) => EndKind::Slopes,
@@ -259,7 +268,7 @@ fn splines(table: &Table, ends: &Ends) -> Result<Vec<Curve<f64>>> {
 }
 
 /// An error with the line and the column of the table that it is about.
-fn located(error: CurveError, table: &Table, column: usize) -> anyhow::Error {
+fn located(error: CurveError, table: &KeyTable, column: usize) -> anyhow::Error {
     let key = match error {
         CurveError::Time { key, .. }
         | CurveError::NotRising { key, .. }
@@ -312,7 +321,7 @@ fn even_rows(curves: &[Curve<f64>], count: usize) -> Resampled<Vec<f64>> {
     }
 }
 
-fn title(arguments: &Arguments, table: &Table) -> String {
+fn title(arguments: &Arguments, table: &KeyTable) -> String {
     let name = arguments
         .keys
         .file_name()

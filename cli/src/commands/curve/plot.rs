@@ -1,11 +1,11 @@
 //! Curves over time as an SVG picture.
 
 use anyhow::{Result, ensure};
+use ga_anim::curve::table::KeyTable;
 use ga_anim::curve::{Curve, Distance, Outside, Resampled};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::table::Table;
 use crate::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the picture as it is shown.
@@ -21,7 +21,7 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// A picture of curves with their keys as dots, and the vertices of a polyline as small rings.
 pub(super) fn svg(
     title: &str,
-    table: &Table,
+    table: &KeyTable,
     curves: &[Curve<f64>],
     marks: Option<&Resampled<Vec<f64>>>,
 ) -> Result<String> {

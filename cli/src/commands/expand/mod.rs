@@ -8,13 +8,14 @@ mod source;
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_compiler::define::Definition;
 use ga_compiler::emit::{dot, formula, rust, wgsl};
 use ga_compiler::function::CompiledFunction;
+use serde::Serialize;
 
-use crate::output;
+use crate::frame::{self, Command, Context, Warning};
 use algebra::Algebra;
 pub(crate) use diagnostic::SourceError;
 use source::Source;
@@ -26,6 +27,12 @@ use source::Source;
 /// `fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }`. They come from --expr, from a file or,
 /// where the file is `-`, from standard input. A Rust file may be given as it is: the functions of
 /// every `ga! { … }` in it are compiled. A `use` in one of them finds functions of the others.
+///
+/// --json prints {"emit": …, "text": …, "warnings": […]}, and with --emit ops {"mul": …, "add": …,
+/// "div": …, "sqrt": …, "other": …, "uniform": {…}, "warnings": […]}. `uniform` counts the
+/// operations that are done once for the uniform operands, the other keys those of every call. For
+/// several functions it is one object with their names as keys. Warnings say where the search for
+/// the cheapest code was cut short.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// A file with the functions; `-` for standard input.
@@ -48,16 +55,11 @@ pub(crate) struct Arguments {
     /// What to print.
     #[arg(long, value_name = "FORM", value_enum, default_value_t = Form::Rust)]
     emit: Form,
-    /// With --emit ops: print {"mul", "add", "div", "sqrt", "other", "uniform": {…}} as JSON.
-    ///
-    /// `uniform` counts the operations that are done once for the uniform operands, the other keys
-    /// those of every call. For several functions it is one object with their names as keys.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
 enum Form {
     /// The Rust code that `ga!` expands to.
     Rust,
@@ -71,48 +73,101 @@ enum Form {
     Ops,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Result<()> {
-    if arguments.json && arguments.emit != Form::Ops {
-        bail!("--json needs --emit ops");
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    #[serde(flatten)]
+    output: Output,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Output {
+    Text { emit: Form, text: String },
+    Operations(operations::Counts),
+}
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        context.files(arguments.file.iter().filter(|path| path.as_os_str() != "-"))?;
+        let source = match (&arguments.expr, &arguments.file) {
+            (Some(text), _) => Source::of_text("--expr", text)?,
+            (None, Some(file)) => Source::read(file)?,
+            (None, None) => bail!("there is nothing to expand: give --expr or a file"),
+        };
+        let algebra = Algebra::find(arguments.algebra.as_deref(), &source)?;
+        let mut functions = source.compile(&algebra.definition)?;
+        for function in &mut functions {
+            // A closure is printed as a function of this name.
+            function
+                .name
+                .get_or_insert_with(|| quote::format_ident!("closure"));
+        }
+        let output = match arguments.emit {
+            Form::Ops => {
+                let is_taken = functions.len() > 1
+                    && functions.iter().any(|function| {
+                        function
+                            .name
+                            .as_ref()
+                            .is_some_and(|name| name == "warnings")
+                    });
+                ensure!(
+                    !(is_taken && context.is_json()),
+                    "a function has the name `warnings`, which --json needs for its own"
+                );
+                Output::Operations(operations::Counts::new(&algebra, &functions)?)
+            }
+            emit => Output::Text {
+                emit,
+                text: written(emit, &algebra, &functions)?,
+            },
+        };
+        Ok(Report {
+            output,
+            warnings: warnings(&functions),
+        })
     }
-    let source = match (&arguments.expr, &arguments.file) {
-        (Some(text), _) => Source::of_text("--expr", text)?,
-        (None, Some(file)) => Source::read(file)?,
-        (None, None) => bail!("there is nothing to expand: give --expr or a file"),
-    };
-    let algebra = Algebra::find(arguments.algebra.as_deref(), &source)?;
-    let mut functions = source.compile(&algebra.definition)?;
-    for function in &mut functions {
-        // A closure is printed as a function of this name.
-        function
-            .name
-            .get_or_insert_with(|| quote::format_ident!("closure"));
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        match &self.output {
+            Output::Text { text, .. } => text.clone(),
+            Output::Operations(counts) => counts.table(),
+        }
     }
-    let text = written(arguments, &algebra, &functions)?;
-    for note in notes(&functions) {
-        eprintln!("{note}");
+
+    fn is_result(&self) -> bool {
+        true
     }
-    output::print(&text)
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
 }
 
 /// Where the search for the cheapest code was cut short.
-fn notes(functions: &[CompiledFunction]) -> Vec<String> {
+fn warnings(functions: &[CompiledFunction]) -> Vec<Warning> {
     let of = |function: &CompiledFunction| {
         let name = function.name.as_ref().map(ToString::to_string);
         let name = name.unwrap_or_default();
         let limits = function.kernel.limits.clone().into_iter();
-        limits.map(move |limit| format!("note: `{name}`: {}", limit.note()))
+        limits.map(move |limit| {
+            Warning::new("search_cut_short", format!("`{name}`: {}", limit.note()))
+        })
     };
     functions.iter().flat_map(of).collect()
 }
 
-fn written(
-    arguments: &Arguments,
-    algebra: &Algebra,
-    functions: &[CompiledFunction],
-) -> Result<String> {
+fn written(emit: Form, algebra: &Algebra, functions: &[CompiledFunction]) -> Result<String> {
     let definition = &algebra.definition;
-    Ok(match arguments.emit {
+    Ok(match emit {
         Form::Rust => {
             let tokens = rust::functions(definition, &algebra.path, functions);
             let file = syn::parse2(tokens).context("the emitted code is not Rust")?;
@@ -121,14 +176,7 @@ fn written(
         Form::Wgsl => wgsl::module(definition, functions),
         Form::Formula => joined(definition, functions, formula::function),
         Form::Dot => joined(definition, functions, dot::function),
-        Form::Ops => {
-            let counts = operations::count(algebra, functions)?;
-            if arguments.json {
-                operations::json(&counts)?
-            } else {
-                operations::table(&counts)
-            }
-        }
+        Form::Ops => operations::Counts::new(algebra, functions)?.table(),
     })
 }
 

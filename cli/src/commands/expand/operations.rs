@@ -9,46 +9,55 @@ use serde::{Serialize, Serializer};
 
 use super::algebra::Algebra;
 
-/// The name and the operations of each function.
-pub(super) fn count(
-    algebra: &Algebra,
-    functions: &[CompiledFunction],
-) -> Result<Vec<(String, FunctionCount)>> {
-    let counted = |function: &CompiledFunction| {
-        let name = function
-            .name
-            .as_ref()
-            .map_or(String::new(), ToString::to_string);
-        let count = count::function(&algebra.definition, &algebra.path, function)
-            .with_context(|| format!("the code of {name} cannot be counted"))?;
-        Ok((name, count))
-    };
-    functions.iter().map(counted).collect()
+/// The name and the operations of each function. As JSON it is one object; of several functions an
+/// object with one for each name.
+pub(super) struct Counts(Vec<(String, FunctionCount)>);
+
+impl Counts {
+    pub(super) fn new(algebra: &Algebra, functions: &[CompiledFunction]) -> Result<Self> {
+        let counted = |function: &CompiledFunction| {
+            let name = function
+                .name
+                .as_ref()
+                .map_or(String::new(), ToString::to_string);
+            let count = count::function(&algebra.definition, &algebra.path, function)
+                .with_context(|| format!("the code of {name} cannot be counted"))?;
+            Ok((name, count))
+        };
+        functions
+            .iter()
+            .map(counted)
+            .collect::<Result<_>>()
+            .map(Self)
+    }
+
+    /// A line for each function, and one for the work on its uniform operands where it has any.
+    pub(super) fn table(&self) -> String {
+        let mut text = String::new();
+        for (name, count) in &self.0 {
+            let _ = writeln!(text, "{name}: {}", count.call);
+            if count.uniform != Operations::default() {
+                let _ = writeln!(
+                    text,
+                    "{name}, once for its uniform operands: {}",
+                    count.uniform
+                );
+            }
+        }
+        text
+    }
 }
 
-/// A line for each function, and one for the work on its uniform operands where it has any.
-pub(super) fn table(counts: &[(String, FunctionCount)]) -> String {
-    let mut text = String::new();
-    for (name, count) in counts {
-        let _ = writeln!(text, "{name}: {}", count.call);
-        if count.uniform != Operations::default() {
-            let _ = writeln!(
-                text,
-                "{name}, once for its uniform operands: {}",
-                count.uniform
-            );
+impl Serialize for Counts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        match &self.0[..] {
+            [(_, single)] => Object::from(single).serialize(serializer),
+            several => {
+                let entries = several.iter();
+                serializer.collect_map(entries.map(|(name, count)| (name, Object::from(count))))
+            }
         }
     }
-    text
-}
-
-/// One object; of several functions an object with one for each name.
-pub(super) fn json(counts: &[(String, FunctionCount)]) -> Result<String> {
-    let text = match counts {
-        [(_, single)] => serde_json::to_string(&Object::from(single)),
-        several => serde_json::to_string(&Named(several)),
-    };
-    Ok(text? + "\n")
 }
 
 /// The operations of a function as JSON.
@@ -68,9 +77,6 @@ struct Fields {
     other: usize,
 }
 
-/// Functions under their names, in order.
-struct Named<'a>(&'a [(String, FunctionCount)]);
-
 impl From<&FunctionCount> for Object {
     fn from(count: &FunctionCount) -> Self {
         Self {
@@ -89,12 +95,5 @@ impl From<Operations> for Fields {
             sqrt: count.roots,
             other: count.others,
         }
-    }
-}
-
-impl Serialize for Named<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let entries = self.0.iter();
-        serializer.collect_map(entries.map(|(name, count)| (name, Object::from(count))))
     }
 }

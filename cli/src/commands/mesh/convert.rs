@@ -8,7 +8,6 @@ use ga_mesh::ply::Encoding;
 
 use serde::Serialize;
 
-use super::input;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::{mesh_file, output};
@@ -57,7 +56,7 @@ impl Command for Arguments {
         let (input, out) = (&self.input, &self.output);
         let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
         let format = context.files([input])?.write("OUT", out, &formats)?;
-        let (mesh, mut warnings) = input::read(input)?;
+        let (mesh, mut warnings) = mesh_file::read(input)?;
         let mesh = format::relocated(&mesh, input, out)?;
         let options = Options {
             ply: match self.ascii {

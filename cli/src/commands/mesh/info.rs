@@ -1,14 +1,14 @@
 //! `nullcone mesh info`: what a mesh consists of, and whether it is a regular surface.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use ga_mesh::topology::Report;
 use ga_mesh::{Group, Mesh};
 use serde::Serialize;
 
-use super::input;
-use crate::frame::{self, Command, Context, Warning};
+use crate::frame::{self, Check, Command, Context, Verdict, Warning};
+use crate::mesh_file;
 
 /// Count the elements of a mesh and say whether it is a regular surface.
 ///
@@ -21,12 +21,18 @@ use crate::frame::{self, Command, Context, Warning};
 /// characteristic counts only vertices that faces use. An edge belongs to the boundary when one
 /// face has it, and is not manifold when more than two have it. Degenerate faces name a vertex
 /// twice or have no area; duplicate vertices lie at the very place of an earlier one.
+///
+/// The verdict is good where the mesh is manifold and oriented, without degenerate faces, and
+/// nothing that its file refers to is missing; else it is doubtful, and --json has the reasons as
+/// "warnings". A mesh with a boundary may be good.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The mesh.
     #[arg(value_name = "FILE")]
     file: PathBuf,
+    #[command(flatten)]
+    check: Check,
 }
 
 impl Command for Arguments {
@@ -34,8 +40,14 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Info> {
         context.files([&self.file])?;
-        let (mesh, warnings) = input::read(&self.file)?;
-        Ok(Info::new(&mesh, warnings))
+        let (mesh, warnings) = mesh_file::read(&self.file)?;
+        let mut info = Info::new(&mesh, warnings);
+        info.warn(&self.file);
+        Ok(info)
+    }
+
+    fn is_check(&self) -> bool {
+        self.check.check
     }
 }
 
@@ -137,7 +149,43 @@ impl Info {
     }
 }
 
+impl Info {
+    /// Adds a warning for each reason why the mesh is not a regular surface.
+    fn warn(&mut self, file: &Path) {
+        let reasons = [
+            (
+                !self.manifold,
+                "not_manifold",
+                format!(
+                    "the surface is not manifold at {} edges and {} vertices",
+                    self.non_manifold_edges, self.non_manifold_vertices
+                ),
+            ),
+            (
+                !self.oriented,
+                "not_oriented",
+                format!(
+                    "the faces at {} edges have opposite orientations",
+                    self.inconsistent_edges
+                ),
+            ),
+            (
+                self.degenerate_faces > 0,
+                "degenerate_faces",
+                format!("{} faces are degenerate", self.degenerate_faces),
+            ),
+        ];
+        let found = reasons.into_iter().filter(|(is_found, ..)| *is_found);
+        let found = found.map(|(_, kind, text)| Warning::new(kind, text).in_file(file));
+        self.warnings.extend(found);
+    }
+}
+
 impl frame::Report for Info {
+    fn verdict(&self) -> Option<Verdict> {
+        Some(Verdict::of(&self.warnings))
+    }
+
     fn is_result(&self) -> bool {
         true
     }

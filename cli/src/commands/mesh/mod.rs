@@ -3,7 +3,6 @@
 mod bake;
 mod convert;
 mod info;
-mod input;
 mod subdivide;
 
 use std::process::ExitCode;
@@ -32,11 +31,10 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
         Command::Info(arguments) => frame::run(arguments, context),
         Command::Convert(arguments) => frame::run(arguments, context),
-        Command::Subdivide(arguments) => frame::unframed(subdivide::run(arguments, quiet)),
-        Command::Bake(arguments) => frame::unframed(bake::run(arguments, quiet)),
+        Command::Subdivide(arguments) => frame::run(arguments, context),
+        Command::Bake(arguments) => frame::run(arguments, context),
     }
 }

@@ -7,11 +7,10 @@ use clap::ValueEnum;
 use ga_mesh::format::{self, Options};
 use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, Subdivision, TagText};
 use ga_mesh::{Mesh, MeshError};
+use serde::Serialize;
 
-use super::input;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, Warning};
 use crate::{mesh_file, output};
 
 /// A result of more faces than this is taken for a mistake.
@@ -30,6 +29,9 @@ const MOST_FACES: u64 = 100_000_000;
 /// Vertices are counted from 0, as in the tags of OpenSubdiv's shapes; the first vertex of an OBJ
 /// file is therefore 0 here. A sharpness of s keeps an edge or vertex sharp for s levels; 10 or
 /// more, and inf, keep it sharp at all levels. What follows a # is ignored.
+///
+/// --json prints {"scheme": …, "levels": …, "vertices": …, "faces": …, "files": […],
+/// "warnings": […]}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -76,40 +78,77 @@ enum CreaseMethodName {
     Chaikin,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let Arguments { input, out, .. } = arguments;
-    let inputs = [input].into_iter().chain(&arguments.creases);
-    let format = Files::reading(inputs).write("--out", out, &[Format::Obj])?;
-    let progress = Progress::new(3, quiet);
-    progress.step("reading");
-    let (mesh, _) = input::read(input)?;
-    let tags = match &arguments.creases {
-        Some(path) => ga_files::read(path, TagText::decode)?,
-        None => TagText::default(),
-    };
+/// What is printed.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    scheme: &'static str,
+    levels: u32,
+    vertices: usize,
+    faces: usize,
+    files: Vec<String>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
 
-    let mesh = &format::relocated(&mesh, input, out)?;
-    let rules = rules(arguments, mesh);
-    check_size(mesh, rules.scheme, arguments.levels)?;
-    let mut level = Subdivision::new(mesh, rules, &tags.tags)
-        .map_err(|error| located(error, input, arguments.creases.as_deref(), &tags))?;
-    progress.step("subdividing");
-    for _ in 0..arguments.levels {
-        level = level.refined()?;
-    }
-    let fine = level.into_mesh()?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("writing");
-    output::write_together(mesh_file::files(out, format, &fine, &Options::default())?)?;
-    drop(progress);
-    if !quiet {
-        let (vertices, faces) = (fine.vertex_count(), fine.faces().len());
-        output::print(&format!(
-            "wrote {}: {vertices} vertices, {faces} faces\n",
-            out.display()
-        ))?;
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let Self { input, out, .. } = arguments;
+        let inputs = [input].into_iter().chain(&arguments.creases);
+        let format = context.files(inputs)?.write("--out", out, &[Format::Obj])?;
+        let progress = context.progress(3);
+        progress.step("reading");
+        let (mesh, warnings) = mesh_file::read(input)?;
+        let tags = match &arguments.creases {
+            Some(path) => ga_files::read(path, TagText::decode)?,
+            None => TagText::default(),
+        };
+
+        let mesh = &format::relocated(&mesh, input, out)?;
+        let rules = rules(arguments, mesh);
+        check_size(mesh, rules.scheme, arguments.levels)?;
+        let scheme = match rules.scheme {
+            Scheme::Loop => "loop",
+            Scheme::CatmullClark => "catmull-clark",
+        };
+        let mut level = Subdivision::new(mesh, rules, &tags.tags)
+            .map_err(|error| located(error, input, arguments.creases.as_deref(), &tags))?;
+        progress.step("subdividing");
+        for _ in 0..arguments.levels {
+            level = level.refined()?;
+        }
+        let fine = level.into_mesh()?;
+
+        progress.step("writing");
+        let files = mesh_file::files(out, format, &fine, &Options::default())?;
+        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        drop(progress);
+        let files = files.iter().map(|(path, _)| path.display().to_string());
+        Ok(Report {
+            scheme,
+            levels: arguments.levels,
+            vertices: fine.vertex_count(),
+            faces: fine.faces().len(),
+            files: files.collect(),
+            warnings,
+        })
     }
-    Ok(())
+}
+
+impl frame::Report for Report {
+    fn text(&self) -> String {
+        let out = self.files.first().map_or("", String::as_str);
+        format!(
+            "wrote {out}: {} vertices, {} faces\n",
+            self.vertices, self.faces
+        )
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
 }
 
 fn rules(arguments: &Arguments, mesh: &Mesh) -> Rules {

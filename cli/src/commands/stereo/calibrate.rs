@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
 use ga_camera::format::rig;
@@ -12,15 +12,14 @@ use ga_vision::calibration::{
     CalibrationError, CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start,
     StereoCalibration, StereoSettings, calibrate_stereo, square_edges,
 };
-use ga_vision::chessboard::{BoardSize, Chessboard, find};
+use ga_vision::chessboard::{BoardSize, Chessboard, find, pair_picture};
 use serde::Serialize;
 
-use super::{corners, views};
+use super::views;
 use crate::camera_file::{about, read_side};
 use crate::file_list;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning, command_line};
 use crate::output;
 use crate::rotation::smaller_rotation;
 
@@ -38,6 +37,10 @@ use crate::rotation::smaller_rotation;
 /// "pairs_rejected": […], "baseline_metres": …, …}. rms_px is the root mean square distance of all
 /// corners from the projections of their places on the boards, as OpenCV's stereoCalibrate returns
 /// it.
+///
+/// The verdict is good where at least 10 pairs were used, rms_px is at most 1, and the numbers in
+/// the names of all pairs belong together as in the first; else it is doubtful, and --json has the
+/// reasons as "warnings".
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -75,10 +78,16 @@ pub(crate) struct Arguments {
     /// Write pictures of the corners that were found into a folder.
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    check: Check,
 }
+
+/// OpenCV's guide to calibration asks for at least this number of views of the board.
+const ENOUGH_PAIRS: usize = 10;
+
+/// Calibrations of usual cameras are below this: boards that are not flat, lenses with other
+/// distortion and wrong corners are above it.
+const MOST_RMS_PX: f64 = 1.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum IntrinsicsChoice {
@@ -92,7 +101,11 @@ enum IntrinsicsChoice {
 
 /// What is printed. Lengths in metres, unless the name has another unit.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    next: String,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
     rms_px: f64,
     rms_left_px: f64,
     rms_right_px: f64,
@@ -142,18 +155,45 @@ struct Pair {
     boards: [Chessboard; 2],
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let square = arguments.square;
+        ensure!(
+            square > 0.0 && square.is_finite(),
+            "--square {square}: the side of a square must be positive and finite"
+        );
+        let settings = settings(arguments)?;
+        let files = pairs_of_files(&arguments.left, &arguments.right)?;
+        check_outputs(arguments, context, &files)?;
+        let other_numbers = warning_of_other_numbers(&files);
+        let report = calibrated(arguments, context, &files, &settings);
+        if report.is_err() && !context.is_quiet() {
+            // It may be the reason of the failure, which has no report.
+            frame::print_warnings(other_numbers.as_slice());
+        }
+        let mut report = report?;
+        report.warnings.extend(other_numbers);
+        Ok(report)
+    }
+}
+
+/// Finds the boards, calibrates and writes the results.
+fn calibrated(
+    arguments: &Arguments,
+    context: &Context,
+    files: &[[PathBuf; 2]],
+    settings: &StereoSettings,
+) -> Result<Report> {
     let square = arguments.square;
-    ensure!(
-        square > 0.0 && square.is_finite(),
-        "--square {square}: the side of a square must be positive and finite"
-    );
-    let settings = settings(arguments)?;
-    let files = pairs_of_files(&arguments.left, &arguments.right)?;
-    check_outputs(arguments, &files)?;
-    warn_of_other_numbers(&files);
-    let progress = Progress::new(files.len() as u64 + 1, quiet);
-    let (size, pairs, mut rejected) = find_boards(arguments, &files, &progress)?;
+    let progress = context.progress(files.len() as u64 + 1);
+    let (size, pairs, mut rejected) = find_boards(arguments, files, &progress)?;
     progress.step("calibrating");
     if pairs.len() < LEAST_VIEWS {
         let first = rejected.first().map(|rejected| rejected.reason.clone());
@@ -174,7 +214,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     let [left, right] = [corners(0), corners(1)];
     let places = arguments.board.places(square);
-    let found = calibrate_stereo([&left, &right], &places, size, &settings);
+    let found = calibrate_stereo([&left, &right], &places, size, settings);
     let found = found.map_err(|error| {
         let pair = error.view().map(|pair| &files[pairs[pair].index]);
         let error = anyhow::Error::new(error);
@@ -209,14 +249,22 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     }
     output::write_together(outputs)?;
     drop(progress);
-    let report = Report::new(&found, edges, &files, rejected);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.table())
-    }
+    let mut report = Report::new(&found, edges, files, rejected);
+    report.next = next(&files[pairs[found.used[0]].index], &arguments.out);
+    Ok(report)
+}
+
+/// How a pair of views is rectified with the rig.
+fn next([left, right]: &[PathBuf; 2], rig: &Path) -> String {
+    command_line([
+        "nullcone stereo rectify".as_ref(),
+        left.as_os_str(),
+        right.as_os_str(),
+        "--rig".as_ref(),
+        rig.as_os_str(),
+        "--out".as_ref(),
+        "rectified".as_ref(),
+    ])
 }
 
 fn settings(arguments: &Arguments) -> Result<StereoSettings> {
@@ -255,10 +303,9 @@ fn settings(arguments: &Arguments) -> Result<StereoSettings> {
 }
 
 /// Fails where the results could not be written, or would replace what is read.
-fn check_outputs(arguments: &Arguments, pairs: &[[PathBuf; 2]]) -> Result<()> {
+fn check_outputs(arguments: &Arguments, context: &Context, pairs: &[[PathBuf; 2]]) -> Result<()> {
     let cameras = arguments.left_camera.iter().chain(&arguments.right_camera);
-    let mut files = Files::reading(pairs.as_flattened()).and_reading(cameras);
-    files = files.printing("--json", arguments.json);
+    let mut files = context.files(pairs.as_flattened().iter().chain(cameras))?;
     files.write("--out", &arguments.out, &[Format::Yaml])?;
     if let Some(folder) = &arguments.pictures {
         files.write_folder("--pictures", folder, (0..pairs.len()).map(corners_name))?;
@@ -280,10 +327,10 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
     Ok(pairs.map(|(left, right)| [left, right]).collect())
 }
 
-/// Warns of the first pair whose names do not belong together by their numbers: where a number of
+/// A warning of the first pair whose names do not belong together by their numbers: where a number of
 /// the left name differs from that of the right one, it does so as in the first pair, as 0 and 1 in
 /// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
-fn warn_of_other_numbers(pairs: &[[PathBuf; 2]]) {
+fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
     let changes = |pair: &[PathBuf; 2]| {
         let [left, right] = pair.each_ref().map(|path| file_list::numbers(path));
         let is_comparable = left.len() == right.len();
@@ -292,14 +339,14 @@ fn warn_of_other_numbers(pairs: &[[PathBuf; 2]]) {
             .collect::<Vec<_>>()
     };
     let first = pairs.first().map(changes);
-    if let Some([left, right]) = pairs.iter().find(|pair| Some(changes(pair)) != first) {
-        eprintln!(
-            "warning: {} and {} are a pair by their places in the lists, but their numbers differ \
-             otherwise than those of the first pair",
-            left.display(),
-            right.display()
-        );
-    }
+    let [left, right] = pairs.iter().find(|pair| Some(changes(pair)) != first)?;
+    let text = format!(
+        "{} and {} are a pair by their places in the lists, but their numbers differ otherwise \
+         than those of the first pair",
+        left.display(),
+        right.display()
+    );
+    Some(Warning::new("other_numbers", text))
 }
 
 type Found = ([usize; 2], Vec<Pair>, Vec<Rejected>);
@@ -372,7 +419,7 @@ fn pictures(folder: &Path, pairs: &[Pair]) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     {
         if let Some(views) = views {
             let path = folder.join(corners_name(*index));
-            files.push((path, png::encode(&corners::picture(views, boards))?));
+            files.push((path, png::encode(&pair_picture(views, boards))?));
         }
     }
     Ok(files)
@@ -424,7 +471,25 @@ impl Report {
     ) -> Self {
         let rig = &found.rig;
         let (_, degrees) = smaller_rotation(rig.left_to_right().motor.rotor());
+        let mut warnings = Vec::new();
+        if found.used.len() < ENOUGH_PAIRS {
+            let text = format!(
+                "{} pairs were used, and {ENOUGH_PAIRS} are recommended",
+                found.used.len()
+            );
+            warnings.push(Warning::new("few_pairs", text));
+        }
+        if found.rms > MOST_RMS_PX {
+            let text = format!(
+                "the corners are {:.3} px from their projections (root mean square), more than \
+                 {MOST_RMS_PX} px",
+                found.rms
+            );
+            warnings.push(Warning::new("large_rms", text));
+        }
         Self {
+            next: String::new(),
+            warnings,
             rms_px: found.rms,
             rms_left_px: found.camera_rms[0],
             rms_right_px: found.camera_rms[1],
@@ -441,8 +506,22 @@ impl Report {
             pair_rms_px: found.pair_rms.clone(),
         }
     }
+}
 
-    fn table(&self) -> String {
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(Verdict::of(&self.warnings))
+    }
+
+    fn next(&self) -> Option<String> {
+        Some(self.next.clone())
+    }
+
+    fn text(&self) -> String {
         let mut table = format!(
             "rms        {:.4} px (left {:.4}, right {:.4})\npairs      {} used, {} rejected\n\
              baseline   {:.6} m ± {:.6}\nrotation   {:.4}°\n\

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::disparity::DisparityMap;
@@ -12,8 +12,8 @@ use ga_vision::disparity::picture::ColourScale;
 use serde::Serialize;
 
 use super::picture::{self, Panel};
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context};
 use crate::output;
 
 /// Errors of this number of pixels and more have the last colour of the picture.
@@ -50,14 +50,11 @@ pub(crate) struct Arguments {
     /// Write a picture of the map, the truth and the errors beside each other.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed. Percentages, unless the name has a unit.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
     bad_0_5: f64,
     bad_1: f64,
     bad_2: f64,
@@ -67,40 +64,38 @@ struct Report {
     truth_pixels: usize,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let scale = arguments.scale;
-    ensure!(
-        scale > 0.0 && scale.is_finite(),
-        "--scale {scale}: what the truth stores must be divided by a positive, finite number"
-    );
-    let mut files = Files::reading([&arguments.map, &arguments.truth]);
-    files = files.printing("--json", arguments.json);
-    files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
-    let map = file::read(&arguments.map)?;
-    let truth = file::read_truth(&arguments.truth, scale)?;
-    let errors = ErrorMap::new(&map, &truth).with_context(|| {
-        let [map, truth] = [&arguments.map, &arguments.truth].map(|path| path.display());
-        format!("{map} and {truth}")
-    })?;
-    let report = Report {
-        bad_0_5: errors.bad(0.5),
-        bad_1: errors.bad(1.0),
-        bad_2: errors.bad(2.0),
-        bad_3: errors.bad(3.0),
-        average_px: errors.average_px(),
-        density: errors.density(),
-        truth_pixels: errors.pixels(),
-    };
-    if let Some(path) = &arguments.picture {
-        let sheet = picture_of(&map, &truth, &errors);
-        output::write(path, &png::encode(&sheet)?)?;
-    }
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.table())
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let scale = arguments.scale;
+        ensure!(
+            scale > 0.0 && scale.is_finite(),
+            "--scale {scale}: what the truth stores must be divided by a positive, finite number"
+        );
+        let mut files = context.files([&arguments.map, &arguments.truth])?;
+        files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
+        let map = file::read(&arguments.map)?;
+        let truth = file::read_truth(&arguments.truth, scale)?;
+        let errors = ErrorMap::new(&map, &truth).with_context(|| {
+            let [map, truth] = [&arguments.map, &arguments.truth].map(|path| path.display());
+            format!("{map} and {truth}")
+        })?;
+        let report = Report {
+            bad_0_5: errors.bad(0.5),
+            bad_1: errors.bad(1.0),
+            bad_2: errors.bad(2.0),
+            bad_3: errors.bad(3.0),
+            average_px: errors.average_px(),
+            density: errors.density(),
+            truth_pixels: errors.pixels(),
+        };
+        if let Some(path) = &arguments.picture {
+            let sheet = picture_of(&map, &truth, &errors);
+            output::write(path, &png::encode(&sheet)?)?;
+        }
+        Ok(report)
     }
 }
 
@@ -135,8 +130,8 @@ fn picture_of(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> Pl
     ])
 }
 
-impl Report {
-    fn table(&self) -> String {
+impl frame::Report for Report {
+    fn text(&self) -> String {
         let average = match self.average_px {
             Some(average) => format!("{average:.3} px"),
             None => "none is known".into(),

@@ -1,9 +1,9 @@
 //! `nullcone stereo match`: the disparities of two rectified views.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use clap::ValueEnum;
 use ga_image::plane::Plane;
 use ga_image::png;
@@ -14,10 +14,10 @@ use ga_vision::matcher::{Matcher, MatcherOptions, Mode as MatcherMode};
 use serde::Serialize;
 
 use super::picture::{self, Panel};
+use super::rectify::RIG;
 use super::views;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, command_line};
 use crate::output;
 
 /// More threads than this are taken for a mistake.
@@ -64,9 +64,6 @@ pub(crate) struct Arguments {
     /// Write a picture of the disparities in colours.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
@@ -97,7 +94,11 @@ impl From<Mode> for MatcherMode {
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    out: String,
+    #[serde(skip)]
+    next: Option<String>,
     width_px: usize,
     height_px: usize,
     max_disparity_px: usize,
@@ -109,69 +110,86 @@ struct Report {
     seconds: f64,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let mut files = Files::reading([&arguments.left, &arguments.right]);
-    files = files.printing("--json", arguments.json);
-    files.write("--out", &arguments.out, &[Format::Pfm])?;
-    files.write_if_given(
-        "--confidence",
-        arguments.confidence.as_ref(),
-        &[Format::Png],
-    )?;
-    files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
-    let progress = Progress::new(3, quiet);
-    progress.step("reading the views");
-    let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("matching");
-    let begin = Instant::now();
-    let options = MatcherOptions {
-        max_disparity: arguments.max_disparity,
-        mode: arguments.mode.into(),
-        threads: arguments.threads.map_or(0, usize::from),
-    };
-    let named = || {
-        let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-        format!("{left} and {right}")
-    };
-    let mut matcher = Matcher::new(options, left.width(), left.height()).with_context(named)?;
-    let found = matcher.run(&left, &right).with_context(named)?;
-    let seconds = begin.elapsed().as_secs_f64();
-    // The files need memory as well.
-    drop((matcher, left, right));
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let mut files = context.files([&arguments.left, &arguments.right])?;
+        files.write("--out", &arguments.out, &[Format::Pfm])?;
+        files.write_if_given(
+            "--confidence",
+            arguments.confidence.as_ref(),
+            &[Format::Png],
+        )?;
+        files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
+        let progress = context.progress(3);
+        progress.step("reading the views");
+        let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
 
-    progress.step("writing");
-    let map = &found.disparity;
-    let mut files = vec![(&arguments.out, file::encode(map)?)];
-    if let Some(path) = &arguments.confidence {
-        let levels = found.confidence.map(u8::from_unit);
-        files.push((path, png::encode(&levels)?));
+        progress.step("matching");
+        let begin = Instant::now();
+        let options = MatcherOptions {
+            max_disparity: arguments.max_disparity,
+            mode: arguments.mode.into(),
+            threads: arguments.threads.map_or(0, usize::from),
+        };
+        let named = || {
+            let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
+            format!("{left} and {right}")
+        };
+        let mut matcher = Matcher::new(options, left.width(), left.height()).with_context(named)?;
+        let found = matcher.run(&left, &right).with_context(named)?;
+        let seconds = begin.elapsed().as_secs_f64();
+        // The files need memory as well.
+        drop((matcher, left, right));
+
+        progress.step("writing");
+        let map = &found.disparity;
+        let mut files = vec![(&arguments.out, file::encode(map)?)];
+        if let Some(path) = &arguments.confidence {
+            let levels = found.confidence.map(u8::from_unit);
+            files.push((path, png::encode(&levels)?));
+        }
+        if let Some(path) = &arguments.picture {
+            files.push((path, png::encode(&picture_of(map))?));
+        }
+        output::write_together(files)?;
+        drop(progress);
+
+        let pixels = (map.width() * map.height()) as f64;
+        let confidence = found.confidence.values().iter().map(|c| f64::from(*c));
+        Ok(Report {
+            out: arguments.out.display().to_string(),
+            next: arguments.reconstruction(),
+            width_px: map.width(),
+            height_px: map.height(),
+            max_disparity_px: arguments.max_disparity,
+            mode: arguments.mode,
+            least_px: map.range().map(|[least, _]| least),
+            greatest_px: map.range().map(|[_, greatest]| greatest),
+            density: 100.0 * map.known() as f64 / pixels,
+            mean_confidence: confidence.sum::<f64>() / pixels,
+            seconds,
+        })
     }
-    if let Some(path) = &arguments.picture {
-        files.push((path, png::encode(&picture_of(map))?));
-    }
-    output::write_together(files)?;
-    drop(progress);
+}
 
-    let pixels = (map.width() * map.height()) as f64;
-    let confidence = found.confidence.values().iter().map(|c| f64::from(*c));
-    let report = Report {
-        width_px: map.width(),
-        height_px: map.height(),
-        max_disparity_px: arguments.max_disparity,
-        mode: arguments.mode,
-        least_px: map.range().map(|[least, _]| least),
-        greatest_px: map.range().map(|[_, greatest]| greatest),
-        density: 100.0 * map.known() as f64 / pixels,
-        mean_confidence: confidence.sum::<f64>() / pixels,
-        seconds,
-    };
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines(&arguments.out))
+impl Arguments {
+    /// How the same views are reconstructed, where the file of cameras is beside them that
+    /// `nullcone stereo rectify` writes.
+    fn reconstruction(&self) -> Option<String> {
+        let rig = self.left.with_file_name(RIG);
+        let words = [
+            "nullcone stereo reconstruct".as_ref(),
+            self.left.as_os_str(),
+            self.right.as_os_str(),
+            "--rig".as_ref(),
+            rig.as_os_str(),
+            "--out".as_ref(),
+            "model.glb".as_ref(),
+        ];
+        rig.is_file().then(|| command_line(words))
     }
 }
 
@@ -188,8 +206,12 @@ fn picture_of(map: &DisparityMap) -> Plane<[u8; 3]> {
     }])
 }
 
-impl Report {
-    fn lines(&self, out: &Path) -> String {
+impl frame::Report for Report {
+    fn next(&self) -> Option<String> {
+        self.next.clone()
+    }
+
+    fn text(&self) -> String {
         let range = match (self.least_px, self.greatest_px) {
             (Some(least), Some(greatest)) => format!("{least:.2} to {greatest:.2} px"),
             _ => "none".into(),
@@ -197,7 +219,7 @@ impl Report {
         format!(
             "{}: {} × {} pixels, {:.2} % known\ndisparities {range}\nmean confidence {:.3}\n\
              matched in {:.3} s\n",
-            out.display(),
+            self.out,
             self.width_px,
             self.height_px,
             self.density,

@@ -1,7 +1,6 @@
 //! `nullcone stereo`: two views of a scene.
 
 mod calibrate;
-mod corners;
 mod diagnose;
 mod evaluate;
 mod match_views;
@@ -42,15 +41,14 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Calibrate(arguments) => frame::unframed(calibrate::run(arguments, quiet)),
-        Command::Match(arguments) => frame::unframed(match_views::run(arguments, quiet)),
-        Command::Evaluate(arguments) => frame::unframed(evaluate::run(arguments, quiet)),
+        Command::Calibrate(arguments) => frame::run(arguments, context),
+        Command::Match(arguments) => frame::run(arguments, context),
+        Command::Evaluate(arguments) => frame::run(arguments, context),
         Command::Pose(arguments) => frame::run(arguments, context),
-        Command::Rectify(arguments) => frame::unframed(rectify::run(arguments, quiet)),
+        Command::Rectify(arguments) => frame::run(arguments, context),
         Command::Undistort(arguments) => frame::run(arguments, context),
         Command::Diagnose(arguments) => frame::run(arguments, context),
-        Command::Reconstruct(arguments) => frame::unframed(reconstruct::run(arguments, quiet)),
+        Command::Reconstruct(arguments) => frame::run(arguments, context),
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::rig::RectifiedRig;
 use ga_image::grey::Luma;
@@ -23,9 +23,8 @@ use serde::Serialize;
 use super::match_views::{Mode, threads};
 use super::views;
 use crate::camera_file::ChosenPair;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context};
 use crate::mesh_file;
 use crate::output;
 
@@ -107,9 +106,6 @@ pub(crate) struct Arguments {
     /// The number of threads; by default as many as the machine can run at the same time.
     #[arg(long, value_name = "N", value_parser = threads())]
     threads: Option<u16>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// Which way the axes point.
@@ -123,7 +119,9 @@ pub(in crate::commands) enum Axes {
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    out: String,
     width_px: usize,
     height_px: usize,
     max_disparity_px: usize,
@@ -151,63 +149,61 @@ struct Pair {
     disparities: Option<usize>,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let inputs = [&arguments.left, &arguments.right, &arguments.rig];
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
-    let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
-    let format = files.write("--out", &arguments.out, &formats)?;
-    let kind = Kind::new(arguments, format)?;
-    let begin = Instant::now();
-    let progress = Progress::new(5, quiet);
-    progress.step("reading the views");
-    let views = views::read_colour_pair(&arguments.left, &arguments.right)?;
-    progress.step("rectifying");
-    let pair = rectify(views, arguments)?;
-    progress.step("matching");
-    let (map, range) = disparities(&pair, arguments)?;
-    progress.step("building the model");
-    let options = SurfaceOptions {
-        cut_px: arguments.cut,
-        step: arguments.step,
-        depths: [arguments.near, arguments.far],
-    };
-    let surface = Surface::new(&map, &pair.rig, &options).with_context(|| {
-        let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-        format!("{left} and {right} with {}", arguments.rig.display())
-    })?;
-    let mut depths: Vec<f64> = surface.points().iter().map(|point| point.e3()).collect();
-    let depths = Sorted::new(&mut depths).context("the surface has no points")?;
-    let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
-    let mesh = kind.mesh(&surface, &pair.views[0])?;
-    progress.step("writing");
-    let files = mesh_file::files(&arguments.out, format, &mesh, &Options::default())?;
-    output::write_together(files)?;
-    drop(progress);
+impl Command for Arguments {
+    type Report = Report;
 
-    let [width, height] = surface.size();
-    let grid = width.div_ceil(arguments.step) * height.div_ceil(arguments.step);
-    let report = Report {
-        width_px: width,
-        height_px: height,
-        max_disparity_px: range,
-        mode: arguments.mode,
-        points: mesh.vertex_count(),
-        triangles: mesh.faces().len(),
-        density: 100.0 * depths.values().len() as f64 / grid as f64,
-        nearest_metres: depths.quantile(0.0),
-        median_metres: depths.median(),
-        farthest_metres: depths.quantile(1.0),
-        bounds_metres: surface.bounds(),
-        baseline_metres: pair.rig.baseline(),
-        focal_px: pair.rig.left().focal()[0],
-        seconds: begin.elapsed().as_secs_f64(),
-    };
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines(&arguments.out))
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let mut files = context.files([&arguments.left, &arguments.right, &arguments.rig])?;
+        let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
+        let format = files.write("--out", &arguments.out, &formats)?;
+        let kind = Kind::new(arguments, format)?;
+        let begin = Instant::now();
+        let progress = context.progress(5);
+        progress.step("reading the views");
+        let views = views::read_colour_pair(&arguments.left, &arguments.right)?;
+        progress.step("rectifying");
+        let pair = rectify(views, arguments)?;
+        progress.step("matching");
+        let (map, range) = disparities(&pair, arguments)?;
+        progress.step("building the model");
+        let options = SurfaceOptions {
+            cut_px: arguments.cut,
+            step: arguments.step,
+            depths: [arguments.near, arguments.far],
+        };
+        let surface = Surface::new(&map, &pair.rig, &options).with_context(|| {
+            let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
+            format!("{left} and {right} with {}", arguments.rig.display())
+        })?;
+        let mut depths: Vec<f64> = surface.points().iter().map(|point| point.e3()).collect();
+        let depths = Sorted::new(&mut depths).context("the surface has no points")?;
+        let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
+        let mesh = kind.mesh(&surface, &pair.views[0])?;
+        progress.step("writing");
+        let files = mesh_file::files(&arguments.out, format, &mesh, &Options::default())?;
+        output::write_together(files)?;
+        drop(progress);
+
+        let [width, height] = surface.size();
+        let grid = width.div_ceil(arguments.step) * height.div_ceil(arguments.step);
+        Ok(Report {
+            out: arguments.out.display().to_string(),
+            width_px: width,
+            height_px: height,
+            max_disparity_px: range,
+            mode: arguments.mode,
+            points: mesh.vertex_count(),
+            triangles: mesh.faces().len(),
+            density: 100.0 * depths.values().len() as f64 / grid as f64,
+            nearest_metres: depths.quantile(0.0),
+            median_metres: depths.median(),
+            farthest_metres: depths.quantile(1.0),
+            bounds_metres: surface.bounds(),
+            baseline_metres: pair.rig.baseline(),
+            focal_px: pair.rig.left().focal()[0],
+            seconds: begin.elapsed().as_secs_f64(),
+        })
     }
 }
 
@@ -328,8 +324,8 @@ fn disparities(pair: &Pair, arguments: &Arguments) -> Result<(DisparityMap, usiz
     Ok((DisparityMap::new(pixels), max_disparity))
 }
 
-impl Report {
-    fn lines(&self, out: &Path) -> String {
+impl frame::Report for Report {
+    fn text(&self) -> String {
         let triangles = match self.triangles {
             0 => String::new(),
             count => format!(" and {count} triangles"),
@@ -339,7 +335,7 @@ impl Report {
              depths {:.3} to {:.3} m, in the middle {:.3} m\n\
              disparities below {} px, baseline {:.4} m, focal length {:.1} px\n\
              done in {:.2} s\n",
-            out.display(),
+            self.out,
             self.points,
             self.width_px,
             self.height_px,

@@ -1,10 +1,8 @@
 //! `nullcone stereo rectify`: views in which the images of a point are in one row.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
-use ga_camera::format::rig;
-use ga_camera::format::yaml::{Matrix, Storage};
+use anyhow::{Context as _, Result, ensure};
 use ga_image::png;
 use ga_runtime::cga3::Motor;
 use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
@@ -12,13 +10,13 @@ use serde::Serialize;
 
 use super::pixels;
 use crate::camera_file::ChosenPair;
-use crate::files::Files;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, command_line};
 use crate::output::{self, File};
 
 const LEFT: &str = "left.png";
 const RIGHT: &str = "right.png";
-const RIG: &str = "rig.yml";
+/// The name of the file with the rectified cameras.
+pub(super) const RIG: &str = "rig.yml";
 
 /// Rectify two views, so that the images of a point are in the same row of both.
 ///
@@ -63,14 +61,13 @@ pub(crate) struct Arguments {
     /// The size of the results, such as 800x600; by default that of the views.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = pixels::size)]
     size: Option<[usize; 2]>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 /// What is printed.
 #[derive(Serialize)]
-struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    folder: PathBuf,
     width_px: usize,
     height_px: usize,
     focal_px: f64,
@@ -93,105 +90,69 @@ struct Valid {
     height: usize,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let inputs = [&arguments.left, &arguments.right, &arguments.rig];
-    Files::reading(inputs).write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
-    let progress = Progress::new(4, quiet);
-    progress.step("reading the views");
-    let file = arguments.chosen.read(&arguments.rig)?;
-    let left = ga_image::file::read(&arguments.left)?;
-    let right = ga_image::file::read(&arguments.right)?;
-    let size = [left.width(), left.height()];
-    ensure!(
-        size == [right.width(), right.height()],
-        "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
-        arguments.left.display(),
-        size[0],
-        size[1],
-        arguments.right.display(),
-        right.width(),
-        right.height()
-    );
-    file.check_sizes(size, [&arguments.left, &arguments.right], &arguments.rig)?;
+impl Command for Arguments {
+    type Report = Report;
 
-    progress.step("rectifying");
-    let options = RectificationOptions {
-        zero_disparity: !arguments.separate_centres,
-        alpha: arguments.alpha,
-        size: arguments.size,
-    };
-    let found = Rectification::new(&file.rig, size, options)
-        .with_context(|| format!("{} cannot be rectified", arguments.rig.display()))?;
-    let new_left = left.view().warped(&found.left_map())?;
-    let new_right = right.view().warped(&found.right_map())?;
-
-    progress.step("encoding");
-    let files = [
-        File {
-            name: LEFT,
-            contents: png::encode(&new_left)?,
-        },
-        File {
-            name: RIGHT,
-            contents: png::encode(&new_right)?,
-        },
-        File {
-            name: RIG,
-            contents: cameras(&found)?.encode().into_bytes(),
-        },
-    ];
-    progress.step("writing");
-    output::write_all(&arguments.out, &files)?;
-    drop(progress);
-
-    let report = Report::new(&found);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines())
-    }
-}
-
-/// The rectified cameras, with the matrices that OpenCV's `stereoRectify` returns.
-fn cameras(found: &Rectification) -> Result<Storage> {
-    let mut storage = rig::storage(&found.rig.stereo_rig(), Some(found.size))?;
-    for (name, motor) in [("R1", found.left.motor), ("R2", found.right.motor)] {
-        let rows = motor.rotor().to_matrix();
-        storage.set_matrix(
-            name,
-            Matrix::new(3, 3, rows.into_iter().flatten().collect())?,
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let inputs = [&arguments.left, &arguments.right, &arguments.rig];
+        context
+            .files(inputs)?
+            .write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
+        let progress = context.progress(4);
+        progress.step("reading the views");
+        let file = arguments.chosen.read(&arguments.rig)?;
+        let left = ga_image::file::read(&arguments.left)?;
+        let right = ga_image::file::read(&arguments.right)?;
+        let size = [left.width(), left.height()];
+        ensure!(
+            size == [right.width(), right.height()],
+            "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
+            arguments.left.display(),
+            size[0],
+            size[1],
+            arguments.right.display(),
+            right.width(),
+            right.height()
         );
-    }
-    let (left, right) = (found.rig.left(), found.rig.right());
-    let (focal, baseline) = (left.focal()[0], found.rig.baseline());
-    for (name, camera, along) in [("P1", left, 0.0), ("P2", right, -focal * baseline)] {
-        let [a, b, c] = camera.to_matrix();
-        let rows = [
-            [a[0], a[1], a[2], along],
-            [b[0], b[1], b[2], 0.0],
-            [c[0], c[1], c[2], 0.0],
+        file.check_sizes(size, [&arguments.left, &arguments.right], &arguments.rig)?;
+
+        progress.step("rectifying");
+        let options = RectificationOptions {
+            zero_disparity: !arguments.separate_centres,
+            alpha: arguments.alpha,
+            size: arguments.size,
+        };
+        let found = Rectification::new(&file.rig, size, options)
+            .with_context(|| format!("{} cannot be rectified", arguments.rig.display()))?;
+        let new_left = left.view().warped(&found.left_map())?;
+        let new_right = right.view().warped(&found.right_map())?;
+
+        progress.step("encoding");
+        let files = [
+            File {
+                name: LEFT,
+                contents: png::encode(&new_left)?,
+            },
+            File {
+                name: RIGHT,
+                contents: png::encode(&new_right)?,
+            },
+            File {
+                name: RIG,
+                contents: found.storage()?.encode().into_bytes(),
+            },
         ];
-        storage.set_matrix(
-            name,
-            Matrix::new(3, 4, rows.into_iter().flatten().collect())?,
-        );
+        progress.step("writing");
+        output::write_all(&arguments.out, &files)?;
+        drop(progress);
+
+        Ok(Report::new(&found, &arguments.out))
     }
-    let [cx, cy] = left.principal();
-    let offset = found.rig.disparity_offset() / baseline;
-    let q = [
-        [1.0, 0.0, 0.0, -cx],
-        [0.0, 1.0, 0.0, -cy],
-        [0.0, 0.0, 0.0, focal],
-        [0.0, 0.0, 1.0 / baseline, offset],
-    ];
-    storage.set_matrix("Q", Matrix::new(4, 4, q.into_iter().flatten().collect())?);
-    Ok(storage)
 }
 
 impl Report {
-    fn new(found: &Rectification) -> Self {
+    fn new(found: &Rectification, folder: &Path) -> Self {
         let degrees = |motor: Motor<f64>| motor.rotor().to_axis_angle().1.to_degrees();
         let valid = |part: Rectangle| Valid {
             left: part.left,
@@ -200,6 +161,7 @@ impl Report {
             height: part.height,
         };
         Self {
+            folder: folder.to_path_buf(),
             width_px: found.size[0],
             height_px: found.size[1],
             focal_px: found.rig.left().focal()[0],
@@ -213,8 +175,25 @@ impl Report {
             right_valid_px: valid(found.valid[1]),
         }
     }
+}
 
-    fn lines(&self) -> String {
+impl frame::Report for Report {
+    /// Disparities are looked for in a quarter of the width, and are mostly less.
+    fn next(&self) -> Option<String> {
+        let range = self.width_px.div_ceil(4).to_string();
+        let [left, right] = [LEFT, RIGHT].map(|name| self.folder.join(name));
+        Some(command_line([
+            "nullcone stereo match".as_ref(),
+            left.as_os_str(),
+            right.as_os_str(),
+            "--max-disparity".as_ref(),
+            range.as_ref(),
+            "--out".as_ref(),
+            self.folder.join("disparities.pfm").as_os_str(),
+        ]))
+    }
+
+    fn text(&self) -> String {
         format!(
             "{} × {} pixels, focal length {:.3} px, baseline {:.6} m\n\
              principal points {:.3}, {:.3} px and {:.3}, {:.3} px\n\

@@ -1,26 +1,22 @@
 //! `nullcone mesh bake`: maps of a fine mesh for a coarse one.
 
 mod coarse;
-mod colour;
-mod picture;
 mod report;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use clap::ValueEnum;
 use clap::builder::RangedI64ValueParser;
 use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
 use ga_mesh::{Image, atlas};
+use ga_render::bake::{MeshColours, colour_picture, height_picture, normal_picture, share_picture};
 
-use crate::commands::mesh::input;
-use crate::files::Files;
-use crate::frame::Progress;
-use crate::output;
+use crate::frame::{Command, Context};
+use crate::mesh_file;
 use coarse::{Coarse, Images};
-use colour::Colours;
 use report::{Report, Steps};
 
 /// Bake the details of a fine mesh into maps for a coarse one.
@@ -33,7 +29,8 @@ use report::{Report, Steps};
 /// coarse mesh keeps its texture coordinates if every corner has one; otherwise an atlas is made.
 /// Colours are those of the vertices of the fine mesh, or else those of its materials and their
 /// pictures. With --json, the report has the time of each step, the figures of the atlas (charts,
-/// utilisation, stretch, flipped, overlapping) and the range of the displacement.
+/// utilisation, stretch, flipped, overlapping) and the range of the displacement; "files" are
+/// the names in the folder.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -77,9 +74,6 @@ pub(crate) struct Arguments {
     /// default.
     #[arg(long, value_name = "DISTANCE")]
     occlusion_distance: Option<f64>,
-    /// Print the report as one JSON object.
-    #[arg(long)]
-    json: bool,
 }
 
 /// A map.
@@ -128,138 +122,141 @@ fn size() -> RangedI64ValueParser<u32> {
 /// The files beside the maps.
 const MESH_FILES: [&str; 3] = ["coarse.obj", "coarse.mtl", "coarse.glb"];
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let maps: BTreeSet<Map> = arguments.maps.iter().copied().collect();
-    let names: Vec<&str> = maps
-        .iter()
-        .map(|map| map.file())
-        .chain(MESH_FILES)
-        .collect();
-    let mut files = Files::reading([&arguments.fine, &arguments.coarse]);
-    files.write_folder("--out", &arguments.out, names)?;
-    let begin = Instant::now();
-    let progress = Progress::new(maps.len() as u64 + 6, quiet);
-    let mut steps = Steps::new(&progress);
+impl Command for Arguments {
+    type Report = Report;
 
-    steps.begin("read");
-    let (fine_mesh, known) = input::read(&arguments.fine)?;
-    let (coarse_mesh, _) = input::read(&arguments.coarse)?;
-    let mut warnings = Vec::new();
-    let colours = match maps.contains(&Map::Colour) {
-        true => Some(Colours::new(&fine_mesh, &arguments.fine, &mut warnings)?),
-        false => None,
-    };
-    // The reader of OBJ files has said already which pictures are missing.
-    warnings.retain(|warning| !known.iter().any(|known| known.message == *warning));
-    if !quiet {
-        for warning in warnings {
-            eprintln!("warning: {}: {warning}", arguments.fine.display());
-        }
-    }
-
-    steps.begin("atlas");
-    let options = atlas::Options {
-        size: arguments.size,
-        margin_texels: arguments.margin,
-        ..atlas::Options::default()
-    };
-    let coarse = Coarse::new(&coarse_mesh, &options, arguments.unwrap)
-        .with_context(|| format!("{}: no texture", arguments.coarse.display()))?;
-
-    steps.begin("hierarchy");
-    let fine = Fine::from_mesh(&fine_mesh)
-        .with_context(|| format!("{}: nothing to bake", arguments.fine.display()))?;
-
-    steps.begin("projection");
-    let mut options = Options::with_size(arguments.size);
-    options.cage_distance = arguments.distance;
-    let surface = BakedCoarse::from_mesh(&coarse.mesh, 0)
-        .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
-    let named = || arguments.coarse.display().to_string();
-    let bake = Bake::new(&surface, &fine, &options).with_context(named)?;
-
-    let [low, high] = coarse.mesh.bounds().unwrap_or_default();
-    let squares = [0, 1, 2].map(|axis: usize| (high[axis] - low[axis]).powi(2));
-    let diagonal = squares.iter().sum::<f64>().sqrt();
-    let mut pictures = Vec::new();
-    let mut range = None;
-    for &map in &maps {
-        steps.begin(map.name());
-        let picture = match map {
-            Map::Normal => picture::of_normals(&bake.normals()),
-            Map::Displacement => {
-                let (picture, found) = picture::of_heights(&bake.displacement(), diagonal);
-                range = Some(found);
-                picture
-            }
-            Map::Colour => {
-                let colours = colours.as_ref().context("no colours were read")?;
-                picture::of_colours(&bake.colour(|point| colours.at(point)))
-            }
-            Map::Occlusion => {
-                let mut options = OcclusionOptions::default();
-                options.rays = arguments.rays;
-                options.seed = arguments.seed;
-                options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
-                let occlusion = bake.occlusion(&options);
-                picture::of_shares(
-                    &occlusion.with_context(|| arguments.fine.display().to_string())?,
-                )
-            }
-        };
-        pictures.push((map, picture));
-    }
-
-    steps.begin("encode");
-    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-    for (map, picture) in &pictures {
-        files.push((map.file().into(), ga_image::png::encode(picture)?));
-    }
-    let named = |map: Map| maps.contains(&map).then(|| Image::File(map.file().into()));
-    let embedded = |map: Map| {
-        let place = pictures.iter().position(|(other, _)| *other == map)?;
-        Some(Image::Embedded {
-            media_type: "image/png".into(),
-            bytes: files[place].1.as_slice().into(),
-        })
-    };
-    let mut mesh_files = coarse.obj(images(named), "coarse")?;
-    mesh_files.push(("coarse.glb".into(), coarse.glb(images(embedded))?));
-    files.extend(mesh_files);
-
-    steps.begin("write");
-    ga_files::write_all(
-        &arguments.out,
-        files
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = self;
+        let maps: BTreeSet<Map> = arguments.maps.iter().copied().collect();
+        let names: Vec<&str> = maps
             .iter()
-            .map(|(name, contents)| (name.as_str(), &contents[..])),
-    )?;
+            .map(|map| map.file())
+            .chain(MESH_FILES)
+            .collect();
+        let mut files = context.files([&arguments.fine, &arguments.coarse])?;
+        files.write_folder("--out", &arguments.out, names)?;
+        let begin = Instant::now();
+        let progress = context.progress(maps.len() as u64 + 6);
+        let mut steps = Steps::new(&progress);
 
-    let seconds = steps.finish(begin);
-    drop(progress);
-    let report = Report {
-        seconds,
-        size: arguments.size,
-        fine_triangles: fine_mesh.triangles().len(),
-        coarse_triangles: coarse.mesh.faces().len(),
-        unwrapped: coarse.unwrapped,
-        charts: coarse.report.charts,
-        utilisation: coarse.report.utilisation,
-        stretch: coarse.report.stretch_l2,
-        stretch_max: coarse.report.stretch_max,
-        flipped: coarse.report.flipped,
-        overlapping: coarse.report.overlapping_texels,
-        covered_texels: bake.covered_texels(),
-        nearest_texels: bake.nearest_texels(),
-        displacement: range,
-        files: files.into_iter().map(|(name, _)| name).collect(),
-    };
-    if arguments.json {
-        output::print_json(&report)?;
-    } else if !quiet {
-        output::print(&report.table(&arguments.out))?;
+        steps.begin("read");
+        let (fine_mesh, mut warnings) = mesh_file::read(&arguments.fine)?;
+        let (coarse_mesh, of_coarse) = mesh_file::read(&arguments.coarse)?;
+        let (colours, missing) = match maps.contains(&Map::Colour) {
+            true => {
+                let found = MeshColours::new(&fine_mesh, arguments.fine.parent());
+                let found = found.with_context(|| arguments.fine.display().to_string())?;
+                (Some(found.0), found.1)
+            }
+            false => (None, Vec::new()),
+        };
+        let missing = missing.iter().map(ToString::to_string);
+        for warning in mesh_file::missing_parts(&arguments.fine, missing) {
+            // The reader of OBJ files says as well which pictures are missing.
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+        warnings.extend(of_coarse);
+
+        steps.begin("atlas");
+        let options = atlas::Options {
+            size: arguments.size,
+            margin_texels: arguments.margin,
+            ..atlas::Options::default()
+        };
+        let coarse = Coarse::new(&coarse_mesh, &options, arguments.unwrap)
+            .with_context(|| format!("{}: no texture", arguments.coarse.display()))?;
+
+        steps.begin("hierarchy");
+        let fine = Fine::from_mesh(&fine_mesh)
+            .with_context(|| format!("{}: nothing to bake", arguments.fine.display()))?;
+
+        steps.begin("projection");
+        let mut options = Options::with_size(arguments.size);
+        options.cage_distance = arguments.distance;
+        let surface = BakedCoarse::from_mesh(&coarse.mesh, 0)
+            .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
+        let named = || arguments.coarse.display().to_string();
+        let bake = Bake::new(&surface, &fine, &options).with_context(named)?;
+
+        let [low, high] = coarse.mesh.bounds().unwrap_or_default();
+        let squares = [0, 1, 2].map(|axis: usize| (high[axis] - low[axis]).powi(2));
+        let diagonal = squares.iter().sum::<f64>().sqrt();
+        let mut pictures = Vec::new();
+        let mut range = None;
+        for &map in &maps {
+            steps.begin(map.name());
+            let picture = match map {
+                Map::Normal => normal_picture(&bake.normals()),
+                Map::Displacement => {
+                    let (picture, found) = height_picture(&bake.displacement(), diagonal);
+                    range = Some(found.into());
+                    picture
+                }
+                Map::Colour => {
+                    let colours = colours.as_ref().context("no colours were read")?;
+                    colour_picture(&bake.colour(|point| colours.at(point)))
+                }
+                Map::Occlusion => {
+                    let mut options = OcclusionOptions::default();
+                    options.rays = arguments.rays;
+                    options.seed = arguments.seed;
+                    options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
+                    let occlusion = bake.occlusion(&options);
+                    share_picture(&occlusion.with_context(|| arguments.fine.display().to_string())?)
+                }
+            };
+            pictures.push((map, picture));
+        }
+
+        steps.begin("encode");
+        let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+        for (map, picture) in &pictures {
+            files.push((map.file().into(), ga_image::png::encode(picture)?));
+        }
+        let named = |map: Map| maps.contains(&map).then(|| Image::File(map.file().into()));
+        let embedded = |map: Map| {
+            let place = pictures.iter().position(|(other, _)| *other == map)?;
+            Some(Image::Embedded {
+                media_type: "image/png".into(),
+                bytes: files[place].1.as_slice().into(),
+            })
+        };
+        let mut mesh_files = coarse.obj(images(named), "coarse")?;
+        mesh_files.push(("coarse.glb".into(), coarse.glb(images(embedded))?));
+        files.extend(mesh_files);
+
+        steps.begin("write");
+        ga_files::write_all(
+            &arguments.out,
+            files
+                .iter()
+                .map(|(name, contents)| (name.as_str(), &contents[..])),
+        )?;
+
+        let seconds = steps.finish(begin);
+        drop(progress);
+        Ok(Report {
+            folder: arguments.out.clone(),
+            warnings,
+            seconds,
+            size: arguments.size,
+            fine_triangles: fine_mesh.triangles().len(),
+            coarse_triangles: coarse.mesh.faces().len(),
+            unwrapped: coarse.unwrapped,
+            charts: coarse.report.charts,
+            utilisation: coarse.report.utilisation,
+            stretch: coarse.report.stretch_l2,
+            stretch_max: coarse.report.stretch_max,
+            flipped: coarse.report.flipped,
+            overlapping: coarse.report.overlapping_texels,
+            covered_texels: bake.covered_texels(),
+            nearest_texels: bake.nearest_texels(),
+            displacement: range,
+            files: files.into_iter().map(|(name, _)| name).collect(),
+        })
     }
-    Ok(())
 }
 
 /// The maps that a material shows.

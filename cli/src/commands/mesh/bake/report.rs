@@ -1,17 +1,22 @@
 //! What a bake says about itself.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::PathBuf;
 use std::time::Instant;
 
+use ga_render::bake::HeightRange;
 use serde::Serialize;
 use serde_json::Map as Object;
 
-use crate::frame::Progress;
+use crate::frame::{self, Progress, Warning, command_line};
 
 /// The report of a bake.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
+    #[serde(skip)]
+    pub(super) folder: PathBuf,
+    #[serde(skip)]
+    pub(super) warnings: Vec<Warning>,
     /// The time of each step, and of all together.
     pub(super) seconds: Object<String, serde_json::Value>,
     pub(super) size: u32,
@@ -44,8 +49,27 @@ pub(super) struct Range {
     pub(super) maximum: f64,
 }
 
-impl Report {
-    pub(super) fn table(&self, folder: &Path) -> String {
+impl From<HeightRange> for Range {
+    fn from(HeightRange { minimum, maximum }: HeightRange) -> Self {
+        Self { minimum, maximum }
+    }
+}
+
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn next(&self) -> Option<String> {
+        Some(command_line([
+            "nullcone render".as_ref(),
+            self.folder.join("coarse.glb").as_os_str(),
+            "--out".as_ref(),
+            self.folder.join("coarse.png").as_os_str(),
+        ]))
+    }
+
+    fn text(&self) -> String {
         let mut text = String::new();
         let mut row = |name: &str, value: String| {
             // Writing to a String cannot fail.
@@ -65,7 +89,7 @@ impl Report {
         }
         row(
             "wrote",
-            format!("{}: {}", folder.display(), self.files.join(", ")),
+            format!("{}: {}", self.folder.display(), self.files.join(", ")),
         );
         text
     }

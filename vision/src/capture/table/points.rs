@@ -5,81 +5,135 @@ use std::collections::HashSet;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use ga_runtime::cga3::Point;
 
-/// Points of a face over time, in metres.
-pub(super) struct Points {
+/// PointTable of a face over time, in metres.
+pub struct PointTable {
     /// The names of the points.
-    pub(super) names: Vec<String>,
-    pub(super) frames: Vec<Frame>,
+    pub names: Vec<String>,
+    /// At least one.
+    pub frames: Vec<PointRow>,
 }
 
 /// A row of the table.
-pub(super) struct Frame {
+#[derive(Clone, Debug)]
+pub struct PointRow {
     /// The line in the file, from 1.
-    pub(super) line: u64,
+    pub line: u64,
     /// Its name: what the column `frame` has, or else the number of the row, from 0.
-    pub(super) label: String,
+    pub label: String,
     /// The time in seconds, where the table has a column for it.
-    pub(super) time: Option<f64>,
+    pub time: Option<f64>,
     /// Each point, `None` where its fields are empty.
-    pub(super) points: Vec<Option<Point<f64>>>,
+    pub points: Vec<Option<Point<f64>>>,
 }
 
 /// What is wrong with a table of points.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum PointsError {
+#[non_exhaustive]
+pub enum PointTableError {
+    /// The text is not CSV.
     #[error("{0}")]
     Csv(#[from] csv::Error),
+    /// There is no frame.
     #[error("there are no frames")]
     Empty,
+    /// There is no point.
     #[error("line {line}: there are no points; each has three columns, NAME_x, NAME_y and NAME_z")]
-    NoPoint { line: u64 },
+    NoPoint {
+        /// The line in the file, from 1.
+        line: u64,
+    },
+    /// The name of a column is not that of a coordinate.
     #[error(
         "line {line}, column {column} ({name:?}): expected {expected}; a point has the columns \
          NAME_x, NAME_y and NAME_z, and before all points there may be `frame` and `time_seconds`"
     )]
     Header {
+        /// The line in the file, from 1.
         line: u64,
+        /// The column, from 1.
         column: usize,
+        /// The name.
         name: String,
+        /// What is expected.
         expected: String,
     },
+    /// Two points have one name.
     #[error("line {line}: point {name:?} is there twice")]
-    Twice { line: u64, name: String },
+    Twice {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The name.
+        name: String,
+    },
+    /// Columns without names are not three for each point.
     #[error(
         "line {line}: {found} columns without names; without names there are three for each point"
     )]
-    NotTriples { line: u64, found: usize },
+    NotTriples {
+        /// The line in the file, from 1.
+        line: u64,
+        /// What was found.
+        found: usize,
+    },
+    /// A line has another number of columns.
     #[error("line {line}: {found} columns, but line {first} has {expected}")]
     Columns {
+        /// The line in the file, from 1.
         line: u64,
+        /// What was found.
         found: usize,
+        /// The line that it is compared with.
         first: u64,
+        /// What is expected.
         expected: usize,
     },
+    /// A coordinate is not a finite number.
     #[error(
         "line {line}, frame {frame}: {coordinate} of point {point} is {text:?}, not a finite number"
     )]
     Number {
+        /// The line in the file, from 1.
         line: u64,
+        /// The name of the frame.
         frame: String,
+        /// The axis.
         coordinate: char,
+        /// The name of the point.
         point: String,
+        /// The text of the field.
         text: String,
     },
+    /// Some coordinates of a point are there, and others not.
     #[error(
         "line {line}, frame {frame}: {coordinate} of point {point} is empty, but not all of its \
          coordinates are; a missing point has three empty fields"
     )]
     Partial {
+        /// The line in the file, from 1.
         line: u64,
+        /// The name of the frame.
         frame: String,
+        /// The name of the point.
         point: String,
+        /// The axis.
         coordinate: char,
     },
+    /// A time is not a number, or not later than the one before.
     #[error("line {line}: the time {text:?} is not a finite number above that of the line before")]
-    Time { line: u64, text: String },
+    Time {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The text of the field.
+        text: String,
+    },
+    /// Two frames have one name.
     #[error("line {line}: frame {label:?} is there twice")]
-    SameFrame { line: u64, label: String },
+    SameFrame {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The name of the frame.
+        label: String,
+    },
 }
 
 const AXES: [char; 3] = ['x', 'y', 'z'];
@@ -93,8 +147,12 @@ struct Columns {
     names: Vec<String>,
 }
 
-impl Points {
-    pub(super) fn parse(bytes: &[u8]) -> Result<Self, PointsError> {
+impl PointTable {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// What is wrong with the table, with the line.
+    pub fn parse(bytes: &[u8]) -> Result<Self, PointTableError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
@@ -104,7 +162,7 @@ impl Points {
         let mut records = reader.records().peekable();
         let Some(Ok(first)) = records.peek().filter(|first| first.is_ok()) else {
             let problem = records.next().and_then(Result::err);
-            return Err(problem.map_or(PointsError::Empty, Into::into));
+            return Err(problem.map_or(PointTableError::Empty, Into::into));
         };
         let (width, first_line) = (first.len(), line_of(first));
         // A line with a number is not a line of names.
@@ -113,11 +171,11 @@ impl Points {
             true => Columns::of_names(first)?,
             false => Columns::without_names(first)?,
         };
-        let mut frames: Vec<Frame> = Vec::new();
+        let mut frames: Vec<PointRow> = Vec::new();
         for record in records.skip(usize::from(has_header)) {
             let record = record?;
             if record.len() != width {
-                return Err(PointsError::Columns {
+                return Err(PointTableError::Columns {
                     line: line_of(&record),
                     found: record.len(),
                     first: first_line,
@@ -130,7 +188,7 @@ impl Points {
                 _ => true,
             };
             if !is_later {
-                return Err(PointsError::Time {
+                return Err(PointTableError::Time {
                     line: frame.line,
                     text: record[columns.time.unwrap_or(0)].to_owned(),
                 });
@@ -138,7 +196,7 @@ impl Points {
             frames.push(frame);
         }
         if frames.is_empty() {
-            return Err(PointsError::Empty);
+            return Err(PointTableError::Empty);
         }
         check_labels(&frames)?;
         Ok(Self {
@@ -148,20 +206,20 @@ impl Points {
     }
 
     /// A point by its name, or else by its number from 0.
-    pub(super) fn point(&self, word: &str) -> Option<usize> {
+    pub fn point(&self, word: &str) -> Option<usize> {
         let by_name = self.names.iter().position(|name| name == word);
         let by_number = || word.parse().ok().filter(|&k: &usize| k < self.names.len());
         by_name.or_else(by_number)
     }
 
-    /// How a message names a frame.
-    pub(super) fn place(&self, frame: usize) -> String {
-        let Frame { line, label, .. } = &self.frames[frame];
+    /// How a message names a frame, which must be there.
+    pub fn place(&self, frame: usize) -> String {
+        let PointRow { line, label, .. } = &self.frames[frame];
         format!("line {line}, frame {label}")
     }
 
     /// Times in seconds from the first frame on, by their column or by the rate.
-    pub(super) fn times(&self, frames_per_second: f64) -> Vec<f64> {
+    pub fn times(&self, frames_per_second: f64) -> Vec<f64> {
         let start = self.frames[0].time.unwrap_or(0.0);
         let frames = self.frames.iter().enumerate();
         let by_rate = |k: usize| k as f64 / frames_per_second;
@@ -175,12 +233,12 @@ fn line_of(record: &StringRecord) -> u64 {
     record.position().map_or(1, csv::Position::line)
 }
 
-fn check_labels(frames: &[Frame]) -> Result<(), PointsError> {
+fn check_labels(frames: &[PointRow]) -> Result<(), PointTableError> {
     let mut labels: Vec<_> = frames.iter().map(|f| (f.label.as_str(), f.line)).collect();
     labels.sort_unstable();
     let twice = labels.windows(2).find(|pair| pair[0].0 == pair[1].0);
     match twice {
-        Some(pair) => Err(PointsError::SameFrame {
+        Some(pair) => Err(PointTableError::SameFrame {
             line: pair[1].1,
             label: pair[1].0.to_owned(),
         }),
@@ -197,7 +255,7 @@ fn coordinate(column: &str) -> Option<(&str, usize)> {
 }
 
 impl Columns {
-    fn of_names(header: &StringRecord) -> Result<Self, PointsError> {
+    fn of_names(header: &StringRecord) -> Result<Self, PointTableError> {
         let line = line_of(header);
         let mut found = Self {
             frame: None,
@@ -218,7 +276,7 @@ impl Columns {
         let mut names = HashSet::new();
         let mut columns = header.iter().enumerate().skip(found.first).peekable();
         while let Some(&(column, text)) = columns.peek() {
-            let wrong = |column: usize, name: &str, expected: String| PointsError::Header {
+            let wrong = |column: usize, name: &str, expected: String| PointTableError::Header {
                 line,
                 column: column + 1,
                 name: name.to_owned(),
@@ -237,20 +295,20 @@ impl Columns {
             }
             if !names.insert(name) {
                 let name = name.to_owned();
-                return Err(PointsError::Twice { line, name });
+                return Err(PointTableError::Twice { line, name });
             }
             found.names.push(name.to_owned());
         }
         if found.names.is_empty() {
-            return Err(PointsError::NoPoint { line });
+            return Err(PointTableError::NoPoint { line });
         }
         Ok(found)
     }
 
-    fn without_names(first: &StringRecord) -> Result<Self, PointsError> {
+    fn without_names(first: &StringRecord) -> Result<Self, PointTableError> {
         let (line, found) = (line_of(first), first.len());
         if !found.is_multiple_of(3) {
-            return Err(PointsError::NotTriples { line, found });
+            return Err(PointTableError::NotTriples { line, found });
         }
         Ok(Self {
             frame: None,
@@ -260,14 +318,14 @@ impl Columns {
         })
     }
 
-    fn frame(&self, record: &StringRecord, index: usize) -> Result<Frame, PointsError> {
+    fn frame(&self, record: &StringRecord, index: usize) -> Result<PointRow, PointTableError> {
         let line = line_of(record);
         let label = self.frame.map(|column| record[column].to_owned());
         let label = label.unwrap_or_else(|| index.to_string());
         let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
         let time = self.time.map(|column| {
             let text = &record[column];
-            number(text).ok_or_else(|| PointsError::Time {
+            number(text).ok_or_else(|| PointTableError::Time {
                 line,
                 text: text.to_owned(),
             })
@@ -284,7 +342,7 @@ impl Columns {
                 place[axis] = match number(text) {
                     Some(number) => number,
                     None if text.is_empty() => {
-                        return Err(PointsError::Partial {
+                        return Err(PointTableError::Partial {
                             line,
                             frame,
                             point: name,
@@ -292,7 +350,7 @@ impl Columns {
                         });
                     }
                     None => {
-                        return Err(PointsError::Number {
+                        return Err(PointTableError::Number {
                             line,
                             frame,
                             coordinate,
@@ -304,7 +362,7 @@ impl Columns {
             }
             Ok(Some(Point::from(place)))
         };
-        Ok(Frame {
+        Ok(PointRow {
             line,
             points: (0..self.names.len()).map(point).collect::<Result<_, _>>()?,
             label,

@@ -2,18 +2,22 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
 use ga_mesh::bake::{FinePoint, corner_colours, corner_coordinates};
 use ga_mesh::obj::Warning;
 use ga_mesh::{Image, Material, Mesh, Texture};
-use ga_render::model::{Meaning, load_texture};
-use ga_render::texture::Mipmap;
+
+use crate::model::{Meaning, TextureFileError, load_texture};
+use crate::texture::Mipmap;
 
 /// A picture, and where it is taken at the corners of each triangle.
 type Picture = (Mipmap, Vec<[[f64; 2]; 3]>);
 
 /// The colour of each point of a mesh, as linear light.
-pub(super) enum Colours {
+#[derive(Debug)]
+pub struct MeshColours(Colours);
+
+#[derive(Debug)]
+enum Colours {
     /// Those of the vertices, at the corners of each triangle.
     Vertices(Vec<[[f64; 4]; 3]>),
     /// Those of the materials.
@@ -24,20 +28,26 @@ pub(super) enum Colours {
     },
 }
 
-impl Colours {
+impl MeshColours {
     /// The colours of the vertices of a mesh, or else of its materials with their pictures; white
     /// for faces without a material. A material whose picture does not exist has its base colour
-    /// alone, with a warning. `file` is where the mesh was read.
-    pub(super) fn new(mesh: &Mesh, file: &Path, warnings: &mut Vec<String>) -> Result<Self> {
+    /// alone, with a warning. Relative paths of pictures begin in `folder`.
+    ///
+    /// # Errors
+    /// [`TextureFileError`] where a picture exists and cannot be read.
+    pub fn new(
+        mesh: &Mesh,
+        folder: Option<&Path>,
+    ) -> Result<(Self, Vec<Warning>), TextureFileError> {
+        let mut warnings = Vec::new();
         if let Some(colours) = corner_colours(mesh) {
-            return Ok(Self::Vertices(colours));
+            return Ok((Self(Colours::Vertices(colours)), warnings));
         }
         let mut pictures = Vec::new();
         let mut of_material = Vec::new();
         for material in mesh.materials() {
             let picture = match &material.base_colour_texture {
-                Some(placed) => picture(mesh, material, placed, file.parent(), warnings)
-                    .with_context(|| file.display().to_string())?,
+                Some(placed) => picture(mesh, material, placed, folder, &mut warnings)?,
                 None => None,
             };
             let picture = picture.map(|picture| {
@@ -53,21 +63,23 @@ impl Colours {
             let colour = material.map_or(([1.0; 3], None), |m| of_material[m as usize]);
             triangles.extend(std::iter::repeat_n(colour, corners.len() - 2));
         }
-        Ok(Self::Materials {
+        let colours = Colours::Materials {
             triangles,
             pictures,
-        })
+        };
+        Ok((Self(colours), warnings))
     }
 
-    /// The colour of a point.
-    pub(super) fn at(&self, point: &FinePoint) -> [f32; 3] {
+    /// The colour of a point: red, green and blue.
+    #[must_use]
+    pub fn at(&self, point: &FinePoint) -> [f32; 3] {
         let triangle = point.triangle as usize;
-        let colour = match self {
-            Self::Vertices(corners) => {
+        let colour = match &self.0 {
+            Colours::Vertices(corners) => {
                 let [r, g, b, _] = point.mean(&corners[triangle]);
                 [r, g, b]
             }
-            Self::Materials {
+            Colours::Materials {
                 triangles,
                 pictures,
             } => {
@@ -91,8 +103,8 @@ fn picture(
     material: &Material,
     placed: &Texture,
     folder: Option<&Path>,
-    warnings: &mut Vec<String>,
-) -> Result<Option<Picture>> {
+    warnings: &mut Vec<Warning>,
+) -> Result<Option<Picture>, TextureFileError> {
     let Some(coordinates) = corner_coordinates(mesh, placed.set as usize) else {
         return Ok(None);
     };
@@ -102,7 +114,7 @@ fn picture(
             material: material.name.clone(),
             path: path.clone(),
         };
-        warnings.push(warning.to_string());
+        warnings.push(warning);
     }
     let place = |corners: [[f64; 2]; 3]| corners.map(|coordinate| placed.place(coordinate));
     Ok(texture.map(|texture| (texture, coordinates.into_iter().map(place).collect())))

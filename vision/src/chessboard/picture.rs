@@ -1,7 +1,7 @@
 //! Pictures of the corners of chessboards.
 
+use super::Chessboard;
 use ga_image::plane::Plane;
-use ga_vision::chessboard::Chessboard;
 
 /// The half length of the cross at a corner, in pixels.
 const CROSS: isize = 4;
@@ -10,8 +10,9 @@ const GREEN: [u8; 3] = [60, 220, 60];
 const BLUE: [u8; 3] = [90, 150, 255];
 
 /// Two views beside each other, with a line through the corners in their order and a cross at each:
-/// red at the first corner, green in the first row, and blue in the others.
-pub(super) fn picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
+/// red at the first corner, green in the first row, and blue in the others. Where one view is lower,
+/// what is below it is black.
+pub fn pair_picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
     let width = views[0].width();
     let height = views[0].height().max(views[1].height());
     let mut picture = Plane::from_fn(width + views[1].width(), height, |column, row| {

@@ -5,20 +5,31 @@ use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_mesh::bake::Map;
 
-use super::report::Range;
+/// What the numbers of a displacement map mean: code 0 is the minimum and code 65535 the maximum,
+/// in the unit of the meshes, and codes between are linear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeightRange {
+    /// The height of code 0.
+    pub minimum: f64,
+    /// The height of code 65535.
+    pub maximum: f64,
+}
 
 /// Components from −1 to 1 as codes from 0 to 255.
-pub(super) fn of_normals(map: &Map<3>) -> Picture {
+#[must_use]
+pub fn normal_picture(map: &Map<3>) -> Picture {
     plane(map, |normal| normal.map(|x| code(0.5 * (x + 1.0)))).into()
 }
 
 /// Numbers from 0 to 1 as codes from 0 to 255.
-pub(super) fn of_shares(map: &Map<1>) -> Picture {
+#[must_use]
+pub fn share_picture(map: &Map<1>) -> Picture {
     plane(map, |[share]| code(share)).into()
 }
 
 /// Linear light as sRGB.
-pub(super) fn of_colours(map: &Map<3>) -> Picture {
+#[must_use]
+pub fn colour_picture(map: &Map<3>) -> Picture {
     let encoder = SrgbEncoder::new();
     let encode = |colour: [f32; 3]| encoder.encode(LinearColour::from(colour.map(f64::from)));
     plane(map, encode).into()
@@ -29,7 +40,8 @@ const ROUNDING: f64 = 1e-12;
 
 /// Heights as codes from 0 to 65535, and which heights these are. Heights that differ by rounding
 /// errors alone, on a mesh with this diagonal, are all the least one.
-pub(super) fn of_heights(map: &Map<1>, diagonal: f64) -> (Picture, Range) {
+#[must_use]
+pub fn height_picture(map: &Map<1>, diagonal: f64) -> (Picture, HeightRange) {
     let heights = map.texels.iter().map(|[height]| f64::from(*height));
     let minimum = heights.clone().fold(f64::INFINITY, f64::min);
     let maximum = heights.fold(f64::NEG_INFINITY, f64::max);
@@ -37,7 +49,7 @@ pub(super) fn of_heights(map: &Map<1>, diagonal: f64) -> (Picture, Range) {
     // The numbers of a map have single precision.
     let precision = f64::from(f32::EPSILON) * minimum.abs().max(maximum.abs());
     if extent <= precision.max(ROUNDING * diagonal) {
-        let range = Range {
+        let range = HeightRange {
             minimum,
             maximum: minimum,
         };
@@ -45,7 +57,7 @@ pub(super) fn of_heights(map: &Map<1>, diagonal: f64) -> (Picture, Range) {
     }
     let step = 65_535.0 / extent;
     let code = |[height]: [f32; 1]| ((f64::from(height) - minimum) * step).round() as u16;
-    (plane(map, code).into(), Range { minimum, maximum })
+    (plane(map, code).into(), HeightRange { minimum, maximum })
 }
 
 fn code(share: f32) -> u8 {
@@ -66,13 +78,13 @@ where
 mod tests {
     use super::*;
 
-    fn heights(texels: [f32; 2], diagonal: f64) -> (Vec<u16>, Range) {
+    fn heights(texels: [f32; 2], diagonal: f64) -> (Vec<u16>, HeightRange) {
         let map = Map {
             width: 2,
             height: 1,
             texels: texels.map(|height| [height]).to_vec(),
         };
-        let (picture, range) = of_heights(&map, diagonal);
+        let (picture, range) = height_picture(&map, diagonal);
         let Picture::Grey16(codes) = picture else {
             panic!("heights have 16 bits");
         };

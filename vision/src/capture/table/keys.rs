@@ -4,42 +4,75 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use ga_mesh::Mesh;
 use ga_runtime::cga3::Point;
 
-use super::points::Points;
+use super::points::PointTable;
 
 /// A point that drives the surface.
-#[derive(Clone, Copy)]
-pub(super) struct Key {
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
     /// The point, by its column in the table of points.
-    pub(super) point: usize,
+    pub point: usize,
     /// Where it is on the mesh.
-    pub(super) place: Point<f64>,
+    pub place: Point<f64>,
 }
 
 /// What is wrong with a table of keys.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum KeysError {
+#[non_exhaustive]
+pub enum KeyTableError {
+    /// The text is not CSV.
     #[error("{0}")]
     Csv(#[from] csv::Error),
+    /// The first line has other names.
     #[error("the first line must be `point,vertex` or `point,x,y,z`, not {0:?}")]
     Header(String),
+    /// There is no key.
     #[error("there are no keys")]
     Empty,
+    /// A name is not that of a point.
     #[error("line {line}: {name:?} is not the name of a point")]
-    NoPoint { line: u64, name: String },
+    NoPoint {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The name.
+        name: String,
+    },
+    /// Two keys have one point.
     #[error("line {line}: point {name:?} is there twice")]
-    Twice { line: u64, name: String },
+    Twice {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The name.
+        name: String,
+    },
+    /// A vertex is not one of the mesh.
     #[error("line {line}: {text:?} is not a vertex of the mesh, which are 0 to {last}")]
     Vertex {
+        /// The line in the file, from 1.
         line: u64,
+        /// The text of the field.
         text: String,
+        /// The last vertex of the mesh.
         last: usize,
     },
+    /// A coordinate is not a finite number.
     #[error("line {line}: {text:?} is not a finite number")]
-    Number { line: u64, text: String },
+    Number {
+        /// The line in the file, from 1.
+        line: u64,
+        /// The text of the field.
+        text: String,
+    },
 }
 
 /// The keys of a table with the columns `point,vertex` or `point,x,y,z`.
-pub(super) fn parse(bytes: &[u8], points: &Points, mesh: &Mesh) -> Result<Vec<Key>, KeysError> {
+///
+/// # Errors
+/// What is wrong with the table, with the line.
+pub fn parse_keys(
+    bytes: &[u8],
+    points: &PointTable,
+    mesh: &Mesh,
+) -> Result<Vec<Key>, KeyTableError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let header: Vec<_> = reader
@@ -51,7 +84,7 @@ pub(super) fn parse(bytes: &[u8], points: &Points, mesh: &Mesh) -> Result<Vec<Ke
     let by_vertex = match names[..] {
         ["point", "vertex"] => true,
         ["point", "x", "y", "z"] => false,
-        _ => return Err(KeysError::Header(header.join(","))),
+        _ => return Err(KeyTableError::Header(header.join(","))),
     };
     let mut keys: Vec<Key> = Vec::new();
     for record in reader.records() {
@@ -59,9 +92,9 @@ pub(super) fn parse(bytes: &[u8], points: &Points, mesh: &Mesh) -> Result<Vec<Ke
         let line = record.position().map_or(1, csv::Position::line);
         let name = || record[0].to_owned();
         let point = points.point(&record[0]);
-        let point = point.ok_or_else(|| KeysError::NoPoint { line, name: name() })?;
+        let point = point.ok_or_else(|| KeyTableError::NoPoint { line, name: name() })?;
         if keys.iter().any(|key| key.point == point) {
-            return Err(KeysError::Twice { line, name: name() });
+            return Err(KeyTableError::Twice { line, name: name() });
         }
         let place = match by_vertex {
             true => vertex(&record, line, mesh)?,
@@ -70,27 +103,27 @@ pub(super) fn parse(bytes: &[u8], points: &Points, mesh: &Mesh) -> Result<Vec<Ke
         keys.push(Key { point, place });
     }
     if keys.is_empty() {
-        return Err(KeysError::Empty);
+        return Err(KeyTableError::Empty);
     }
     Ok(keys)
 }
 
-fn vertex(record: &StringRecord, line: u64, mesh: &Mesh) -> Result<Point<f64>, KeysError> {
+fn vertex(record: &StringRecord, line: u64, mesh: &Mesh) -> Result<Point<f64>, KeyTableError> {
     let text = &record[1];
     let index = text.parse::<usize>().ok();
     let place = index.and_then(|index| mesh.positions().get(index));
-    place.copied().ok_or_else(|| KeysError::Vertex {
+    place.copied().ok_or_else(|| KeyTableError::Vertex {
         line,
         text: text.to_owned(),
         last: mesh.vertex_count().saturating_sub(1),
     })
 }
 
-fn place(record: &StringRecord, line: u64) -> Result<Point<f64>, KeysError> {
+fn place(record: &StringRecord, line: u64) -> Result<Point<f64>, KeyTableError> {
     let mut place = [0.0; 3];
     for (coordinate, text) in place.iter_mut().zip(record.iter().skip(1)) {
         let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
-        *coordinate = number.ok_or_else(|| KeysError::Number {
+        *coordinate = number.ok_or_else(|| KeyTableError::Number {
             line,
             text: text.to_owned(),
         })?;

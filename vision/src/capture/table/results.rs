@@ -1,18 +1,30 @@
 //! Poses, expressions and capture matrices as CSV.
 
-use anyhow::Result;
 use csv::Writer;
-use ga_vision::capture::CapturedFrame;
 
-use super::points::Points;
+use super::points::PointTable;
+use crate::capture::CapturedFrame;
 
 /// A number so that it reads back exactly.
 fn exact(number: f64) -> String {
     format!("{number:?}")
 }
 
+/// The bytes that were written.
+fn finished(writer: Writer<Vec<u8>>) -> Result<Vec<u8>, csv::Error> {
+    writer
+        .into_inner()
+        .map_err(|error| error.into_error().into())
+}
+
 /// A row for each frame, with the displacement of each point by the expression, in metres.
-pub(super) fn expressions(points: &Points, frames: &[CapturedFrame]) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// A name cannot be written as CSV.
+pub fn expressions_csv(
+    points: &PointTable,
+    frames: &[CapturedFrame],
+) -> Result<Vec<u8>, csv::Error> {
     let mut writer = Writer::from_writer(Vec::new());
     let has_time = points.frames[0].time.is_some();
     let mut header = vec!["frame".to_owned()];
@@ -29,11 +41,14 @@ pub(super) fn expressions(points: &Points, frames: &[CapturedFrame]) -> Result<V
         }
         writer.write_record(&record)?;
     }
-    Ok(writer.into_inner()?)
+    finished(writer)
 }
 
 /// A row for each frame, with the pose of the head.
-pub(super) fn poses(points: &Points, frames: &[CapturedFrame]) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// A name cannot be written as CSV.
+pub fn poses_csv(points: &PointTable, frames: &[CapturedFrame]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = Writer::from_writer(Vec::new());
     writer.write_record([
         "frame",
@@ -56,11 +71,14 @@ pub(super) fn poses(points: &Points, frames: &[CapturedFrame]) -> Result<Vec<u8>
         record.push(frame.pose.inliers.len().to_string());
         writer.write_record(&record)?;
     }
-    Ok(writer.into_inner()?)
+    finished(writer)
 }
 
 /// Four rows for each frame: the capture matrix, with empty fields for points that were not seen.
-pub(super) fn matrices(points: &Points, frames: &[CapturedFrame]) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// A name cannot be written as CSV.
+pub fn matrices_csv(points: &PointTable, frames: &[CapturedFrame]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = Writer::from_writer(Vec::new());
     let header = ["frame", "row"].into_iter();
     writer.write_record(header.chain(points.names.iter().map(String::as_str)))?;
@@ -75,5 +93,5 @@ pub(super) fn matrices(points: &Points, frames: &[CapturedFrame]) -> Result<Vec<
             writer.write_record(start.into_iter().chain(fields))?;
         }
     }
-    Ok(writer.into_inner()?)
+    finished(writer)
 }

@@ -1,0 +1,32 @@
+//! The words of a command, as a shell reads them.
+
+use std::ffi::OsStr;
+
+/// A command as one line. Words of file names that a shell would read otherwise are in quotes; the
+/// first word may be several, and is taken as it is.
+pub(crate) fn command_line<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
+    let words = words.into_iter().enumerate();
+    let words = words.map(|(place, word)| {
+        let word = word.to_string_lossy();
+        let is_plain = |c: char| c.is_alphanumeric() || "/.,:=@%+_-\\".contains(c);
+        match place == 0 || (!word.is_empty() && word.chars().all(is_plain)) {
+            true => word.into_owned(),
+            false => format!("'{}'", word.replace('\'', r"'\''")),
+        }
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::command_line;
+
+    #[test]
+    fn names_with_spaces_are_in_quotes() {
+        let words = ["nullcone mesh info", "a/b-1.obj", "my mesh.obj", "it's"];
+        assert_eq!(
+            command_line(words.map(AsRef::as_ref)),
+            r"nullcone mesh info a/b-1.obj 'my mesh.obj' 'it'\''s'"
+        );
+    }
+}
