@@ -15,7 +15,7 @@ use serde::Serialize;
 pub(crate) use context::{Context, Options};
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
-pub(crate) use warning::{Warning, print as print_warnings};
+pub(crate) use warning::Warning;
 
 use crate::output;
 use crate::page::Page;
