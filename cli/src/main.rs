@@ -116,8 +116,8 @@ fn main() -> ExitCode {
 fn run(command: &Command, context: &Context) -> Result<ExitCode> {
     let quiet = context.is_quiet();
     match command {
-        Command::Demo(arguments) => frame::unframed(demo::run(arguments, quiet)),
-        Command::Animate(arguments) => frame::unframed(animate::run(arguments, quiet)),
+        Command::Demo(arguments) => frame::run(arguments, context),
+        Command::Animate(arguments) => frame::run(arguments, context),
         Command::Body(arguments) => body::run(arguments, context),
         Command::Capture(arguments) => frame::unframed(capture::run(arguments, quiet)),
         Command::Expand(arguments) => frame::unframed(expand::run(arguments)),
