@@ -21,6 +21,7 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     .none{background:#ececf0;color:#555}";
 
 /// A page to which parts are added from the top to the bottom. Text may have any characters.
+#[derive(Clone, Debug)]
 pub(crate) struct Page {
     html: String,
 }

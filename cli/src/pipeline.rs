@@ -15,8 +15,8 @@ use crate::output::{self, File};
 use crate::overlay::{Overlay, OverlayArguments};
 use crate::report::{AnimationReport, FigureReport, FileReport, Input, Report, Tool};
 use crate::storyboard::Storyboard;
-use crate::two_views::TwoViews;
 use crate::summary::{Performed, Written};
+use crate::two_views::TwoViews;
 use crate::{model, sheet};
 
 /// How many steps [`perform`] reports as progress.

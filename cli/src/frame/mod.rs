@@ -13,6 +13,7 @@ use anyhow::{Error, Result};
 use serde::Serialize;
 
 pub(crate) use context::{Context, Options};
+pub(crate) use page::of as plain_page;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::Warning;

@@ -123,6 +123,20 @@ impl Summary {
         // They are in the order of the declaration.
         &self.rows[dimension as usize]
     }
+
+    /// The worst level of any frame in the quantities that strain the eyes, which are all but
+    /// [`Dimension::WeakDepth`]; `None` where none of these has a score.
+    #[must_use]
+    pub fn strain(&self) -> Option<Level> {
+        let strains = |dimension: &Dimension| *dimension != Dimension::WeakDepth;
+        let rows = Dimension::ALL.into_iter().filter(strains);
+        let levels = rows.flat_map(|dimension| {
+            let all = [Level::Green, Level::Orange, Level::Red];
+            all.into_iter().zip(self.row(dimension).levels)
+        });
+        let found = levels.filter(|(_, frames)| *frames > 0);
+        found.map(|(level, _)| level).max()
+    }
 }
 
 /// What a verdict means to those who make a video.

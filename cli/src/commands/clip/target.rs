@@ -77,7 +77,9 @@ pub(super) fn check<P: AsRef<Path>>(
     out: &Path,
     context: &Context,
 ) -> Result<()> {
-    context.files(motions)?.write("--out", out, &[Format::Clip])?;
+    context
+        .files(motions)?
+        .write("--out", out, &[Format::Clip])?;
     Ok(())
 }
 

@@ -11,11 +11,20 @@ mod thumbnail;
 mod verdict;
 mod words;
 
-use ga_video::comfort::{FrameMeasures, Record, Timeline, Viewing};
+use ga_video::comfort::{Dimension, FrameMeasures, Level, Record, Timeline, Viewing};
 use ga_video::{Frame, Properties};
 
 use crate::commands::video::input::rate;
 use moments::Moments;
+
+/// Whether `nullcone video align` removes something that strains the eyes in a frame.
+pub(super) fn can_align(record: &Record, viewing: &Viewing) -> bool {
+    Dimension::ALL.into_iter().any(|dimension| {
+        let score = record.row(dimension).score;
+        let strains = score.is_ok_and(|score| score.level() != Level::Green);
+        strains && words::can_align(record, dimension, viewing)
+    })
+}
 
 /// What the page says of the video besides measurements.
 pub(super) struct About {

@@ -12,17 +12,17 @@ use crate::page::{Cell, Page, Tint};
 
 impl Report {
     /// The page. `failure` says why the video could not be read further.
-    pub(in crate::commands::video::comfort) fn html(
+    pub(in crate::commands::video::comfort) fn page(
         &self,
         summary: &Summary,
         failure: Option<&str>,
-    ) -> Result<String> {
-        html(self, summary, failure)
+    ) -> Result<Page> {
+        page(self, summary, failure)
     }
 }
 
 /// The page of a report; `failure` says why the video could not be read further.
-fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<String> {
+fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Page> {
     let about = &report.about;
     let viewing = &about.viewing;
     let rate = report.rate(summary.frames);
@@ -100,7 +100,7 @@ fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Str
         "′ is an arc minute, the sixtieth part of a degree, at the eye of the viewer. Times are \
          hours:minutes:seconds:frames; frames are counted from 0.",
     );
-    Ok(page.into_html())
+    Ok(page)
 }
 
 /// The command that removes what can be removed.
