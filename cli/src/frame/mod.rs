@@ -19,7 +19,7 @@ pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::Warning;
 
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// A command with its arguments.
 pub(crate) trait Command {

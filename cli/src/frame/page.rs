@@ -4,7 +4,7 @@ use anyhow::Result;
 use serde_json::Value;
 
 use super::{Report, Verdict};
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// A page with verdict, warnings, text, and a table of the values that the text may round.
 pub(crate) fn of(report: &impl Report, title: &str) -> Result<Page> {

@@ -1,7 +1,7 @@
 //! What is said of a whole video.
 
 use super::stereoscopy::Stereoscopy;
-use super::{Dimension, Level, Missing, Record, Row};
+use super::{Dimension, Level, Missing, Record, Row, Score};
 
 /// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only,
 /// so that a video may be of any length.
@@ -75,6 +75,14 @@ impl RowSummary {
             sum: f64::from(score.number()),
             raw_sum: raw,
         });
+    }
+
+    /// The level of [`mean_score`](Self::mean_score).
+    #[must_use]
+    pub fn mean_level(&self) -> Option<Level> {
+        // A cast from float saturates.
+        let level = |mean: f64| Score::new(mean.round() as u8).level();
+        self.mean_score().map(level)
     }
 
     /// Adds later frames.

@@ -15,7 +15,7 @@ use super::{page, plot, sheet};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// Find cuts, dissolves, fades, shots and key frames of a video.
 ///

@@ -5,7 +5,7 @@ use anyhow::{Error, Result};
 use super::input::Analysed;
 use super::plot;
 use super::report::Report;
-use crate::page::Page;
+use ga_draw::document::Page;
 use ga_video::keyframe::scenes::timecode;
 use ga_video::keyframe::statistics::Statistics;
 

@@ -24,7 +24,7 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 use report::{PictureReport, VideoReport};
 
 impl Command for Arguments {

@@ -5,7 +5,7 @@ use ga_video::quality::FrameQuality;
 
 use super::report::{POOLED, PictureReport, Row, VideoReport};
 use super::{Arguments, plot};
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// How many of the frames that differ most are listed.
 const WORST: usize = 5;

@@ -17,7 +17,7 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 use report::{AgainstReport, CurveReport, Report};
 use table::Table;
 

@@ -3,7 +3,7 @@
 use super::Arguments;
 use super::report::Report;
 use crate::output::percent;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// The scores with the curves, what the measure is worth, and the curves.
 pub(super) fn of(arguments: &Arguments, report: &Report, svg: &str) -> Page {

@@ -18,7 +18,7 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 use report::{
     AgreementReport, DifferenceReport, OpinionReport, QuestionReport, Report, ScreeningReport,
     number,

@@ -3,7 +3,7 @@
 use super::Arguments;
 use super::report::{OpinionReport, Report, number};
 use crate::output::percent;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// The charts, the opinions about each question, agreement and screening.
 pub(super) fn of(arguments: &Arguments, report: &Report, svg: &str) -> Page {

@@ -11,7 +11,6 @@ use ga_video::stereo::{Layout, StereoSource, joined};
 use ga_video::{Frame, Samples};
 use serde::Serialize;
 
-use super::super::input::mean_rate;
 use super::input;
 use super::input::LayoutName;
 use crate::format::Format;
@@ -194,9 +193,8 @@ fn write(
 ) -> Result<()> {
     let properties = *source.properties();
     let (frames, last_seconds) = plan.source_frames();
-    let stated = properties.frames_per_second;
     let film = Film {
-        frames_per_second: stated.unwrap_or_else(|| mean_rate(frames, last_seconds)),
+        frames_per_second: properties.rate(frames, last_seconds),
         sampling: properties.sampling,
         colours: properties.colours,
     };

@@ -3,7 +3,6 @@
 pub(super) mod align;
 mod input;
 mod line;
-mod report;
 mod table;
 
 use std::path::PathBuf;
@@ -11,6 +10,7 @@ use std::path::PathBuf;
 use anyhow::{Error, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_video::comfort::monitor::{Options, observe};
+use ga_video::comfort::report::{self, About, Report};
 use ga_video::comfort::{FrameMeasures, Level, Observer, Record, Summary, Viewing};
 use ga_video::{Frame, Properties};
 use serde::Serialize;
@@ -18,10 +18,9 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict};
 use crate::output;
-use crate::page::Page;
 use crate::shell::quoted;
+use ga_draw::document::Page;
 use input::LayoutName;
-use report::{About, Report};
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
 ///

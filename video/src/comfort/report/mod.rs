@@ -1,4 +1,8 @@
-//! The report of the comfort of a video as a page that needs no other file.
+//! The report of the comfort of a video as a page that needs no other file: what is good and what to
+//! mend first, all scores over time, the depth budget, and the worst moments as pictures.
+//!
+//! A [`Report`] is told of each frame while the video is read, as by an
+//! [`Observer`](crate::comfort::Observer).
 
 mod axis;
 mod depth;
@@ -11,14 +15,14 @@ mod thumbnail;
 mod verdict;
 mod words;
 
-use ga_video::comfort::{Dimension, FrameMeasures, Level, Record, Timeline, Viewing};
-use ga_video::{Frame, Properties};
+use crate::comfort::{Dimension, FrameMeasures, Level, Record, Timeline, Viewing};
+use crate::{Frame, Properties};
 
-use crate::commands::video::input::rate;
 use moments::Moments;
 
 /// Whether `nullcone video align` removes something that strains the eyes in a frame.
-pub(super) fn can_align(record: &Record, viewing: &Viewing) -> bool {
+#[must_use]
+pub fn can_align(record: &Record, viewing: &Viewing) -> bool {
     Dimension::ALL.into_iter().any(|dimension| {
         let score = record.row(dimension).score;
         let strains = score.is_ok_and(|score| score.level() != Level::Green);
@@ -27,18 +31,21 @@ pub(super) fn can_align(record: &Record, viewing: &Viewing) -> bool {
 }
 
 /// What the page says of the video besides measurements.
-pub(super) struct About {
+#[derive(Clone, Debug)]
+pub struct About {
     /// The names of the files.
-    pub(super) title: String,
+    pub title: String,
     /// The command that removes what can be removed; `None` for standard input.
-    pub(super) align: Option<String>,
+    pub align: Option<String>,
     /// Of each view.
-    pub(super) properties: Properties,
-    pub(super) viewing: Viewing,
+    pub properties: Properties,
+    /// Where the viewers sit.
+    pub viewing: Viewing,
 }
 
 /// What is gathered while a video is read. Memory does not depend on its length.
-pub(super) struct Report {
+#[derive(Debug)]
+pub struct Report {
     about: About,
     timeline: Timeline,
     moments: Moments,
@@ -46,7 +53,9 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn new(about: About) -> Self {
+    /// Of no frame yet.
+    #[must_use]
+    pub fn new(about: About) -> Self {
         Self {
             timeline: Timeline::default(),
             moments: Moments::new(about.viewing),
@@ -55,11 +64,13 @@ impl Report {
         }
     }
 
-    pub(super) fn measured(&mut self, views: &[Frame; 2], measures: &FrameMeasures) {
+    /// Keeps the views of a frame until it is known whether they are shown.
+    pub fn measured(&mut self, views: &[Frame; 2], measures: &FrameMeasures) {
         self.moments.measured(views, measures);
     }
 
-    pub(super) fn complete(&mut self, record: Record) {
+    /// Adds a frame.
+    pub fn complete(&mut self, record: Record) {
         self.timeline.add(&record);
         self.last_seconds = record.time_seconds;
         self.moments.complete(record);
@@ -67,6 +78,6 @@ impl Report {
 
     /// Frames in a second.
     fn rate(&self, frames: usize) -> [u32; 2] {
-        rate(&self.about.properties, frames, self.last_seconds)
+        self.about.properties.rate(frames, self.last_seconds)
     }
 }
