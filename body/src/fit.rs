@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::chain::{Chain, State};
 use super::clip::{self, tracks};
 use super::descent::{Found, Search, descend, log_determinant};
-use super::likelihood::{Likelihood, Near, Observed};
+use super::likelihood::{Likelihood, Near, OUTLIER, Observed};
 use super::start::{Links, Start, WRONG, starts};
 use super::{BodyModel, Observation};
 use ga_camera::Camera;
@@ -30,9 +30,6 @@ const DRAWN: Search = Search {
     tolerance: 0.1,
 };
 const TO_PLACES: Search = Search { steps: 2, ..DRAWN };
-/// The distance from its pixel, in standard deviations, from which on a point counts less. One in
-/// ninety is as far away by Gaussian noise.
-const OUTLIER: f64 = 3.0;
 /// How many places of the points are drawn from which a fit begins.
 const SAMPLES: usize = 12;
 /// Frames of a clip within this time, in seconds, show one pose, for which rest counts once.

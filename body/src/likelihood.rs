@@ -10,6 +10,10 @@ use super::{JointPixel, Observation};
 use ga_camera::Camera;
 use ga_numerics::least_squares::Loss;
 
+/// The distance from its pixel, in standard deviations, from which on a point counts less. One in
+/// ninety is as far away by Gaussian noise.
+pub const OUTLIER: f64 = 3.0;
+
 /// The likelihood of the poses of a body in front of cameras.
 #[derive(Clone, Debug)]
 pub(super) struct Likelihood<'a> {

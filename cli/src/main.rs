@@ -17,18 +17,18 @@ mod frame;
 mod interruption;
 mod mesh_file;
 mod model;
+mod motion_file;
 mod output;
 mod overlay;
-mod page;
 mod pipeline;
 mod recording;
 mod report;
 mod rotation;
 mod sheet;
+mod shell;
 mod standard_output;
 mod storyboard;
 mod summary;
-mod svg;
 mod two_views;
 mod view;
 mod view_files;
@@ -116,8 +116,8 @@ fn main() -> ExitCode {
 fn run(command: &Command, context: &Context) -> Result<ExitCode> {
     let quiet = context.is_quiet();
     match command {
-        Command::Demo(arguments) => frame::unframed(demo::run(arguments, quiet)),
-        Command::Animate(arguments) => frame::unframed(animate::run(arguments, quiet)),
+        Command::Demo(arguments) => frame::run(arguments, context),
+        Command::Animate(arguments) => frame::run(arguments, context),
         Command::Body(arguments) => body::run(arguments, context),
         Command::Capture(arguments) => frame::run(arguments, context),
         Command::Expand(arguments) => frame::run(arguments, context),

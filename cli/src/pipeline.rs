@@ -15,8 +15,9 @@ use crate::output::{self, File};
 use crate::overlay::{Overlay, OverlayArguments};
 use crate::report::{AnimationReport, FigureReport, FileReport, Input, Report, Tool};
 use crate::storyboard::Storyboard;
+use crate::summary::{Performed, Written};
 use crate::two_views::TwoViews;
-use crate::{model, sheet, summary};
+use crate::{model, sheet};
 
 /// How many steps [`perform`] reports as progress.
 pub(crate) const STEPS: u64 = 5;
@@ -67,14 +68,13 @@ pub(crate) struct Performance {
     pub(crate) in_between_deviation: Option<f64>,
 }
 
-/// Computes everything, then writes everything, then prints a summary.
+/// Computes everything, then writes everything.
 pub(crate) fn perform(
     performance: &Performance,
     arguments: &OutputArguments,
-    progress: Progress,
+    progress: &Progress,
     begin: Instant,
-    quiet: bool,
-) -> Result<()> {
+) -> Result<Performed> {
     let Performance { figure, clip, .. } = performance;
     let overlay = Overlay::new(figure, clip, &arguments.overlay)?;
     progress.step("measuring the motion");
@@ -131,16 +131,12 @@ pub(crate) fn perform(
         .iter()
         .map(|(path, contents)| (path.to_path_buf(), contents));
     output::write_together(in_folder.chain(beside))?;
-    drop(progress);
-    if !quiet {
-        let mut written: Vec<(PathBuf, usize)> = files
-            .iter()
-            .map(|file| (arguments.out.join(file.name), file.contents.len()))
-            .collect();
-        written.extend(film.map(|(path, contents)| (path.clone(), contents.len())));
-        summary::print(&report, &written, begin.elapsed())?;
-    }
-    Ok(())
+    let written = files
+        .iter()
+        .map(|file| Written::new(arguments.out.join(file.name), &file.contents));
+    let film = film.map(|(path, contents)| Written::new(path.clone(), &contents));
+    let written = written.chain(film).collect();
+    Ok(Performed::new(report, written, begin.elapsed()))
 }
 
 fn report(

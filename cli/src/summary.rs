@@ -4,38 +4,75 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use anyhow::{Context, Result};
+use serde::Serialize;
 
-use crate::output;
+use crate::frame::{self, Warning};
 use crate::report::Report;
 
-/// Prints where everything was written and the main results. It is not an error when the reader of
-/// standard output closes it early.
-pub(crate) fn print(report: &Report, files: &[(PathBuf, usize)], elapsed: Duration) -> Result<()> {
-    let text = text(report, files, elapsed);
-    output::print(&text).context("the files are written, but the summary cannot be printed")
+/// A motion that was written, and where.
+#[derive(Debug, Serialize)]
+pub(crate) struct Performed {
+    #[serde(flatten)]
+    report: Report,
+    written: Vec<Written>,
+    seconds: f64,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
-fn text(report: &Report, files: &[(PathBuf, usize)], elapsed: Duration) -> String {
-    let mut text = String::new();
-    // Writing to a String cannot fail.
-    let _ = write_to(&mut text, report, files, elapsed);
-    text
+/// A file that was written.
+#[derive(Debug, Serialize)]
+pub(crate) struct Written {
+    file: String,
+    bytes: usize,
 }
 
-fn write_to(
-    text: &mut String,
-    report: &Report,
-    files: &[(PathBuf, usize)],
-    elapsed: Duration,
-) -> std::fmt::Result {
-    write_input(text, report)?;
-    write_checks(text, report)?;
-    for (index, (path, bytes)) in files.iter().enumerate() {
-        let label = if index == 0 { "wrote" } else { "" };
-        writeln!(text, "{label:10} {}, {}", path.display(), size(*bytes))?;
+impl Written {
+    pub(crate) fn new(path: PathBuf, contents: &[u8]) -> Self {
+        Self {
+            file: path.display().to_string(),
+            bytes: contents.len(),
+        }
     }
-    writeln!(text, "took       {:.1} s", elapsed.as_secs_f64())
+}
+
+impl Performed {
+    pub(crate) fn new(report: Report, written: Vec<Written>, elapsed: Duration) -> Self {
+        Self {
+            report,
+            written,
+            seconds: elapsed.as_secs_f64(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// With what is unusual about the input.
+    pub(crate) fn with_warnings(self, warnings: Vec<Warning>) -> Self {
+        Self { warnings, ..self }
+    }
+
+    fn write_to(&self, text: &mut String) -> std::fmt::Result {
+        write_input(text, &self.report)?;
+        write_checks(text, &self.report)?;
+        for (index, Written { file, bytes }) in self.written.iter().enumerate() {
+            let label = if index == 0 { "wrote" } else { "" };
+            writeln!(text, "{label:10} {file}, {}", size(*bytes))?;
+        }
+        writeln!(text, "took       {:.1} s", self.seconds)
+    }
+}
+
+impl frame::Report for Performed {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = self.write_to(&mut text);
+        text
+    }
 }
 
 /// The figure and its motion.

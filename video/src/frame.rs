@@ -55,6 +55,33 @@ pub struct Properties {
     pub frame_count: Option<usize>,
 }
 
+impl Properties {
+    /// Frames in a second as numerator and denominator: as stated, or the
+    /// [mean](Self::mean_rate) of a number of frames.
+    #[must_use]
+    pub fn rate(&self, frames: usize, last_seconds: f64) -> [u32; 2] {
+        let of_times = || Self::mean_rate(frames, last_seconds);
+        self.frames_per_second.unwrap_or_else(of_times)
+    }
+
+    /// Frames in a second as numerator and denominator, where the last of a number of frames begins
+    /// at this time; 25 where they do not show it.
+    ///
+    /// ```
+    /// assert_eq!(ga_video::Properties::mean_rate(31, 1.0), [30_000, 1000]);
+    /// assert_eq!(ga_video::Properties::mean_rate(1, 0.0), [25, 1]);
+    /// ```
+    #[must_use]
+    pub fn mean_rate(frames: usize, last_seconds: f64) -> [u32; 2] {
+        let rate = (frames.saturating_sub(1)) as f64 / last_seconds;
+        // A cast from float saturates.
+        match rate.is_finite() && rate > 0.0 {
+            true => [(1000.0 * rate).round() as u32, 1000],
+            false => [25, 1],
+        }
+    }
+}
+
 impl Frame {
     /// The frame in red, green and blue, for people to look at. Each pixel takes the stored colour
     /// differences of the square or pair to which it belongs, without interpolation; a grey video

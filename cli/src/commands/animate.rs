@@ -3,26 +3,29 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail, ensure};
-use ga_anim::bvh::{self, Bvh};
+use anyhow::{Context as _, Result, bail, ensure};
+use ga_anim::bvh::Bvh;
 use ga_anim::clip::Clip;
 use ga_anim::retarget::{FootLocking, JointMap, Retarget, Soles};
 
 use crate::checks::distance;
 use crate::figure::Figure;
 use crate::figure_file;
-use crate::files::Files;
-use crate::frame::Progress;
+use crate::frame::{Command, Context};
+use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::recording::begins_with_calibration;
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, Storyboard};
+use crate::summary::Performed;
 
 /// Animate your own figure with a recorded motion.
 ///
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
 /// weights and the motion), sheet.png (key frames at four places of the range with three
 /// in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
+/// --json prints what report.json holds, with the paths of the files as "written" and the time that
+/// it took as "seconds".
 ///
 /// Motion and rig are matched by the names of their joints: equal names, and the usual names of
 /// Mixamo, MakeHuman, CMU, 3ds Max Biped, and such as `UpperLeg_L`. With --map, they are matched by
@@ -118,21 +121,25 @@ impl Arguments {
     }
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Performed;
+
+    fn run(&self, context: &Context) -> Result<Performed> {
+        animate(self, context)
+    }
+}
+
+fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let begin = Instant::now();
     check_numbers(arguments)?;
-    arguments.output.check(Files::reading(arguments.inputs()))?;
-    let progress = Progress::new(pipeline::STEPS + 3, quiet);
+    arguments.output.check(context.files(arguments.inputs())?)?;
+    let progress = context.progress(pipeline::STEPS + 3);
     progress.step("reading the figure");
     let (figure, group) = figure(arguments)?;
     let figure = smoothed(figure, arguments.smooth_weights)?;
     progress.step("reading the motion");
-    let motion = bvh::read(&arguments.motion)?;
-    if !quiet {
-        for warning in motion.warnings() {
-            eprintln!("warning: {}: {warning}", arguments.motion.display());
-        }
-    }
+    let mut warnings = Vec::new();
+    let motion = motion_file::read(&arguments.motion, &mut warnings)?;
     progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
     let retargeted = retarget(arguments, &figure, &motion, range)?;
@@ -183,7 +190,8 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         clip,
         clip_name: figure_file::stem(&arguments.motion),
     };
-    perform(&performance, &arguments.output, progress, begin, quiet)
+    let performed = perform(&performance, &arguments.output, &progress, begin)?;
+    Ok(performed.with_warnings(warnings))
 }
 
 fn check_numbers(arguments: &Arguments) -> Result<()> {

@@ -1,23 +1,25 @@
 //! `nullcone demo`: a figure and a walk that the program generates.
 
+use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 use crate::figure::Figure;
-use crate::files::Files;
-use crate::frame::Progress;
+use crate::frame::{Command, Context};
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::report::{Input, MotionInput};
 use crate::storyboard::{self, Numbering, STEPS, Storyboard};
+use crate::summary::Performed;
 
 /// Generate a person that walks; needs no input.
 ///
 /// Writes model.obj (the mesh at rest) with model.mtl and skin.png (its painted skin), model.glb
 /// (mesh, painted skin, skeleton, skin weights and the walk), sheet.png (the key frames of a stride
 /// with three in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y
-/// points up.
+/// points up. --json prints what report.json holds, with the paths of the files as "written" and
+/// the time that it took as "seconds".
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -30,10 +32,19 @@ const STRIDES: u16 = 2;
 /// Rows and columns of the painted skin.
 const TEXTURE_SIZE: usize = 1024;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Performed;
+
+    fn run(&self, context: &Context) -> Result<Performed> {
+        walking_person(self, context)
+    }
+}
+
+fn walking_person(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let begin = Instant::now();
-    arguments.output.check(Files::default())?;
-    let progress = Progress::new(pipeline::STEPS + 1, quiet);
+    let no_inputs: [&Path; 0] = [];
+    arguments.output.check(context.files(no_inputs)?)?;
+    let progress = context.progress(pipeline::STEPS + 1);
     progress.step("making a person");
     let human = Human::new();
     let paint = human.texture(TEXTURE_SIZE);
@@ -92,5 +103,5 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         ),
         in_between_deviation: None,
     };
-    perform(&performance, &arguments.output, progress, begin, quiet)
+    perform(&performance, &arguments.output, &progress, begin)
 }

@@ -15,12 +15,13 @@ use serde::Serialize;
 
 pub(crate) use context::{Context, Options};
 pub(crate) use next::command_line;
+pub(crate) use page::of as plain_page;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
-pub(crate) use warning::{Warning, print as print_warnings};
+pub(crate) use warning::Warning;
 
 use crate::output;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// A command with its arguments.
 pub(crate) trait Command {

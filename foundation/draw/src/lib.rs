@@ -82,6 +82,7 @@
 
 mod camera;
 mod colour;
+pub mod document;
 mod escape;
 mod extent;
 mod file;

@@ -23,6 +23,7 @@ mod order;
 mod parallax;
 mod photometry;
 mod record;
+pub mod report;
 mod row;
 mod scale;
 mod sharpness;

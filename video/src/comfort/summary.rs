@@ -1,7 +1,7 @@
 //! What is said of a whole video.
 
 use super::stereoscopy::Stereoscopy;
-use super::{Dimension, Level, Missing, Record, Row};
+use super::{Dimension, Level, Missing, Record, Row, Score};
 
 /// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only,
 /// so that a video may be of any length.
@@ -77,6 +77,14 @@ impl RowSummary {
         });
     }
 
+    /// The level of [`mean_score`](Self::mean_score).
+    #[must_use]
+    pub fn mean_level(&self) -> Option<Level> {
+        // A cast from float saturates.
+        let level = |mean: f64| Score::new(mean.round() as u8).level();
+        self.mean_score().map(level)
+    }
+
     /// Adds later frames.
     fn merge(&mut self, later: &Self) {
         self.scored += later.scored;
@@ -122,6 +130,20 @@ impl Summary {
     pub fn row(&self, dimension: Dimension) -> &RowSummary {
         // They are in the order of the declaration.
         &self.rows[dimension as usize]
+    }
+
+    /// The worst level of any frame in the quantities that strain the eyes, which are all but
+    /// [`Dimension::WeakDepth`]; `None` where none of these has a score.
+    #[must_use]
+    pub fn strain(&self) -> Option<Level> {
+        let strains = |dimension: &Dimension| *dimension != Dimension::WeakDepth;
+        let rows = Dimension::ALL.into_iter().filter(strains);
+        let levels = rows.flat_map(|dimension| {
+            let all = [Level::Green, Level::Orange, Level::Red];
+            all.into_iter().zip(self.row(dimension).levels)
+        });
+        let found = levels.filter(|(_, frames)| *frames > 0);
+        found.map(|(level, _)| level).max()
     }
 }
 

@@ -24,9 +24,8 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Fit(arguments) => frame::unframed(fit::run(arguments, quiet)),
-        Command::Evaluate(arguments) => frame::unframed(evaluate::run(arguments, quiet)),
+        Command::Fit(arguments) => frame::run(arguments, context),
+        Command::Evaluate(arguments) => frame::run(arguments, context),
     }
 }

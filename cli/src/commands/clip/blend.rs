@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_anim::recording::{Recording, blend};
 
 use super::input::{Kind, MotionArguments};
-use super::target::TargetArguments;
-use crate::frame::Progress;
+use super::target::{Report, TargetArguments};
+use crate::frame::{Command, Context};
 
 /// Write the mean of motions of the same joints, each with a weight.
 ///
@@ -64,42 +64,48 @@ pub(crate) struct Arguments {
     target: TargetArguments,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let Arguments {
-        motions,
-        weights,
-        target,
-        ..
-    } = arguments;
-    target.check(motions)?;
-    ensure!(
-        weights.len() == motions.len(),
-        "--weights: {} weights for {} motions",
-        weights.len(),
-        motions.len()
-    );
-    let units = of_each("--metres-per-unit", &arguments.metres_per_unit, motions)?;
-    let animations = of_each("--animation", &arguments.animation, motions)?;
-    let progress = Progress::new(100, quiet);
-    progress.step("reading the motions");
-    let mut recordings = Vec::with_capacity(motions.len());
-    let mut settings = None;
-    for ((path, unit), animation) in motions.iter().zip(units).zip(animations) {
-        // One value for all motions is for those to which it applies.
-        let (unit, animation) = match Kind::of(path)? {
-            Kind::Bvh => (Some(unit), None),
-            Kind::Gltf => (Some(unit), Some(animation)),
-            Kind::Clip => (None, None),
-        };
-        let motion = MotionArguments::new(path, unit, animation);
-        let (recording, of_motion) = motion.any_recording(quiet)?;
-        recordings.push(recording);
-        settings.get_or_insert(of_motion);
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let Self {
+            motions,
+            weights,
+            target,
+            ..
+        } = self;
+        target.check(motions, context)?;
+        ensure!(
+            weights.len() == motions.len(),
+            "--weights: {} weights for {} motions",
+            weights.len(),
+            motions.len()
+        );
+        let units = of_each("--metres-per-unit", &self.metres_per_unit, motions)?;
+        let animations = of_each("--animation", &self.animation, motions)?;
+        let progress = context.progress(100);
+        progress.step("reading the motions");
+        let mut recordings = Vec::with_capacity(motions.len());
+        let (mut settings, mut warnings) = (None, Vec::new());
+        for ((path, unit), animation) in motions.iter().zip(units).zip(animations) {
+            // One value for all motions is for those to which it applies.
+            let (unit, animation) = match Kind::of(path)? {
+                Kind::Bvh => (Some(unit), None),
+                Kind::Gltf => (Some(unit), Some(animation)),
+                Kind::Clip => (None, None),
+            };
+            let motion = MotionArguments::new(path, unit, animation);
+            let (recording, of_motion) = motion.any_recording(&mut warnings)?;
+            recordings.push(recording);
+            settings.get_or_insert(of_motion);
+        }
+        let weighted = recordings.iter().zip(weights.iter().copied());
+        let weighted: Vec<(&Recording, f64)> = weighted.collect();
+        let file = names(motions);
+        let mean = blend(&weighted).with_context(|| file.clone())?;
+        let settings = settings.unwrap_or_default();
+        target.write(&mean, file, settings, &progress, warnings)
     }
-    let weighted: Vec<(&Recording, f64)> = recordings.iter().zip(weights.iter().copied()).collect();
-    let file = names(motions);
-    let mean = blend(&weighted).with_context(|| file.clone())?;
-    target.write(&mean, file, settings.unwrap_or_default(), progress, quiet)
 }
 
 /// One value for each motion, where there is one for all or one for each.

@@ -7,8 +7,8 @@ use ga_anim::clip::compressed::Settings;
 use ga_anim::recording::Recording;
 
 use super::input::{Kind, MotionArguments, vertices};
-use super::target::{self, OwnBound};
-use crate::frame::Progress;
+use super::target::{self, OwnBound, Report};
+use crate::frame::{Command, Context};
 
 /// Compress a recording so that a bound on its error holds on every frame.
 ///
@@ -68,36 +68,35 @@ pub(crate) struct Arguments {
     /// The clip to be written.
     #[arg(long, value_name = "FILE.clip")]
     out: PathBuf,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let file = arguments.motion.file();
-    target::check([arguments.motion.path()], &arguments.out, arguments.json)?;
-    let progress = Progress::new(100, quiet);
-    progress.step("reading the motion");
-    let recording = arguments.motion.recording(quiet)?;
-    let mut settings = Settings {
-        tolerance: arguments.tolerance,
-        shell: arguments.shell,
-        track_tolerance: arguments.track_tolerance,
-        joints: Vec::new(),
-    };
-    target::add_bounds(&mut settings, &arguments.joints, &recording, &file)?;
-    let deviation = leave_for_deviation(&mut settings, &arguments.motion, &recording)?;
-    let mesh_vertices = || -> Result<Option<u64>> {
-        match (arguments.mesh_vertices, arguments.motion.kind()?) {
-            (None, Kind::Gltf) => Ok(Some(vertices(&arguments.motion.document()?))),
-            (vertices, _) => Ok(vertices),
-        }
-    };
-    let out = &arguments.out;
-    let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
-    drop(progress);
-    let report = report.with_deviation(deviation);
-    report.print(arguments.json, quiet)
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let (motion, file, out) = (&self.motion, self.motion.file(), &self.out);
+        target::check([motion.path()], out, context)?;
+        let progress = context.progress(100);
+        progress.step("reading the motion");
+        let mut warnings = Vec::new();
+        let recording = motion.recording(&mut warnings)?;
+        let mut settings = Settings {
+            tolerance: self.tolerance,
+            shell: self.shell,
+            track_tolerance: self.track_tolerance,
+            joints: Vec::new(),
+        };
+        target::add_bounds(&mut settings, &self.joints, &recording, &file)?;
+        let deviation = leave_for_deviation(&mut settings, motion, &recording)?;
+        let mesh_vertices = || -> Result<Option<u64>> {
+            match (self.mesh_vertices, motion.kind()?) {
+                (None, Kind::Gltf) => Ok(Some(vertices(&motion.document()?))),
+                (vertices, _) => Ok(vertices),
+            }
+        };
+        let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
+        Ok(report.with_deviation(deviation).with_warnings(warnings))
+    }
 }
 
 /// How far the recording is from a glTF document, by which the tolerances become smaller, so that

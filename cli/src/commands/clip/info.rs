@@ -1,14 +1,14 @@
 //! `nullcone clip info`: what a compressed clip consists of.
 
 use std::hint::black_box;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::Result;
 use ga_anim::clip::compressed::{CompressedClip, Sampler};
 use serde::Serialize;
 
-use crate::output;
+use crate::frame::{self, Command, Context};
 
 /// Say what a compressed clip consists of, and how small and fast it is.
 ///
@@ -30,19 +30,15 @@ pub(crate) struct Arguments {
     /// How many vertices the mesh has that the clip moves, to compare with frames stored as meshes.
     #[arg(long, value_name = "N")]
     mesh_vertices: Option<u64>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Result<()> {
-    let clip = CompressedClip::read(&arguments.clip)?;
-    let info = Info::new(&clip, arguments.mesh_vertices);
-    if arguments.json {
-        output::print_json(&info)
-    } else {
-        let name = arguments.clip.display();
-        output::print(&format!("{name}: {}", info.lines()))
+impl Command for Arguments {
+    type Report = Info;
+
+    fn run(&self, context: &Context) -> Result<Info> {
+        context.files([&self.clip])?;
+        let clip = CompressedClip::read(&self.clip)?;
+        Ok(Info::new(&self.clip, &clip, self.mesh_vertices))
     }
 }
 
@@ -148,7 +144,8 @@ fn rate(clip: &CompressedClip) -> f64 {
 
 /// What is said about a clip.
 #[derive(Debug, Serialize)]
-struct Info {
+pub(crate) struct Info {
+    file: String,
     #[serde(flatten)]
     size: Size,
     tolerance_metres: f64,
@@ -170,10 +167,11 @@ struct Bound {
 }
 
 impl Info {
-    fn new(clip: &CompressedClip, mesh_vertices: Option<u64>) -> Self {
+    fn new(path: &Path, clip: &CompressedClip, mesh_vertices: Option<u64>) -> Self {
         let settings = clip.settings();
         let own = settings.joints.iter();
         Self {
+            file: path.display().to_string(),
             size: Size::new(clip, mesh_vertices),
             tolerance_metres: settings.tolerance,
             shell_metres: settings.shell,
@@ -190,10 +188,16 @@ impl Info {
             tracks: clip.track_names().map(ToOwned::to_owned).collect(),
         }
     }
+}
 
-    fn lines(&self) -> String {
+impl frame::Report for Info {
+    fn is_result(&self) -> bool {
+        true
+    }
+
+    fn text(&self) -> String {
         let size = &self.size;
-        let mut lines = size.lines();
+        let mut lines = format!("{}: {}", self.file, size.lines());
         lines += &format!(
             "motion     {} frames of {} joints, {:.2} s at {:.2} Hz; {} numbers a frame change\n",
             size.frames,

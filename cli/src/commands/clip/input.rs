@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use ga_anim::bvh;
 use ga_anim::clip::compressed::{CompressedClip, Settings};
 use ga_anim::gltf::Player;
 use ga_anim::recording::{GltfMotion, Recording};
 use ga_mesh::gltf::{self, Document};
 
 use crate::format::Format;
+use crate::frame::Warning;
+use crate::motion_file;
 
 /// A motion in a file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
@@ -117,20 +118,15 @@ impl MotionArguments {
         Ok(CompressedClip::read(&self.motion)?)
     }
 
-    /// The recording in a file that is not compressed.
-    pub(super) fn recording(&self, quiet: bool) -> Result<Recording> {
+    /// The recording in a file that is not compressed, and what is unusual about the file.
+    pub(super) fn recording(&self, warnings: &mut Vec<Warning>) -> Result<Recording> {
         if self.kind()? != Kind::Clip {
             self.check_options()?;
         }
         let unit = self.unit()?;
         match self.kind()? {
             Kind::Bvh => {
-                let motion = bvh::read(&self.motion)?;
-                if !quiet {
-                    for warning in motion.warnings() {
-                        eprintln!("warning: {}: {warning}", self.file());
-                    }
-                }
+                let motion = motion_file::read(&self.motion, warnings)?;
                 Recording::from_bvh(&motion, unit).with_context(|| self.file())
             }
             Kind::Gltf => {
@@ -158,9 +154,12 @@ impl MotionArguments {
     }
 
     /// The recording in a file of any kind, and the bounds of a compressed clip.
-    pub(super) fn any_recording(&self, quiet: bool) -> Result<(Recording, Settings)> {
+    pub(super) fn any_recording(
+        &self,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<(Recording, Settings)> {
         if self.kind()? != Kind::Clip {
-            return Ok((self.recording(quiet)?, Settings::default()));
+            return Ok((self.recording(warnings)?, Settings::default()));
         }
         let clip = self.clip()?;
         let recording = Recording::from_compressed(&clip).with_context(|| self.file())?;

@@ -1,12 +1,12 @@
 //! `nullcone clip mirror`: left and right change places.
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use clap::ValueEnum;
 use ga_runtime::vga3::Vector;
 
 use super::input::MotionArguments;
-use super::target::TargetArguments;
-use crate::frame::Progress;
+use super::target::{Report, TargetArguments};
+use crate::frame::{Command, Context};
 
 /// Write the mirror image of a motion: left and right change places.
 ///
@@ -42,18 +42,23 @@ enum Axis {
     Z,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    arguments.target.check([arguments.motion.path()])?;
-    let normal = match arguments.axis {
-        Axis::X => Vector::new(1.0, 0.0, 0.0),
-        Axis::Y => Vector::new(0.0, 1.0, 0.0),
-        Axis::Z => Vector::new(0.0, 0.0, 1.0),
-    };
-    let progress = Progress::new(100, quiet);
-    progress.step("reading the motion");
-    let (recording, settings) = arguments.motion.any_recording(quiet)?;
-    let file = arguments.motion.file();
-    let mirrored = recording.mirrored(normal).with_context(|| file.clone())?;
-    let target = &arguments.target;
-    target.write(&mirrored, file, settings, progress, quiet)
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        self.target.check([self.motion.path()], context)?;
+        let normal = match self.axis {
+            Axis::X => Vector::new(1.0, 0.0, 0.0),
+            Axis::Y => Vector::new(0.0, 1.0, 0.0),
+            Axis::Z => Vector::new(0.0, 0.0, 1.0),
+        };
+        let progress = context.progress(100);
+        progress.step("reading the motion");
+        let mut warnings = Vec::new();
+        let (recording, settings) = self.motion.any_recording(&mut warnings)?;
+        let file = self.motion.file();
+        let mirrored = recording.mirrored(normal).with_context(|| file.clone())?;
+        self.target
+            .write(&mirrored, file, settings, &progress, warnings)
+    }
 }

@@ -39,14 +39,13 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Compress(arguments) => frame::unframed(compress::run(arguments, quiet)),
-        Command::Info(arguments) => frame::unframed(info::run(arguments)),
-        Command::Sample(arguments) => frame::unframed(sample::run(arguments, quiet)),
-        Command::Resample(arguments) => frame::unframed(resample::run(arguments, quiet)),
-        Command::Retarget(arguments) => frame::unframed(retarget::run(arguments, quiet)),
-        Command::Mirror(arguments) => frame::unframed(mirror::run(arguments, quiet)),
-        Command::Blend(arguments) => frame::unframed(blend::run(arguments, quiet)),
+        Command::Compress(arguments) => frame::run(arguments, context),
+        Command::Info(arguments) => frame::run(arguments, context),
+        Command::Sample(arguments) => frame::run(arguments, context),
+        Command::Resample(arguments) => frame::run(arguments, context),
+        Command::Retarget(arguments) => frame::run(arguments, context),
+        Command::Mirror(arguments) => frame::run(arguments, context),
+        Command::Blend(arguments) => frame::run(arguments, context),
     }
 }

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 
 use super::input::{Kind, MotionArguments};
-use super::target::TargetArguments;
-use crate::frame::Progress;
+use super::target::{Report, TargetArguments};
+use crate::frame::{Command, Context};
 
 /// Write the same motion at another number of frames per second.
 ///
@@ -40,19 +40,24 @@ pub(crate) struct Arguments {
     target: TargetArguments,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    arguments.target.check([&arguments.motion])?;
-    let rate = arguments.rate;
-    let (unit, animation) = (arguments.metres_per_unit, arguments.animation);
-    let motion = MotionArguments::new(&arguments.motion, unit, animation).recorded_at(rate)?;
-    let progress = Progress::new(100, quiet);
-    progress.step("reading the motion");
-    let (mut recording, settings) = motion.any_recording(quiet)?;
-    if motion.kind()? != Kind::Gltf {
-        recording = recording
-            .resampled(rate)
-            .with_context(|| format!("{}: --rate {rate}", motion.file()))?;
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        self.target.check([&self.motion], context)?;
+        let rate = self.rate;
+        let motion = MotionArguments::new(&self.motion, self.metres_per_unit, self.animation);
+        let motion = motion.recorded_at(rate)?;
+        let progress = context.progress(100);
+        progress.step("reading the motion");
+        let mut warnings = Vec::new();
+        let (mut recording, settings) = motion.any_recording(&mut warnings)?;
+        if motion.kind()? != Kind::Gltf {
+            recording = recording
+                .resampled(rate)
+                .with_context(|| format!("{}: --rate {rate}", motion.file()))?;
+        }
+        self.target
+            .write(&recording, motion.file(), settings, &progress, warnings)
     }
-    let target = &arguments.target;
-    target.write(&recording, motion.file(), settings, progress, quiet)
 }

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
-use ga_anim::bvh::{self, Bvh};
+use ga_anim::bvh::Bvh;
 use ga_anim::clip::Clip;
 use ga_anim::clip::compressed::{self, Settings};
 use ga_anim::gltf::{Rigged, character};
@@ -17,10 +17,11 @@ use serde_json::Value;
 
 use super::input::{Kind, MotionArguments};
 use crate::figure_file::stem;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::{self, Progress, Warning};
+use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
+use crate::motion_file;
 use crate::output;
+use crate::shell::quoted;
 
 /// Transfer a motion to another skeleton.
 ///
@@ -43,7 +44,8 @@ use crate::output;
 /// "map_by": "names", "map": {"LeftUpLeg": "thigh_l", …}, "slide_metres": …, "feet": […], …}. A map
 /// that is printed is of the form that --map reads: the joint of the motion first, and the joint of
 /// the target, or a list of them. slide_metres is how far apart two places of an ankle are at most
-/// while it stands, in what is written; slide_free_metres is the same without --foot-locking.
+/// while it stands, in what is written; slide_free_metres is the same without --foot-locking. The verdict is doubtful where there is a
+/// warning, otherwise good.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -78,9 +80,8 @@ pub(crate) struct Arguments {
     /// and a .bvh the channels of a target of that kind.
     #[arg(long, value_name = "OUT.bvh|OUT.glb|OUT.clip")]
     out: PathBuf,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    check: Check,
 }
 
 /// Which bones become parallel.
@@ -92,17 +93,30 @@ enum Bones {
     Limbs,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        retarget(self, context)
+    }
+}
+
+fn retarget(arguments: &Arguments, context: &Context) -> Result<Report> {
     let inputs = [arguments.motion.path(), &arguments.target].into_iter();
     let inputs = inputs.chain(arguments.map.as_deref());
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let mut files = context.files(inputs)?;
     let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
     let format = files.write("--out", &arguments.out, &formats)?;
-    let progress = Progress::new(5, quiet);
+    let progress = context.progress(5);
+    let mut warnings = Vec::new();
     progress.step("reading the target");
-    let target = Target::read(arguments, quiet)?;
+    let target = Target::read(arguments, &mut warnings)?;
     progress.step("reading the motion");
-    let (source, _) = arguments.motion.any_recording(quiet)?;
+    let (source, _) = arguments.motion.any_recording(&mut warnings)?;
     let file = arguments.motion.file();
     let (map, map_by) = map(arguments, &source, &target)?;
 
@@ -115,7 +129,6 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let skeleton = &target.skeleton;
     let retarget = Retarget::with_alignment(&source, skeleton, &target.soles, &map, alignment)
         .with_context(onto)?;
-    let mut warnings = Vec::new();
     let source_unit = match (arguments.motion.kind()?, arguments.motion.given_unit()) {
         (Kind::Bvh, None) => likely_metres(&source, &file, &mut warnings)?,
         // A recording in metres.
@@ -164,11 +177,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let report = report.with_feet(locked.contacts(), skeleton, target_unit);
     progress.step("writing");
     write(arguments, format, &target, &clip, &progress)?;
-    drop(progress);
-    if !quiet && !arguments.json {
-        frame::print_warnings(&report.warnings);
-    }
-    report.print(arguments.json, quiet)
+    Ok(report)
 }
 
 /// The map of joints, and where it comes from.
@@ -214,7 +223,7 @@ struct Target {
 }
 
 impl Target {
-    fn read(arguments: &Arguments, quiet: bool) -> Result<Self> {
+    fn read(arguments: &Arguments, warnings: &mut Vec<Warning>) -> Result<Self> {
         let path = &arguments.target;
         let shown = || path.display().to_string();
         let unit = arguments.target_metres_per_unit;
@@ -227,12 +236,7 @@ impl Target {
         }
         match Kind::of(path).context("--target")? {
             Kind::Bvh => {
-                let motion = bvh::read(path)?;
-                if !quiet {
-                    for warning in motion.warnings() {
-                        eprintln!("warning: {}: {warning}", path.display());
-                    }
-                }
+                let motion = motion_file::read(path, warnings)?;
                 let skeleton = motion.skeleton().with_context(shown)?;
                 Ok(Self {
                     soles: Soles::of_skeleton(&skeleton),
@@ -340,7 +344,7 @@ fn write(
 
 /// What was written, with which joints, and how feet stand.
 #[derive(Debug, Serialize)]
-struct Report {
+pub(crate) struct Report {
     file: String,
     target: String,
     out: String,
@@ -360,6 +364,7 @@ struct Report {
     slide_free_metres: f64,
     short_by_metres: f64,
     feet: Vec<FootReport>,
+    #[serde(skip)]
     warnings: Vec<Warning>,
 }
 
@@ -439,16 +444,26 @@ impl Report {
             .extend(self.feet.iter().filter_map(FootReport::warning));
         self
     }
+}
 
-    fn print(&self, json: bool, quiet: bool) -> Result<()> {
-        match (json, quiet) {
-            (true, _) => output::print_json(self),
-            (false, true) => Ok(()),
-            (false, false) => output::print(&self.lines()),
-        }
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
     }
 
-    fn lines(&self) -> String {
+    fn verdict(&self) -> Option<Verdict> {
+        Some(match self.warnings.is_empty() {
+            true => Verdict::Good,
+            false => Verdict::Doubtful,
+        })
+    }
+
+    fn next(&self) -> Option<String> {
+        let is_clip = Format::Clip.fits(Path::new(&self.out));
+        is_clip.then(|| format!("nullcone clip info {}", quoted(&self.out)))
+    }
+
+    fn text(&self) -> String {
         let matched = self.joints - self.joints_without_counterpart.len();
         let mut lines = format!(
             "{}: {} frames on {} of {} joints of {}, matched by {}\n",

@@ -1,6 +1,6 @@
 //! `nullcone clip sample`: the frames of joints at given times.
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed::{CompressedClip, Sampler};
 use ga_anim::gltf::Player;
 use ga_anim::recording::{Recording, model_maps};
@@ -9,7 +9,7 @@ use ga_runtime::geometry::Affine;
 use serde::Serialize;
 
 use super::input::{Kind, MotionArguments};
-use crate::output;
+use crate::frame::{self, Command, Context, Warning};
 
 /// Print the frame of every joint in model space at given times.
 ///
@@ -40,31 +40,49 @@ pub(crate) struct Arguments {
         allow_negative_numbers = true
     )]
     times: Vec<f64>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    for time in &arguments.times {
-        ensure!(time.is_finite(), "--times {time}: a time must be finite");
-    }
-    let samples = match arguments.motion.kind()? {
-        Kind::Clip => of_clip(&arguments.motion.clip()?, &arguments.times),
-        Kind::Gltf => of_gltf(&arguments.motion, &arguments.times),
-        Kind::Bvh => of_recording(&arguments.motion.recording(quiet)?, &arguments.times),
-    };
-    let samples = samples.with_context(|| arguments.motion.file())?;
-    if arguments.json {
-        output::print_json(&Samples { samples })
-    } else {
-        output::print(&samples.iter().map(Sample::lines).collect::<String>())
+impl Command for Arguments {
+    type Report = Samples;
+
+    fn run(&self, context: &Context) -> Result<Samples> {
+        let (motion, times) = (&self.motion, &self.times);
+        context.files([motion.path()])?;
+        for time in times {
+            ensure!(time.is_finite(), "--times {time}: a time must be finite");
+        }
+        let mut warnings = Vec::new();
+        let samples = match motion.kind()? {
+            Kind::Clip => of_clip(&motion.clip()?, times),
+            Kind::Gltf => of_gltf(motion, times),
+            Kind::Bvh => of_recording(&motion.recording(&mut warnings)?, times),
+        };
+        Ok(Samples {
+            samples: samples.with_context(|| motion.file())?,
+            warnings,
+        })
     }
 }
 
 #[derive(Debug, Serialize)]
-struct Samples {
+pub(crate) struct Samples {
     samples: Vec<Sample>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+impl frame::Report for Samples {
+    fn is_result(&self) -> bool {
+        true
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
+        self.samples.iter().map(Sample::lines).collect()
+    }
 }
 
 /// A moment.

@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed::{self, JointBound, Settings};
 use ga_anim::recording::{RecordedJoint, Recording};
 use serde::Serialize;
 
 use super::info::Size;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Context, Progress, Warning};
 use crate::output;
+use crate::shell::quoted;
 
 /// Where a clip is written, and within which bounds.
 #[derive(Clone, Debug, clap::Args)]
@@ -36,28 +36,29 @@ pub(super) struct TargetArguments {
     /// The clip to be written.
     #[arg(long, value_name = "OUT.clip")]
     out: PathBuf,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 impl TargetArguments {
     /// Fails unless a clip is asked for that replaces no motion; to be called before anything takes
     /// long.
-    pub(super) fn check<P: AsRef<Path>>(&self, motions: impl IntoIterator<Item = P>) -> Result<()> {
-        check(motions, &self.out, self.json)
+    pub(super) fn check<P: AsRef<Path>>(
+        &self,
+        motions: impl IntoIterator<Item = P>,
+        context: &Context,
+    ) -> Result<()> {
+        check(motions, &self.out, context)
     }
 
-    /// Compresses a recording, writes it and says so. `file` is what it was made of, and
-    /// `defaults` are the bounds where none are given.
+    /// Compresses a recording and writes it. `file` is what it was made of, and `defaults` are the
+    /// bounds where none are given.
     pub(super) fn write(
         &self,
         recording: &Recording,
         file: String,
         defaults: Settings,
-        progress: Progress,
-        quiet: bool,
-    ) -> Result<()> {
+        progress: &Progress,
+        warnings: Vec<Warning>,
+    ) -> Result<Report> {
         let mut settings = Settings {
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),
             shell: self.shell.unwrap_or(defaults.shell),
@@ -65,11 +66,8 @@ impl TargetArguments {
             joints: defaults.joints,
         };
         add_bounds(&mut settings, &self.joints, recording, &file)?;
-        let report = write(recording, &settings, file, &self.out, &progress, || {
-            Ok(None)
-        })?;
-        drop(progress);
-        report.print(self.json, quiet)
+        let report = write(recording, &settings, file, &self.out, progress, || Ok(None))?;
+        Ok(report.with_warnings(warnings))
     }
 }
 
@@ -77,10 +75,11 @@ impl TargetArguments {
 pub(super) fn check<P: AsRef<Path>>(
     motions: impl IntoIterator<Item = P>,
     out: &Path,
-    json: bool,
+    context: &Context,
 ) -> Result<()> {
-    let mut files = Files::reading(motions).printing("--json", json);
-    files.write("--out", out, &[Format::Clip])?;
+    context
+        .files(motions)?
+        .write("--out", out, &[Format::Clip])?;
     Ok(())
 }
 
@@ -166,12 +165,13 @@ pub(super) fn write(
         half_frame_error_metres: measured.half_frame_error,
         tracks: recording.tracks().len(),
         max_track_error: measured.track_error,
+        warnings: Vec::new(),
     })
 }
 
 /// What was written, and how exact it is.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
     file: String,
     out: String,
     #[serde(flatten)]
@@ -182,6 +182,8 @@ pub(super) struct Report {
     half_frame_error_metres: f64,
     tracks: usize,
     max_track_error: f64,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
 impl Report {
@@ -194,15 +196,23 @@ impl Report {
         }
     }
 
-    pub(super) fn print(&self, json: bool, quiet: bool) -> Result<()> {
-        match (json, quiet) {
-            (true, _) => output::print_json(self),
-            (false, true) => Ok(()),
-            (false, false) => output::print(&self.lines()),
-        }
+    /// With what is unusual about the motions.
+    pub(super) fn with_warnings(self, warnings: Vec<Warning>) -> Self {
+        Self { warnings, ..self }
+    }
+}
+
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
     }
 
-    fn lines(&self) -> String {
+    fn next(&self) -> Option<String> {
+        let is_file = Format::Clip.fits(Path::new(&self.out));
+        is_file.then(|| format!("nullcone clip info {}", quoted(&self.out)))
+    }
+
+    fn text(&self) -> String {
         let Self {
             file, out, size, ..
         } = self;

@@ -26,10 +26,9 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Compare(arguments) => frame::unframed(compare::run(arguments, quiet)),
-        Command::Fit(arguments) => frame::unframed(fit::run(arguments, quiet)),
-        Command::Ratings(arguments) => frame::unframed(ratings::run(arguments, quiet)),
+        Command::Compare(arguments) => frame::run(arguments, context),
+        Command::Fit(arguments) => frame::run(arguments, context),
+        Command::Ratings(arguments) => frame::run(arguments, context),
     }
 }

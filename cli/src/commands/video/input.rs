@@ -44,24 +44,7 @@ impl Analysed {
     pub(super) fn rate(&self) -> [u32; 2] {
         let frames = &self.analysis.frames;
         let seconds = frames.last().map_or(0.0, |frame| frame.time_seconds);
-        rate(&self.properties, frames.len(), seconds)
-    }
-}
-
-/// Frames in a second: as stated, or from the number of frames and the time of the last one.
-pub(super) fn rate(properties: &Properties, frames: usize, last_seconds: f64) -> [u32; 2] {
-    let of_times = || mean_rate(frames, last_seconds);
-    properties.frames_per_second.unwrap_or_else(of_times)
-}
-
-/// Frames in a second, where the last of a number of frames begins at this time; 25 where they do
-/// not show it.
-pub(super) fn mean_rate(frames: usize, last_seconds: f64) -> [u32; 2] {
-    let rate = (frames.saturating_sub(1)) as f64 / last_seconds;
-    // A cast from float saturates.
-    match rate.is_finite() && rate > 0.0 {
-        true => [(1000.0 * rate).round() as u32, 1000],
-        false => [25, 1],
+        self.properties.rate(frames.len(), seconds)
     }
 }
 

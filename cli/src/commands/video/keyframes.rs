@@ -2,19 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Error, Result, ensure};
 use ga_files::Staged;
 use ga_image::png;
 use ga_video::keyframe::{Options, scenes};
+use serde::Serialize;
 
 use super::input::{Analysed, Blocks, analyse};
 use super::report::Report;
 use super::spool::Spool;
 use super::{page, plot, sheet};
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context};
 use crate::output;
+use ga_draw::document::Page;
 
 /// Find cuts, dissolves, fades, shots and key frames of a video.
 ///
@@ -41,9 +42,6 @@ pub(super) struct Arguments {
     /// Write the key frames as PNG into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
     /// Choose at most this number of key frames: the first of each shot, then those with most that
     /// is new.
     #[arg(long, value_name = "COUNT")]
@@ -67,51 +65,100 @@ pub(super) struct Arguments {
     /// Write the key frames side by side as one picture.
     #[arg(long, value_name = "FILE.png")]
     contact_sheet: Option<PathBuf>,
-    /// Write a page with charts, shots and key frames that needs no other file.
-    #[arg(long, value_name = "FILE.html")]
-    report: Option<PathBuf>,
 }
 
 /// The formats of tables of shots.
 const SCENES: [Format; 2] = [Format::Csv, Format::Edl];
 
-pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    arguments.check()?;
-    let progress = Progress::new(1, quiet);
-    progress.step("analysing");
-    let options = Options {
-        layout: arguments.layout.into(),
-        minimum_shot: arguments.min_shot,
-        threshold: arguments.threshold,
-        budget: arguments.budget,
-    };
-    let pictures =
-        arguments.out.is_some() || arguments.contact_sheet.is_some() || arguments.report.is_some();
-    let mut spool = pictures.then(Spool::new).transpose()?;
-    let analysed = analyse(&arguments.video, options, spool.as_mut(), &progress)?;
-    let report = Report::new(&analysed.analysis);
-    if analysed.failure.is_none() {
+/// What was found, and where it is shown.
+#[derive(Serialize)]
+pub(super) struct Found {
+    #[serde(flatten)]
+    report: Report,
+    #[serde(skip)]
+    page: Option<Page>,
+    /// Why the video was not read to its end.
+    #[serde(skip)]
+    failure: Option<Error>,
+}
+
+impl Command for Arguments {
+    type Report = Found;
+
+    fn run(&self, context: &Context) -> Result<Found> {
+        self.check(context)?;
+        let progress = context.progress(1);
+        progress.step("analysing");
+        let options = Options {
+            layout: self.layout.into(),
+            minimum_shot: self.min_shot,
+            threshold: self.threshold,
+            budget: self.budget,
+        };
+        let with_page = context.report().is_some();
+        let pictures = self.out.is_some() || self.contact_sheet.is_some() || with_page;
+        let mut spool = pictures.then(Spool::new).transpose()?;
+        let mut analysed = analyse(&self.video, options, spool.as_mut(), &progress)?;
+        let report = Report::new(&analysed.analysis);
+        // What was analysed before an error is reported, without files beside the page.
+        let failure = analysed.failure.take();
         progress.step("writing");
-        arguments.write(&analysed, &report, spool.as_mut())?;
+        let sheet = match &mut spool {
+            Some(spool) if self.contact_sheet.is_some() || with_page => {
+                let sheet = sheet::draw(&report, spool, &self.title())?;
+                Some(png::encode(&sheet).context("cannot encode the contact sheet")?)
+            }
+            _ => None,
+        };
+        let page = match &sheet {
+            Some(sheet) if with_page => {
+                let title = self.title();
+                Some(page::of(
+                    &analysed,
+                    &report,
+                    sheet,
+                    &title,
+                    failure.as_ref(),
+                )?)
+            }
+            _ => None,
+        };
+        if failure.is_none() {
+            self.write(&analysed, &report, spool.as_mut(), sheet.as_deref())?;
+        }
+        Ok(Found {
+            report,
+            page,
+            failure,
+        })
     }
-    drop(progress);
-    if arguments.json {
-        output::print_json(&report)?;
-    } else if !quiet {
-        output::print(&report.text())?;
+}
+
+impl frame::Report for Found {
+    fn text(&self) -> String {
+        self.report.text()
     }
-    // What was analysed before an error is reported, without files.
-    analysed.failure.map_or(Ok(()), Err)
+
+    fn page(&self, title: &str) -> Result<Page> {
+        match &self.page {
+            Some(page) => Ok(page.clone()),
+            None => frame::plain_page(self, title),
+        }
+    }
+
+    fn failure(&mut self) -> Option<Error> {
+        self.failure.take()
+    }
 }
 
 impl Arguments {
-    fn check(&self) -> Result<()> {
+    fn check(&self, context: &Context) -> Result<()> {
         ensure!(
             (0.0..=1.0).contains(&self.threshold),
             "--threshold {}: it must be from 0 to 1",
             self.threshold
         );
-        let mut files = Files::reading([&self.video]).printing("--json", self.json);
+        let mut files = context.files([&self.video])?;
         if let Some(folder) = &self.out {
             files.write_folder("--out", folder, [""; 0])?;
         }
@@ -124,7 +171,6 @@ impl Arguments {
             self.contact_sheet.as_ref(),
             &[Format::Png],
         )?;
-        files.write_if_given("--report", self.report.as_ref(), &[Format::Html])?;
         Ok(())
     }
 
@@ -137,7 +183,13 @@ impl Arguments {
     }
 
     /// Writes the files that were asked for, all of them or none.
-    fn write(&self, analysed: &Analysed, report: &Report, spool: Option<&mut Spool>) -> Result<()> {
+    fn write(
+        &self,
+        analysed: &Analysed,
+        report: &Report,
+        spool: Option<&mut Spool>,
+        sheet: Option<&[u8]>,
+    ) -> Result<()> {
         let mut files = Staged::default();
         let title = self.title();
         for path in &self.scenes {
@@ -152,26 +204,15 @@ impl Arguments {
             let svg = plot::svg(&analysed.analysis, &title)?;
             output::stage(&mut files, path, svg.as_bytes())?;
         }
-        let Some(spool) = spool else {
-            return Ok(files.finish()?);
-        };
-        if let Some(folder) = &self.out {
+        if let (Some(folder), Some(spool)) = (&self.out, spool) {
             for key in &report.key_frames {
                 if let Some(bytes) = spool.png(key.index)? {
                     output::stage(&mut files, &key_path(folder, key.index), &bytes)?;
                 }
             }
         }
-        if self.contact_sheet.is_some() || self.report.is_some() {
-            let sheet = sheet::draw(report, spool, &title)?;
-            let bytes = png::encode(&sheet).context("cannot encode the contact sheet")?;
-            if let Some(path) = &self.report {
-                let page = page::html(analysed, report, &bytes, &title)?;
-                output::stage(&mut files, path, page.as_bytes())?;
-            }
-            if let Some(path) = &self.contact_sheet {
-                output::stage(&mut files, path, &bytes)?;
-            }
+        if let (Some(path), Some(sheet)) = (&self.contact_sheet, sheet) {
+            output::stage(&mut files, path, sheet)?;
         }
         Ok(files.finish()?)
     }

@@ -35,12 +35,11 @@ enum Command {
 }
 
 pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match &arguments.command {
-        Command::Align(arguments) => frame::unframed(comfort::align::run(arguments, quiet)),
-        Command::Comfort(arguments) => frame::unframed(comfort::run(arguments, quiet)),
-        Command::Keyframes(arguments) => frame::unframed(keyframes::run(arguments, quiet)),
-        Command::Score(arguments) => frame::unframed(score::run(arguments, quiet)),
-        Command::Statistics(arguments) => frame::unframed(statistics::run(arguments, quiet)),
+        Command::Align(arguments) => frame::run(arguments, context),
+        Command::Comfort(arguments) => frame::run(arguments, context),
+        Command::Keyframes(arguments) => frame::run(arguments, context),
+        Command::Score(arguments) => frame::run(arguments, context),
+        Command::Statistics(arguments) => frame::run(arguments, context),
     }
 }

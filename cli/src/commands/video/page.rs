@@ -1,25 +1,31 @@
 //! The report as a page that needs no other file.
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 
 use super::input::Analysed;
 use super::plot;
 use super::report::Report;
-use crate::page::Page;
+use ga_draw::document::Page;
 use ga_video::keyframe::scenes::timecode;
 use ga_video::keyframe::statistics::Statistics;
 
 /// The page: counts, the curves, the shots and the key frames.
-pub(super) fn html(
+pub(super) fn of(
     analysed: &Analysed,
     report: &Report,
     sheet_png: &[u8],
     title: &str,
-) -> Result<String> {
+    failure: Option<&Error>,
+) -> Result<Page> {
     let analysis = &analysed.analysis;
     let statistics = Statistics::of(&analysis.shots);
     let [width, height] = analysed.properties.size;
     let mut page = Page::new(title);
+    if let Some(failure) = failure {
+        page.warning(&format!(
+            "The video could not be read to its end: {failure}"
+        ));
+    }
     page.paragraph(&format!(
         "{} frames of {width} × {height} pixels, {} shots ({} with static, {} with dynamic \
          background), {} key frames.",
@@ -47,7 +53,7 @@ pub(super) fn html(
     page.table(["shot", "from", "to", "frames", "background"], rows);
     page.heading("Key frames");
     page.png("The key frames", sheet_png);
-    Ok(page.into_html())
+    Ok(page)
 }
 
 /// A sentence about the cuts, dissolves and fades; the chart shades the latter two.

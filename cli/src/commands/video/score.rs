@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_video::keyframe::evaluation::score;
 use serde::{Deserialize, Serialize};
 
-use crate::output;
+use crate::frame::{self, Command, Context};
 
 /// Compare found cuts with labelled ones: precision, recall and F1.
 ///
@@ -25,9 +25,6 @@ pub(super) struct Arguments {
     /// How far a cut may be from its label, in frames.
     #[arg(long, value_name = "FRAMES", default_value_t = 0)]
     tolerance: usize,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    json: bool,
 }
 
 #[derive(Deserialize)]
@@ -36,7 +33,7 @@ struct Found {
 }
 
 #[derive(Serialize)]
-struct Scores {
+pub(super) struct Scores {
     correct: usize,
     extra: usize,
     missed: usize,
@@ -45,35 +42,39 @@ struct Scores {
     f1: Option<f64>,
 }
 
-pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let found: Found = serde_json::from_slice(&read(&arguments.found)?)
-        .with_context(|| arguments.found.display().to_string())?;
-    let labels = labels(&arguments.labels)?;
-    let scored = score(&found.cuts, &labels, arguments.tolerance);
-    let scores = Scores {
-        correct: scored.correct,
-        extra: scored.extra,
-        missed: scored.missed,
-        precision: scored.precision(),
-        recall: scored.recall(),
-        f1: scored.f1(),
-    };
-    if arguments.json {
-        return output::print_json(&scores);
+impl Command for Arguments {
+    type Report = Scores;
+
+    fn run(&self, context: &Context) -> Result<Scores> {
+        context.files([&self.found, &self.labels])?;
+        let found: Found = serde_json::from_slice(&read(&self.found)?)
+            .with_context(|| self.found.display().to_string())?;
+        let labels = labels(&self.labels)?;
+        let scored = score(&found.cuts, &labels, self.tolerance);
+        Ok(Scores {
+            correct: scored.correct,
+            extra: scored.extra,
+            missed: scored.missed,
+            precision: scored.precision(),
+            recall: scored.recall(),
+            f1: scored.f1(),
+        })
     }
-    if quiet {
-        return Ok(());
+}
+
+impl frame::Report for Scores {
+    fn text(&self) -> String {
+        let shown = |value: Option<f64>| value.map_or("none".into(), |value| format!("{value:.4}"));
+        format!(
+            "{} correct, {} extra, {} missed\nprecision {}, recall {}, F1 {}\n",
+            self.correct,
+            self.extra,
+            self.missed,
+            shown(self.precision),
+            shown(self.recall),
+            shown(self.f1)
+        )
     }
-    let shown = |value: Option<f64>| value.map_or("none".into(), |value| format!("{value:.4}"));
-    output::print(&format!(
-        "{} correct, {} extra, {} missed\nprecision {}, recall {}, F1 {}\n",
-        scores.correct,
-        scores.extra,
-        scores.missed,
-        shown(scores.precision),
-        shown(scores.recall),
-        shown(scores.f1)
-    ))
 }
 
 fn read(path: &Path) -> Result<Vec<u8>> {

@@ -2,14 +2,13 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 use ga_video::keyframe::Options;
 use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::input::{Blocks, analyse};
-use crate::frame::Progress;
-use crate::output;
+use crate::frame::{self, Command, Context};
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
 ///
@@ -22,9 +21,6 @@ pub(super) struct Arguments {
     /// The videos.
     #[arg(value_name = "FILE", required = true)]
     videos: Vec<PathBuf>,
-    /// Print one JSON object instead of a table.
-    #[arg(long)]
-    json: bool,
     /// How frames are divided into blocks.
     #[arg(long, value_enum, default_value_t = Blocks::Five)]
     layout: Blocks,
@@ -34,9 +30,12 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Table {
+pub(super) struct Table {
     clips: Vec<Row>,
     total: Row,
+    /// Why videos are missing.
+    #[serde(skip)]
+    failure: Option<Error>,
 }
 
 #[derive(Serialize)]
@@ -77,45 +76,54 @@ impl Row {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let options = Options {
-        layout: arguments.layout.into(),
-        minimum_shot: arguments.min_shot,
-        ..Options::default()
-    };
-    let progress = Progress::new(arguments.videos.len() as u64, quiet);
-    let (mut clips, mut frames, mut total) = (Vec::new(), 0, Statistics::default());
-    let mut failure = None;
-    for path in &arguments.videos {
-        progress.step("analysing");
-        let analysed = match analyse(path, options, None, &progress) {
-            Ok(analysed) => analysed,
-            Err(error) => {
-                failure = Some(error);
+impl Command for Arguments {
+    type Report = Table;
+
+    fn run(&self, context: &Context) -> Result<Table> {
+        context.files(&self.videos)?;
+        let options = Options {
+            layout: self.layout.into(),
+            minimum_shot: self.min_shot,
+            ..Options::default()
+        };
+        let progress = context.progress(self.videos.len() as u64);
+        let (mut clips, mut frames, mut total) = (Vec::new(), 0, Statistics::default());
+        let mut failure = None;
+        for path in &self.videos {
+            progress.step("analysing");
+            let analysed = match analyse(path, options, None, &progress) {
+                Ok(analysed) => analysed,
+                Err(error) if clips.is_empty() => return Err(error),
+                Err(error) => {
+                    failure = Some(error);
+                    break;
+                }
+            };
+            let statistics = Statistics::of(&analysed.analysis.shots);
+            let count = analysed.analysis.frames.len();
+            clips.push(Row::new(Some(path.clone()), count, statistics));
+            frames += count;
+            total = total + statistics;
+            failure = analysed.failure;
+            if failure.is_some() {
                 break;
             }
-        };
-        let statistics = Statistics::of(&analysed.analysis.shots);
-        let count = analysed.analysis.frames.len();
-        clips.push(Row::new(Some(path.clone()), count, statistics));
-        frames += count;
-        total = total + statistics;
-        failure = analysed.failure;
-        if failure.is_some() {
-            break;
         }
+        Ok(Table {
+            clips,
+            total: Row::new(None, frames, total),
+            failure,
+        })
     }
-    drop(progress);
-    let table = Table {
-        clips,
-        total: Row::new(None, frames, total),
-    };
-    if !table.clips.is_empty() && arguments.json {
-        output::print_json(&table)?;
-    } else if !table.clips.is_empty() && !quiet {
-        let lines = table.clips.iter().chain([&table.total]).map(Row::line);
-        output::print(&lines.collect::<String>())?;
+}
+
+impl frame::Report for Table {
+    fn text(&self) -> String {
+        let lines = self.clips.iter().chain([&self.total]).map(Row::line);
+        lines.collect()
     }
-    // What was analysed before an error is reported.
-    failure.map_or(Ok(()), Err)
+
+    fn failure(&mut self) -> Option<Error> {
+        self.failure.take()
+    }
 }

@@ -8,12 +8,11 @@ mod table;
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail, ensure};
-use ga_anim::bvh;
+use anyhow::{Context as _, Result, bail, ensure};
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Command, Context};
+use crate::motion_file;
 use crate::output;
 use crate::recording::begins_with_calibration;
 use report::Report;
@@ -94,23 +93,24 @@ pub(crate) struct Arguments {
     /// Draw 2-D joint errors, times and the errors over the noise as a picture.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
-    /// Print one JSON object instead of tables.
-    #[arg(long)]
-    json: bool,
 }
 
 /// Greater numbers of cameras say nothing new and take long.
 const MOST_VIEWS: usize = 32;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    check(arguments)?;
-    let file = arguments.motion.display().to_string();
-    let recorded = bvh::read(&arguments.motion)?;
-    if !quiet {
-        for warning in recorded.warnings() {
-            eprintln!("warning: {file}: {warning}");
-        }
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        evaluate(self, context)
     }
+}
+
+fn evaluate(arguments: &Arguments, context: &Context) -> Result<Report> {
+    check(arguments, context)?;
+    let file = arguments.motion.display().to_string();
+    let mut warnings = Vec::new();
+    let recorded = motion_file::read(&arguments.motion, &mut warnings)?;
     let unit = match arguments.metres_per_unit {
         Some(unit) => Unit::Given(unit),
         None => Unit::Likely,
@@ -120,7 +120,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let motion = motion.with_context(|| file.clone())?;
 
     let cases = cases(arguments);
-    let progress = Progress::new(cases.len() as u64, quiet);
+    let progress = context.progress(cases.len() as u64);
     progress.step("reconstructing");
     let done = |done: usize, of: usize| progress.at(done as u64, of as u64);
     let rows = rows::measure(&motion, &cases, arguments.seed, done);
@@ -139,22 +139,17 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         focal_length_px: scene::FOCAL_LENGTH,
         seed: arguments.seed,
         rows,
+        warnings,
     };
     if let Some(path) = &arguments.plot {
         let svg = plot::svg(&report.rows, &arguments.motion);
         let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
         output::write(path, svg.as_bytes())?;
     }
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&table::text(&report))
-    }
+    Ok(report)
 }
 
-fn check(arguments: &Arguments) -> Result<()> {
+fn check(arguments: &Arguments, context: &Context) -> Result<()> {
     let lists = [
         ("--noise", arguments.noise.is_empty()),
         ("--views", arguments.views.is_empty()),
@@ -188,7 +183,7 @@ fn check(arguments: &Arguments) -> Result<()> {
             "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
         );
     }
-    let mut files = Files::reading([&arguments.motion]).printing("--json", arguments.json);
+    let mut files = context.files([&arguments.motion])?;
     files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
     Ok(())
 }

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::rows::Row;
+use crate::frame::Warning;
 
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
     pub(super) motion: String,
     /// What the numbers were measured on.
     pub(super) data: &'static str,
@@ -18,4 +19,6 @@ pub(super) struct Report {
     pub(super) focal_length_px: f64,
     pub(super) seed: u64,
     pub(super) rows: Vec<Row>,
+    #[serde(skip)]
+    pub(super) warnings: Vec<Warning>,
 }

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::report::Report;
 use super::rows::Row;
+use crate::frame::{self, Warning};
 
 /// Cui, table 2: reconstruction errors on Human3.6M, protocol 2, in millimetres.
 const TABLE_2: [(&str, f64); 6] = [
@@ -28,7 +29,17 @@ const TABLE_3: [(&str, f64); 6] = [
 const PRINTED: &str = "as Cui prints it, on Human3.6M";
 const MEASURED: &str = "measured here, on this motion, not on Human3.6M";
 
-pub(super) fn text(report: &Report) -> String {
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
+        text(self)
+    }
+}
+
+fn text(report: &Report) -> String {
     let mut text = format!(
         "{}: {} frames, {} joints, {} m a unit, cameras with f = {} px at {} m, pairs {} m apart\n",
         report.motion,

@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use ga_body::format::DetectorOptions;
 
 use super::cameras::CameraFiles;
+use crate::frame::Check;
 
 /// Fit a character to the joints of a person that calibrated views show, one or more.
 ///
@@ -50,6 +51,9 @@ use super::cameras::CameraFiles;
 /// does not have; joints_unseen counts joints that no view shows, over all frames.
 /// milliseconds_per_frame is that of the fit with all threads. --fit-lengths adds "length_factors",
 /// for each joint by how much longer the way from the joint above it has become.
+///
+/// The verdict is good, or doubtful where a view or a frame is fitted badly: the distances from its
+/// pixels are more than three of their standard deviations as the root mean square.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -93,9 +97,8 @@ pub(crate) struct Arguments {
     /// Fit each frame by itself.
     #[arg(long)]
     pub(super) independent: bool,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    pub(super) json: bool,
+    #[command(flatten)]
+    pub(super) check: Check,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

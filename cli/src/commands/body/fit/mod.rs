@@ -10,10 +10,11 @@ pub(crate) use arguments::Arguments;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Rigged, character};
 use ga_anim::pose::Pose;
+use ga_body::agreement::Agreement;
 use ga_body::format::{DetectorOptions, JointViews};
 use ga_body::{BodyFit, BodyModel, FittedPose, Observation};
 use ga_camera::Camera;
@@ -21,9 +22,8 @@ use ga_mannequin::Human;
 use ga_mesh::gltf;
 
 use crate::figure::Figure;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Command, Context, Progress};
 use crate::{model, output};
 use arguments::MANNEQUIN;
 use matched::Matched;
@@ -31,9 +31,21 @@ use report::Report;
 
 const DEFAULT_RATE: f64 = 30.0;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        fit_character(self, context)
+    }
+}
+
+fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
     let inputs = arguments.joints.iter().chain(arguments.cameras.path());
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let mut files = context.files(inputs)?;
     if !is_mannequin(&arguments.character) {
         files = files.and_reading([&arguments.character]);
     }
@@ -43,7 +55,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         deviation > 0.0 && deviation.is_finite(),
         "--deviation {deviation}: a standard deviation in pixels is greater than 0 and finite"
     );
-    let progress = Progress::new(5, quiet);
+    let progress = context.progress(5);
     progress.step("reading");
     let options = DetectorOptions {
         deviation_px: deviation,
@@ -92,13 +104,9 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
     let document = document.with_context(|| arguments.character.display().to_string())?;
     let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
     output::write(&arguments.out, &contents)?;
-    drop(progress);
+    let agreement = Agreement::new(&fitted, &observations);
     let report = Report::new(arguments, &joints, &matched, &fitted, [rate, seconds]);
-    match (arguments.json, quiet) {
-        (true, _) => output::print_json(&report),
-        (false, true) => Ok(()),
-        (false, false) => output::print(&report.lines()),
-    }
+    Ok(report.with_warnings(&agreement))
 }
 
 fn names(paths: &[PathBuf]) -> String {

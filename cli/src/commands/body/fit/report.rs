@@ -2,16 +2,21 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
 
 use ga_body::FittedPose;
+use ga_body::agreement::{Agreement, OUTLIER};
 use ga_body::format::JointViews;
 use serde::Serialize;
 
 use super::Arguments;
 use super::matched::Matched;
+use crate::format::Format;
+use crate::frame::{self, Verdict, Warning};
+use crate::shell::quoted;
 
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
     character: String,
     out: String,
     views: usize,
@@ -29,6 +34,8 @@ pub(super) struct Report {
     length_factors: Option<BTreeMap<String, f64>>,
     per_view: Vec<ViewReport>,
     per_frame: Vec<FrameReport>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
 #[derive(Serialize)]
@@ -112,10 +119,59 @@ impl Report {
             length_factors: matched.length_factors.clone(),
             per_view: per_view.collect(),
             per_frame,
+            warnings: Vec::new(),
         }
     }
 
-    pub(super) fn lines(&self) -> String {
+    /// With the views and the frames whose pixels are farther from their projections than the
+    /// deviations of the pixels explain.
+    pub(super) fn with_warnings(mut self, agreement: &Agreement) -> Self {
+        let large = |value: &Option<f64>| value.filter(|value| *value > OUTLIER);
+        let message = |what: &str, value: f64| {
+            let deviations = "standard deviations from its pixels, as the root mean square";
+            Warning::new("large_error", format!("{what} is {value:.1} {deviations}"))
+        };
+        for (view, value) in self.per_view.iter().zip(&agreement.of_views) {
+            if let Some(value) = large(value) {
+                self.warnings.push(Warning {
+                    view: Some(view.name.clone()),
+                    ..message(&format!("the view {}", view.name), value)
+                });
+            }
+        }
+        for (frame, value) in agreement.of_frames.iter().enumerate() {
+            if let Some(value) = large(value) {
+                self.warnings.push(Warning {
+                    frame: Some(frame),
+                    ..message(&format!("frame {frame}"), value)
+                });
+            }
+        }
+        self
+    }
+}
+
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(match self.warnings.is_empty() {
+            true => Verdict::Good,
+            false => Verdict::Doubtful,
+        })
+    }
+
+    fn next(&self) -> Option<String> {
+        let is_file = Format::Glb.fits(Path::new(&self.out));
+        is_file.then(|| {
+            let out = quoted(&self.out);
+            format!("nullcone skin {out} --animation 0 --time 0 --method motor --out frame.obj")
+        })
+    }
+
+    fn text(&self) -> String {
         let many = |count: usize, of: &str| match count {
             1 => format!("1 {of}"),
             count => format!("{count} {of}s"),

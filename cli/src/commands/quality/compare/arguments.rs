@@ -19,7 +19,8 @@ use std::path::PathBuf;
 ///
 ///   ffmpeg -i small.mp4 -f yuv4mpegpipe - | nullcone quality compare original.y4m - --json
 ///
-/// Where a video breaks off, the frames before are reported, and the program fails.
+/// Where a video breaks off, the frames before are reported, and the program fails. The page of
+/// --report shows a video with charts over time, a picture with a map of SSIM.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -40,13 +41,6 @@ pub(crate) struct Arguments {
     /// Draw the measures of a video over time.
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
-    /// Write a page with the measures that needs no other file: of a video with charts over time,
-    /// of a picture with a map of SSIM.
-    #[arg(long, value_name = "FILE.html")]
-    pub(super) report: Option<PathBuf>,
-    /// Print one JSON object instead of lines.
-    #[arg(long)]
-    pub(super) json: bool,
 }
 
 impl Arguments {

@@ -13,37 +13,104 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context as _, Error, Result, bail, ensure};
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, Weights};
 use ga_video::VideoError;
 use ga_video::quality::{FrameQuality, VideoComparison};
+use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context, Warning};
 use crate::output;
+use ga_draw::document::Page;
 use report::{PictureReport, VideoReport};
 
-/// Files that are written together, each with its place.
-type Written<'a> = Vec<(&'a Path, Vec<u8>)>;
+impl Command for Arguments {
+    type Report = Compared;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+    fn run(&self, context: &Context) -> Result<Compared> {
+        compare(self, context)
+    }
+}
+
+/// What was measured, and its page.
+#[derive(Serialize)]
+pub(crate) struct Compared {
+    #[serde(flatten)]
+    measures: Measures,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+    #[serde(skip)]
+    page: Option<Page>,
+    /// Why the videos were not compared to their ends.
+    #[serde(skip)]
+    failure: Option<Error>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Measures {
+    Pictures(PictureReport),
+    Videos(VideoReport),
+}
+
+impl Compared {
+    fn new(measures: Measures) -> Self {
+        let reason = match &measures {
+            Measures::Pictures(report) => &report.ms_ssim_reason,
+            Measures::Videos(report) => &report.ms_ssim_reason,
+        };
+        let warning =
+            |reason: &String| Warning::new("too_few_pixels", format!("ms_ssim is null: {reason}"));
+        Self {
+            warnings: reason.iter().map(warning).collect(),
+            measures,
+            page: None,
+            failure: None,
+        }
+    }
+}
+
+impl frame::Report for Compared {
+    fn text(&self) -> String {
+        match &self.measures {
+            Measures::Pictures(report) => report.lines(),
+            Measures::Videos(report) => report.lines(),
+        }
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn page(&self, title: &str) -> Result<Page> {
+        match &self.page {
+            Some(page) => Ok(page.clone()),
+            None => frame::plain_page(self, title),
+        }
+    }
+
+    fn failure(&mut self) -> Option<Error> {
+        self.failure.take()
+    }
+}
+
+fn compare(arguments: &Arguments, context: &Context) -> Result<Compared> {
     let paths = [&arguments.reference, &arguments.distorted];
     ensure!(
         !paths.iter().all(|path| path.as_os_str() == "-"),
         "standard input can be one of the two videos only"
     );
     let inputs = paths.into_iter().chain(&arguments.attention);
-    let mut files = Files::reading(inputs).printing("--json", arguments.json);
+    let mut files = context.files(inputs)?;
     files.write_if_given("--csv", arguments.csv.as_ref(), &[Format::Csv])?;
     files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
-    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
     match paths.map(|path| is_picture(path)) {
         // What is missing beside a picture is a picture: its reader says what is wrong.
-        [Some(true), Some(true) | None] | [None, Some(true)] => pictures(arguments, quiet),
+        [Some(true), Some(true) | None] | [None, Some(true)] => pictures(arguments, context),
         [Some(true), Some(false)] => bail!(
             "{} is a picture and {} is not",
             paths[0].display(),
@@ -54,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
             paths[1].display(),
             paths[0].display()
         ),
-        _ => videos(arguments, quiet),
+        _ => videos(arguments, context),
     }
 }
 
@@ -72,7 +139,7 @@ fn is_picture(path: &Path) -> Option<bool> {
     Some(file::Format::detect(&start).is_some_and(|format| format != file::Format::Y4m))
 }
 
-fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
+fn pictures(arguments: &Arguments, context: &Context) -> Result<Compared> {
     ensure!(
         arguments.plot.is_none(),
         "--plot draws measures over time, and pictures have none"
@@ -89,31 +156,22 @@ fn pictures(arguments: &Arguments, quiet: bool) -> Result<()> {
         luma: measures,
         psnr_differences: None,
     };
-    let report = PictureReport::new(&frame);
-    let reason = too_small(size);
-    let mut files = Written::new();
-    if let Some(path) = &arguments.csv {
-        files.push((path, table::csv(&[frame])?));
-    }
-    if let Some(path) = &arguments.report {
+    let report = PictureReport::new(&frame, too_small(size));
+    let mut page = None;
+    if context.report().is_some() {
         let map = picture::similarity_png(&reference, &distorted)?;
-        let page = page::of_pictures(arguments, &report, reason.as_deref(), &map);
-        files.push((path, page.into_bytes()));
+        page = Some(page::of_pictures(arguments, &report, &map));
     }
-    output::write_together(files)?;
-    if arguments.json {
-        if !quiet && let Some(reason) = reason {
-            eprintln!("warning: ms_ssim is null: {reason}");
-        }
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&report.lines(reason.as_deref()))
+    if let Some(path) = &arguments.csv {
+        output::write(path, &table::csv(&[frame])?)?;
     }
+    Ok(Compared {
+        page,
+        ..Compared::new(Measures::Pictures(report))
+    })
 }
 
-fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
+fn videos(arguments: &Arguments, context: &Context) -> Result<Compared> {
     let reference = ga_video::open(&arguments.reference)?;
     let distorted = ga_video::open(&arguments.distorted)?;
     let size = reference.properties().size;
@@ -123,7 +181,7 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
     let mut comparison = comparison.with_context(|| arguments.names())?;
 
     let count = comparison.frame_count();
-    let progress = Progress::new(count.unwrap_or(0) as u64, quiet);
+    let progress = context.progress(count.unwrap_or(0) as u64);
     progress.step("comparing");
     let mut frames = Vec::new();
     let failure: Option<VideoError> = loop {
@@ -145,41 +203,30 @@ fn videos(arguments: &Arguments, quiet: bool) -> Result<()> {
     };
     report.error = failure.as_ref().map(ToString::to_string);
     report.ms_ssim_reason = too_small(size);
-    output::write_together(video_files(arguments, &report, &frames)?)?;
-    if arguments.json {
-        output::print_json(&report)?;
-    } else if !quiet {
-        output::print(&report.lines())?;
-    }
-    match failure {
-        Some(error) => {
-            let done = frames.len();
-            Err(error).with_context(|| format!("{}: {done} frames are reported", arguments.names()))
-        }
-        None => Ok(()),
-    }
-}
-
-fn video_files<'a>(
-    arguments: &'a Arguments,
-    report: &VideoReport,
-    frames: &[FrameQuality],
-) -> Result<Written<'a>> {
-    let mut files = Written::new();
+    let mut files = Vec::new();
     if let Some(path) = &arguments.csv {
-        files.push((path, table::csv(frames)?));
+        files.push((path, table::csv(&frames)?));
     }
     if let Some(path) = &arguments.plot {
-        let svg = plot::svg(frames, &arguments.distorted);
+        let svg = plot::svg(&frames, &arguments.distorted);
         let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
         files.push((path, svg.into_bytes()));
     }
-    if let Some(path) = &arguments.report {
-        let page = page::of_videos(arguments, report, frames);
-        let page = page.with_context(|| format!("cannot draw {}", path.display()))?;
-        files.push((path, page.into_bytes()));
+    let mut page = None;
+    if let Some(path) = context.report() {
+        let drawn = page::of_videos(arguments, &report, &frames);
+        page = Some(drawn.with_context(|| format!("cannot draw {}", path.display()))?);
     }
-    Ok(files)
+    output::write_together(files)?;
+    let failure = failure.map(|error| {
+        let done = frames.len();
+        Error::new(error).context(format!("{}: {done} frames are reported", arguments.names()))
+    });
+    Ok(Compared {
+        page,
+        failure,
+        ..Compared::new(Measures::Videos(report))
+    })
 }
 
 /// The weights of a picture in grey, as it states them.

@@ -5,29 +5,24 @@ use ga_video::quality::FrameQuality;
 
 use super::report::{POOLED, PictureReport, Row, VideoReport};
 use super::{Arguments, plot};
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// How many of the frames that differ most are listed.
 const WORST: usize = 5;
 
 /// The measures of two pictures, and where they differ.
-pub(super) fn of_pictures(
-    arguments: &Arguments,
-    report: &PictureReport,
-    reason: Option<&str>,
-    map_png: &[u8],
-) -> String {
+pub(super) fn of_pictures(arguments: &Arguments, report: &PictureReport, map_png: &[u8]) -> Page {
     let mut page = Page::new(&format!("Quality of {}", arguments.distorted_name()));
     page.paragraph(&format!(
         "Reference: {}. {}",
         arguments.reference.display(),
         attention(arguments)
     ));
-    measures(&mut page, &report.rows(reason));
+    measures(&mut page, &report.rows());
     page.heading("SSIM around each pixel");
     page.paragraph("White: the pictures are alike. Black: they have no structure in common.");
     page.png("A map of SSIM", map_png);
-    page.into_html()
+    page
 }
 
 /// The measures of two videos over time.
@@ -35,7 +30,7 @@ pub(super) fn of_videos(
     arguments: &Arguments,
     report: &VideoReport,
     frames: &[FrameQuality],
-) -> Result<String> {
+) -> Result<Page> {
     let mut page = Page::new(&format!("Quality of {}", arguments.distorted_name()));
     page.paragraph(&format!(
         "{} frames. Reference: {}. {}",
@@ -85,7 +80,7 @@ pub(super) fn of_videos(
         "attention SSIM",
     ];
     page.table(names, rows);
-    Ok(page.into_html())
+    Ok(page)
 }
 
 fn attention(arguments: &Arguments) -> String {

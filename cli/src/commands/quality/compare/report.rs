@@ -18,6 +18,9 @@ impl Serialize for Values {
 pub(super) struct PictureReport {
     #[serde(flatten)]
     values: Values,
+    /// Why `ms_ssim` is null.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) ms_ssim_reason: Option<String>,
 }
 
 /// The measures of a video.
@@ -76,22 +79,23 @@ impl Values {
 }
 
 impl PictureReport {
-    pub(super) fn new(picture: &FrameQuality) -> Self {
+    pub(super) fn new(picture: &FrameQuality, ms_ssim_reason: Option<String>) -> Self {
         let of_luma = MEASURES.into_iter().filter(|measure| measure.of_luma);
         let values = of_luma.map(|measure| (measure, (measure.value)(picture)));
         Self {
             values: Values(values.collect()),
+            ms_ssim_reason,
         }
     }
 
-    /// As text; `reason` says why there is no MS-SSIM.
-    pub(super) fn rows(&self, reason: Option<&str>) -> Vec<Row> {
-        self.values.rows(reason, EQUAL)
+    /// As text.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        self.values.rows(self.ms_ssim_reason.as_deref(), EQUAL)
     }
 
-    /// As lines; `reason` says why there is no MS-SSIM.
-    pub(super) fn lines(&self, reason: Option<&str>) -> String {
-        self.rows(reason).iter().map(Row::line).collect()
+    /// As lines.
+    pub(super) fn lines(&self) -> String {
+        self.rows().iter().map(Row::line).collect()
     }
 }
 

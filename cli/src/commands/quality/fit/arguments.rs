@@ -29,13 +29,7 @@ pub(crate) struct Arguments {
     /// The seed of the draws.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) seed: u64,
-    /// Print a JSON object.
-    #[arg(long)]
-    pub(super) json: bool,
     /// Write a picture of the scores with the fitted curves.
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
-    /// Write a page with the picture and all numbers that needs no other file.
-    #[arg(long, value_name = "FILE.html")]
-    pub(super) report: Option<PathBuf>,
 }

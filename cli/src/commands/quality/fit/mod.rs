@@ -8,23 +8,53 @@ mod table;
 
 pub(crate) use arguments::Arguments;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_video::opinion::Scores;
 use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap, Interval};
+use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context};
 use crate::output;
+use ga_draw::document::Page;
 use report::{AgainstReport, CurveReport, Report};
 use table::Table;
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let mut files = Files::reading([&arguments.scores]).printing("--json", arguments.json);
+impl Command for Arguments {
+    type Report = Shown;
+
+    fn run(&self, context: &Context) -> Result<Shown> {
+        fit(self, context)
+    }
+}
+
+/// What was found, and its page.
+#[derive(Serialize)]
+pub(crate) struct Shown {
+    #[serde(flatten)]
+    report: Report,
+    #[serde(skip)]
+    page: Option<Page>,
+}
+
+impl frame::Report for Shown {
+    fn text(&self) -> String {
+        text(&self.report)
+    }
+
+    fn page(&self, title: &str) -> Result<Page> {
+        match &self.page {
+            Some(page) => Ok(page.clone()),
+            None => frame::plain_page(self, title),
+        }
+    }
+}
+
+fn fit(arguments: &Arguments, context: &Context) -> Result<Shown> {
+    let mut files = context.files([&arguments.scores])?;
     files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
-    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
-    let progress = Progress::new(4, quiet);
+    let progress = context.progress(4);
     let path = &arguments.scores;
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let table = Table::parse(&bytes).with_context(|| path.display().to_string())?;
@@ -64,21 +94,17 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         seed: arguments.seed,
         against,
     };
-    if arguments.plot.is_some() || arguments.report.is_some() {
+    let with_page = context.report().is_some();
+    let mut page = None;
+    if arguments.plot.is_some() || with_page {
         progress.step("drawing");
         let svg = plot::svg(&scores, &four.curve, &five.curve, &found)?;
-        let page = page::html(arguments, &report, &svg);
-        let plot = arguments.plot.iter().map(|path| (path, &svg));
-        output::write_together(plot.chain(arguments.report.iter().map(|path| (path, &page))))?;
+        page = with_page.then(|| page::of(arguments, &report, &svg));
+        if let Some(path) = &arguments.plot {
+            output::write(path, svg.as_bytes())?;
+        }
     }
-    drop(progress);
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&text(&report))
-    }
+    Ok(Shown { report, page })
 }
 
 fn scores(table: &Table, objective: &str) -> Result<Scores> {

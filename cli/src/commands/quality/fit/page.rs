@@ -3,10 +3,10 @@
 use super::Arguments;
 use super::report::Report;
 use crate::output::percent;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// The scores with the curves, what the measure is worth, and the curves.
-pub(super) fn html(arguments: &Arguments, report: &Report, svg: &str) -> String {
+pub(super) fn of(arguments: &Arguments, report: &Report, svg: &str) -> Page {
     let mut page = Page::new("A measure of quality against opinion scores");
     page.paragraph(&format!(
         "{} scores of {}. PLCC, RMSE and the outlier ratio are those of the prediction by the \
@@ -88,5 +88,5 @@ pub(super) fn html(arguments: &Arguments, report: &Report, svg: &str) -> String 
             against.correlation_p_value, against.error_p_value
         ));
     }
-    page.into_html()
+    page
 }

@@ -14,7 +14,7 @@ pub(super) struct CurveReport {
 
 /// The result. Numbers of the prediction are those of the curve with five parameters.
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
     pub(super) scores: usize,
     pub(super) logistic4: CurveReport,
     pub(super) logistic5: CurveReport,

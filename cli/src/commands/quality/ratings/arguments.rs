@@ -19,13 +19,7 @@ pub(crate) struct Arguments {
     /// Leave out the raters who are rejected by the screening.
     #[arg(long)]
     pub(super) screen: bool,
-    /// Print a JSON object.
-    #[arg(long)]
-    pub(super) json: bool,
     /// Write a picture of the opinions and of how many people gave which rating.
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
-    /// Write a page with the picture and all numbers that needs no other file.
-    #[arg(long, value_name = "FILE.html")]
-    pub(super) report: Option<PathBuf>,
 }

@@ -11,21 +11,52 @@ pub(crate) use arguments::Arguments;
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result};
+use anyhow::{Context as _, Result};
 use ga_video::opinion::ratings::{MeanOpinion, Ratings};
+use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
+use crate::frame::{self, Command, Context};
 use crate::output;
+use ga_draw::document::Page;
 use report::{
     AgreementReport, DifferenceReport, OpinionReport, QuestionReport, Report, ScreeningReport,
     number,
 };
 
-pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
-    let mut files = Files::reading([&arguments.table]).printing("--json", arguments.json);
+impl Command for Arguments {
+    type Report = Shown;
+
+    fn run(&self, context: &Context) -> Result<Shown> {
+        rate(self, context)
+    }
+}
+
+/// What was found, and its page.
+#[derive(Serialize)]
+pub(crate) struct Shown {
+    #[serde(flatten)]
+    report: Report,
+    #[serde(skip)]
+    page: Option<Page>,
+}
+
+impl frame::Report for Shown {
+    fn text(&self) -> String {
+        text(&self.report)
+    }
+
+    fn page(&self, title: &str) -> Result<Page> {
+        match &self.page {
+            Some(page) => Ok(page.clone()),
+            None => frame::plain_page(self, title),
+        }
+    }
+}
+
+fn rate(arguments: &Arguments, context: &Context) -> Result<Shown> {
+    let mut files = context.files([&arguments.table])?;
     files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
-    files.write_if_given("--report", arguments.report.as_ref(), &[Format::Html])?;
     let path = &arguments.table;
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let all = table::parse(&bytes).with_context(|| path.display().to_string())?;
@@ -66,19 +97,16 @@ pub(crate) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
         screened: arguments.screen,
         confidence: arguments.confidence,
     };
-    if arguments.plot.is_some() || arguments.report.is_some() {
+    let with_page = context.report().is_some();
+    let mut page = None;
+    if arguments.plot.is_some() || with_page {
         let svg = plot::svg(&ratings, arguments.confidence)?;
-        let page = page::html(arguments, &report, &svg);
-        let plot = arguments.plot.iter().map(|path| (path, &svg));
-        output::write_together(plot.chain(arguments.report.iter().map(|path| (path, &page))))?;
+        page = with_page.then(|| page::of(arguments, &report, &svg));
+        if let Some(path) = &arguments.plot {
+            output::write(path, svg.as_bytes())?;
+        }
     }
-    if arguments.json {
-        output::print_json(&report)
-    } else if quiet {
-        Ok(())
-    } else {
-        output::print(&text(&report))
-    }
+    Ok(Shown { report, page })
 }
 
 fn question_report(ratings: &Ratings, question: usize, confidence: f64) -> Result<QuestionReport> {

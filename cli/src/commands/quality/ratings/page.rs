@@ -3,10 +3,10 @@
 use super::Arguments;
 use super::report::{OpinionReport, Report, number};
 use crate::output::percent;
-use crate::page::Page;
+use ga_draw::document::Page;
 
 /// The charts, the opinions about each question, agreement and screening.
-pub(super) fn html(arguments: &Arguments, report: &Report, svg: &str) -> String {
+pub(super) fn of(arguments: &Arguments, report: &Report, svg: &str) -> Page {
     let mut page = Page::new("Ratings");
     page.paragraph(&format!(
         "{} raters and {} questions of {}. Intervals of {} % by Student's t.",
@@ -97,5 +97,5 @@ pub(super) fn html(arguments: &Arguments, report: &Report, svg: &str) -> String 
         "outcome",
     ];
     page.table(names, rows);
-    page.into_html()
+    page
 }

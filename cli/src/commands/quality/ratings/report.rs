@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(crate) struct Report {
     pub(super) raters: usize,
     pub(super) questions: Vec<QuestionReport>,
     pub(super) agreement: AgreementReport,

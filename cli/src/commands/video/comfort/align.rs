@@ -1,22 +1,22 @@
 //! Stereoscopic video without the defects that were measured in it.
 
 use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_files::Staged;
 use ga_image::y4m::{Film, Writer};
 use ga_video::comfort::align::Plan;
 use ga_video::stereo::{Layout, StereoSource, joined};
 use ga_video::{Frame, Samples};
+use serde::Serialize;
 
-use super::super::input::mean_rate;
 use super::input;
 use super::input::LayoutName;
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Command, Context};
 use crate::output;
+use crate::shell::quoted;
 
 /// Remove differences between the views of stereoscopic video that they should not have.
 ///
@@ -39,6 +39,9 @@ use crate::output;
 ///
 ///   nullcone video align film.y4m --out aligned.y4m
 ///   nullcone video comfort aligned.y4m --layout side-by-side
+///
+/// With --json it prints {"out": …, "frames": …, "exchanged_frames": …, "delay_frames": …,
+/// "delay_remaining_frames": …, "frames_with_delay": …, "frames_with_this_delay": …}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(in crate::commands::video) struct Arguments {
@@ -56,7 +59,15 @@ pub(in crate::commands::video) struct Arguments {
     out: PathBuf,
 }
 
-pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Report;
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        align(self, context)
+    }
+}
+
+fn align(arguments: &Arguments, context: &Context) -> Result<Report> {
     let out = arguments.out.as_path();
     let right = arguments.right.as_deref();
     let videos = [Some(arguments.video.as_path()), right]
@@ -68,7 +79,7 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
             "the video is read twice, which standard input does not allow: write it to a file first"
         );
     }
-    Files::reading(videos).write("--out", out, &[Format::Y4m])?;
+    context.files(videos)?.write("--out", out, &[Format::Y4m])?;
     let name = match (arguments.layout, right) {
         (None, None) => Some(LayoutName::SideBySide),
         (name, _) => name,
@@ -76,7 +87,7 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
     let layout = input::layout(name, right)?;
     let open = || input::open(&arguments.video, right, layout);
     let mut source = open()?;
-    let progress = Progress::new(1, quiet);
+    let progress = context.progress(1);
     let count = source.properties().frame_count;
     let show = |frame: usize| {
         let frame = frame as u64 + 1;
@@ -99,41 +110,77 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
         written.with_context(|| format!("cannot write {}", out.display()))
     })?;
     staged.finish()?;
-    drop(progress);
-    if quiet {
-        return Ok(());
-    }
-    output::print(&said(&plan, out))
+    let delay = *plan.delay();
+    let is_file = Format::Y4m.fits(out);
+    Ok(Report {
+        out: out.display().to_string(),
+        frames: plan.frames(),
+        exchanged_frames: plan.exchanged_frames(),
+        delay_frames: if delay.agreeing > 0 { delay.frames } else { 0 },
+        delay_remaining_frames: (delay.agreeing > 0).then_some(delay.rest_frames),
+        frames_with_delay: delay.measured,
+        frames_with_this_delay: delay.agreeing,
+        next: is_file.then(|| {
+            let layout = match halves {
+                Layout::SideBySide => "side-by-side",
+                Layout::TopBottom => "top-bottom",
+            };
+            format!("nullcone video comfort {} --layout {layout}", quoted(out))
+        }),
+    })
 }
 
 /// What was done.
-fn said(plan: &Plan, out: &Path) -> String {
-    let delay = plan.delay();
-    let mut text = format!(
-        "{}: {} frames; views exchanged in {}; ",
-        out.display(),
-        plan.frames(),
-        plan.exchanged_frames()
-    );
-    text += &match delay.measured {
-        0 => "no frame shows a delay".to_owned(),
-        _ if delay.agreeing == 0 => format!(
-            "no delay removed: it is not the same in the {} frames that show one",
-            delay.measured
-        ),
-        measured => {
-            let mut text = format!("delay of {} frames removed", delay.frames);
-            if delay.agreeing < measured {
-                let others = measured - delay.agreeing;
-                text += &format!("; {others} of {measured} frames show another delay");
+#[derive(Serialize)]
+pub(in crate::commands::video) struct Report {
+    out: String,
+    frames: usize,
+    /// How many frames have their views exchanged.
+    exchanged_frames: usize,
+    /// The delay of the right view that was removed, and what remains of it; `None` where there is
+    /// none that is the same in most frames.
+    delay_frames: i64,
+    delay_remaining_frames: Option<f64>,
+    /// How many frames show a delay, and how many show the one that was removed.
+    frames_with_delay: usize,
+    frames_with_this_delay: usize,
+    #[serde(skip)]
+    next: Option<String>,
+}
+
+impl frame::Report for Report {
+    fn next(&self) -> Option<String> {
+        self.next.clone()
+    }
+
+    fn text(&self) -> String {
+        let delay = match self.frames_with_delay {
+            0 => "no frame shows a delay".to_owned(),
+            measured if self.frames_with_this_delay == 0 => {
+                format!(
+                    "no delay removed: it is not the same in the {measured} frames that show one"
+                )
             }
-            if delay.rest_frames.abs() >= 0.1 {
-                text += &format!("; {:.1} frames of it remain", delay.rest_frames);
+            measured => {
+                let mut text = format!("delay of {} frames removed", self.delay_frames);
+                let others = measured - self.frames_with_this_delay;
+                if others > 0 {
+                    text += &format!("; {others} of {measured} frames show another delay");
+                }
+                match self.delay_remaining_frames {
+                    Some(rest) if rest.abs() >= 0.1 => {
+                        text += &format!("; {rest:.1} frames of it remain");
+                    }
+                    _ => {}
+                }
+                text
             }
-            text
-        }
-    };
-    text + "\n"
+        };
+        format!(
+            "{}: {} frames; views exchanged in {}; {delay}\n",
+            self.out, self.frames, self.exchanged_frames
+        )
+    }
 }
 
 /// Writes all frames.
@@ -146,9 +193,8 @@ fn write(
 ) -> Result<()> {
     let properties = *source.properties();
     let (frames, last_seconds) = plan.source_frames();
-    let stated = properties.frames_per_second;
     let film = Film {
-        frames_per_second: stated.unwrap_or_else(|| mean_rate(frames, last_seconds)),
+        frames_per_second: properties.rate(frames, last_seconds),
         sampling: properties.sampling,
         colours: properties.colours,
     };

@@ -3,23 +3,24 @@
 pub(super) mod align;
 mod input;
 mod line;
-mod report;
 mod table;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Result, ensure};
+use anyhow::{Error, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_video::comfort::monitor::{Options, observe};
-use ga_video::comfort::{FrameMeasures, Observer, Record, Summary, Viewing};
+use ga_video::comfort::report::{self, About, Report};
+use ga_video::comfort::{FrameMeasures, Level, Observer, Record, Summary, Viewing};
 use ga_video::{Frame, Properties};
+use serde::Serialize;
 
-use crate::files::Files;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{self, Check, Command, Context, Progress, Verdict};
 use crate::output;
+use crate::shell::quoted;
+use ga_draw::document::Page;
 use input::LayoutName;
-use report::{About, Report};
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
 ///
@@ -42,6 +43,10 @@ use report::{About, Report};
 /// mend first, all scores over time, the depth budget, and the worst moments as pictures with what
 /// is wrong drawn into them. It needs no other file and no network. If the video breaks off, the
 /// page is about the frames before that.
+///
+/// The verdict, which --summary has too, is good where no check is orange or red in any frame,
+/// failed where one is red, otherwise doubtful, also where nothing could be measured. Too little
+/// depth does not count, since it does not strain the eyes.
 ///
 /// For instance
 ///
@@ -66,11 +71,8 @@ pub(in crate::commands::video) struct Arguments {
     /// The distance of the eyes from the screen; three heights of the screen if it is not given.
     #[arg(long, value_name = "METRES")]
     distance_metres: Option<f64>,
-    /// Print a line of JSON for each frame.
-    #[arg(long, conflicts_with = "csv")]
-    json: bool,
     /// Print a table with a line for each frame.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     csv: bool,
     /// Write a page with a verdict, charts and the worst moments; it needs no other file.
     #[arg(long, value_name = "FILE.html")]
@@ -81,15 +83,29 @@ pub(in crate::commands::video) struct Arguments {
     /// The number of threads, 1 or 2. Results do not depend on it.
     #[arg(long, value_name = "COUNT", default_value_t = 2)]
     threads: usize,
+    #[command(flatten)]
+    check: Check,
 }
 
-pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Result<()> {
+impl Command for Arguments {
+    type Report = Found;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Found> {
+        measure(self, context)
+    }
+}
+
+fn measure(arguments: &Arguments, context: &Context) -> Result<Found> {
     ensure!(
         (1..=2).contains(&arguments.threads),
         "--threads {}: it must be 1 or 2",
         arguments.threads
     );
-    arguments.check_out()?;
+    arguments.check_out(context)?;
     let viewing = Viewing::of_screen(arguments.screen_inches, arguments.distance_metres)?;
     let layout = input::layout(arguments.layout, arguments.right.as_deref())?;
     let mut source = input::open(&arguments.video, arguments.right.as_deref(), layout)?;
@@ -99,54 +115,146 @@ pub(in crate::commands::video) fn run(arguments: &Arguments, quiet: bool) -> Res
         layout: input::halves(layout),
         threads: arguments.threads,
     };
-    let progress = Progress::new(1, quiet);
+    let progress = context.progress(1);
     progress.step("analysing");
-    let page = arguments.out.as_ref();
+    let lines = match (context.is_json(), arguments.csv) {
+        (true, _) => Lines::Json,
+        (_, true) => Lines::Csv,
+        (false, false) => Lines::None,
+    };
+    let about = arguments.about(properties, viewing, layout);
+    let align = about.align.clone();
+    let with_page = arguments.out.is_some() || context.report().is_some();
     let mut watcher = Watcher {
-        arguments,
+        lines,
         progress: &progress,
         count: properties.frame_count.map(|count| count as u64),
         summary: Summary::default(),
-        printed: match arguments.csv {
-            true => output::print(&line::csv_header()?),
-            false => Ok(()),
+        printed: match lines {
+            Lines::Csv => output::print(&line::csv_header()?),
+            Lines::Json | Lines::None => Ok(()),
         },
-        report: page.map(|_| Report::new(arguments.about(properties, viewing, layout))),
+        can_align: false,
+        viewing,
+        report: with_page.then(|| Report::new(about)),
     };
     let result = observe(&mut source, options, &mut watcher);
     let Watcher {
         summary,
         printed,
+        can_align,
         report,
         ..
     } = watcher;
     drop(progress);
     printed?;
-    let mut files = Vec::new();
-    if let (Some(path), Some(report), true) = (page, &report, summary.frames > 0) {
-        // What was analysed before an error is reported.
-        let failure = result.as_ref().err().map(ToString::to_string);
-        let html = report.html(&summary, failure.as_deref())?;
-        files.push((path.as_path(), html.into_bytes()));
+    if summary.frames == 0 {
+        result?;
+        bail!("{}: the video has no frames", arguments.video.display());
     }
+    let page = match &report {
+        Some(report) => {
+            // What was analysed before an error is reported.
+            let failure = result.as_ref().err().map(ToString::to_string);
+            Some(report.page(&summary, failure.as_deref())?)
+        }
+        None => None,
+    };
+    let mut files = Vec::new();
+    if let (Some(path), Some(page)) = (&arguments.out, &page) {
+        files.push((path, page.clone().into_html().into_bytes()));
+    }
+    let verdict = verdict(&summary);
     if let Some(path) = arguments.summary.as_ref().filter(|_| result.is_ok()) {
-        let text = serde_json::to_string_pretty(&table::json(&summary, &viewing))? + "\n";
+        let mut object = table::json(&summary, &viewing);
+        object["verdict"] = serde_json::to_value(verdict)?;
+        let text = serde_json::to_string_pretty(&object)? + "\n";
         files.push((path, text.into_bytes()));
     }
     output::write_together(files)?;
-    if !arguments.json && !arguments.csv && !quiet && summary.frames > 0 {
-        output::print(&table::text(&summary, &viewing))?;
+    Ok(Found {
+        lines,
+        text: table::text(&summary, &viewing),
+        verdict,
+        next: align.filter(|_| can_align),
+        page,
+        failure: result.err().map(Error::from),
+    })
+}
+
+/// How the program judges what a video is to its viewers.
+fn verdict(summary: &Summary) -> Verdict {
+    match summary.strain() {
+        Some(Level::Green) => Verdict::Good,
+        Some(Level::Orange) | None => Verdict::Doubtful,
+        Some(Level::Red) => Verdict::Failed,
     }
-    Ok(result?)
+}
+
+/// What is printed of each frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lines {
+    None,
+    Json,
+    Csv,
+}
+
+/// What is said at the end.
+#[derive(Serialize)]
+pub(in crate::commands::video) struct Found {
+    #[serde(skip)]
+    lines: Lines,
+    #[serde(skip)]
+    text: String,
+    #[serde(skip)]
+    verdict: Verdict,
+    #[serde(skip)]
+    next: Option<String>,
+    #[serde(skip)]
+    page: Option<Page>,
+    #[serde(skip)]
+    failure: Option<Error>,
+}
+
+impl frame::Report for Found {
+    fn text(&self) -> String {
+        match self.lines {
+            Lines::Csv => String::new(),
+            Lines::Json | Lines::None => {
+                format!("{}\nthe result is {}\n", self.text, self.verdict.word())
+            }
+        }
+    }
+
+    fn is_printed_as_json(&self) -> bool {
+        true
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(self.verdict)
+    }
+
+    fn next(&self) -> Option<String> {
+        self.next.clone().filter(|_| self.lines == Lines::None)
+    }
+
+    fn page(&self, title: &str) -> Result<Page> {
+        match &self.page {
+            Some(page) => Ok(page.clone()),
+            None => frame::plain_page(self, title),
+        }
+    }
+
+    fn failure(&mut self) -> Option<Error> {
+        self.failure.take()
+    }
 }
 
 impl Arguments {
     /// Fails before the work begins where the files could not be written after it.
-    fn check_out(&self) -> Result<()> {
-        let mut files = Files::reading([&self.video].into_iter().chain(&self.right));
-        files = files
-            .printing("--json", self.json)
-            .printing("--csv", self.csv);
+    fn check_out(&self, context: &Context) -> Result<()> {
+        let files = context.files([&self.video].into_iter().chain(&self.right))?;
+        let mut files = files.printing("--csv", self.csv);
         files.write_if_given("--out", self.out.as_ref(), &[Format::Html])?;
         files.write_if_given("--summary", self.summary.as_ref(), &[Format::Json])?;
         Ok(())
@@ -160,7 +268,7 @@ impl Arguments {
             _ => "standard input".into(),
         });
         let names: Vec<String> = names.collect();
-        let quoted: Vec<String> = paths().map(|path| quoted(path)).collect();
+        let quoted: Vec<String> = paths().map(quoted).collect();
         let layout = layout.to_possible_value();
         let layout = layout.map_or_else(String::new, |value| value.get_name().to_owned());
         About {
@@ -177,24 +285,17 @@ impl Arguments {
     }
 }
 
-/// A path as a shell reads it.
-fn quoted(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    let is_plain = |c: char| c.is_alphanumeric() || "._-/+:,@".contains(c);
-    match !text.is_empty() && text.chars().all(is_plain) {
-        true => text.into_owned(),
-        false => format!("'{}'", text.replace('\'', "'\\''")),
-    }
-}
-
 /// Prints what is known of each frame, and gathers what is written at the end.
 struct Watcher<'a> {
-    arguments: &'a Arguments,
+    lines: Lines,
     progress: &'a Progress,
     /// The number of frames, where it is known.
     count: Option<u64>,
     summary: Summary,
     printed: Result<()>,
+    /// Whether a frame shows what can be removed.
+    can_align: bool,
+    viewing: Viewing,
     report: Option<Report>,
 }
 
@@ -212,15 +313,16 @@ impl Observer for Watcher<'_> {
             self.progress.at(frames, self.count.unwrap_or(2 * frames));
         }
         if self.printed.is_ok() {
-            let text = match (self.arguments.json, self.arguments.csv) {
-                (true, _) => Some(line::json(&record)),
-                (_, true) => Some(line::csv(&record)),
-                (false, false) => None,
+            let text = match self.lines {
+                Lines::Json => Some(line::json(&record)),
+                Lines::Csv => Some(line::csv(&record)),
+                Lines::None => None,
             };
             if let Some(text) = text {
                 self.printed = text.and_then(|text| output::print(&text));
             }
         }
+        self.can_align |= report::can_align(&record, &self.viewing);
         if let Some(report) = &mut self.report {
             report.complete(record);
         }

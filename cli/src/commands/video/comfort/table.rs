@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ga_video::comfort::{Dimension, Level, Scale, Score, Summary, Viewing};
+use ga_video::comfort::{Dimension, Level, Scale, Summary, Viewing};
 use serde_json::{Map, Value, json};
 
 /// The mean of each row, how many frames are green, orange and red, and the worst frame.
@@ -28,7 +28,10 @@ pub(super) fn text(summary: &Summary, viewing: &Viewing) -> String {
         let [green, orange, red] = row.levels;
         let missing = summary.frames - row.scored;
         let (mean, level) = match row.mean_score() {
-            Some(mean) => (format!("{mean:.1}"), level(mean).name()),
+            Some(mean) => (
+                format!("{mean:.1}"),
+                row.mean_level().map_or("", Level::name),
+            ),
             None => ("–".into(), ""),
         };
         let worst = row.worst.map_or("–".into(), |(_, frame)| frame.to_string());
@@ -42,12 +45,6 @@ pub(super) fn text(summary: &Summary, viewing: &Viewing) -> String {
     text
 }
 
-/// The colour of a mean.
-pub(super) fn level(mean: f64) -> Level {
-    // A cast from float saturates.
-    Score::new(mean.round() as u8).level()
-}
-
 /// The same as JSON, with the limits that were used.
 pub(super) fn json(summary: &Summary, viewing: &Viewing) -> Value {
     let rows: Map<String, Value> = Dimension::ALL
@@ -58,7 +55,7 @@ pub(super) fn json(summary: &Summary, viewing: &Viewing) -> Value {
             let [green, orange, red] = row.levels;
             let value = json!({
                 "mean_score": row.mean_score(),
-                "level": row.mean_score().map(|mean| level(mean).name()),
+                "level": row.mean_level().map(Level::name),
                 "mean_raw": row.mean_raw(),
                 "unit": dimension.unit().name(),
                 "comfortable": scale.map(|scale| scale.comfortable()),

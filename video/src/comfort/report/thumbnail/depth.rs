@@ -1,15 +1,15 @@
 //! Points of a frame in the colours of their parallax.
 
-use anyhow::Result;
+use crate::comfort::{Dimension, Match, Record, Scale};
+use ga_image::file::EncodeError;
 use ga_image::plane::Plane;
-use ga_video::comfort::{Dimension, Match, Record, Scale};
 
 use super::picture::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
-use crate::commands::video::comfort::report::axis::INK;
-use crate::commands::video::comfort::report::kept::Kept;
-use crate::commands::video::comfort::report::moments::Moment;
-use crate::commands::video::comfort::report::words::signed_percent;
-use crate::svg::{Anchor, Svg, ticks};
+use crate::comfort::report::axis::INK;
+use crate::comfort::report::kept::Kept;
+use crate::comfort::report::moments::Moment;
+use crate::comfort::report::words::signed_percent;
+use ga_draw::document::{Anchor, Svg, ticks};
 
 /// Room for the scale at the right.
 const SCALE: f64 = 110.0;
@@ -23,7 +23,11 @@ const COLOURS: [[f64; 3]; 3] = [
     [0.0, 90.0, 181.0],
 ];
 
-pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> Result<Thumbnail> {
+pub(super) fn draw(
+    moment: &Moment,
+    dimension: Dimension,
+    video: Video<'_>,
+) -> Result<Thumbnail, EncodeError> {
     let record = &moment.record;
     let before = moment.before.as_ref();
     let records = [before.map(|(record, _)| &**record), Some(&**record)];
@@ -148,7 +152,7 @@ fn panel(
     (record, kept): (&Record, &Kept),
     video: Video<'_>,
     (most, is_ringed): (f64, &dyn Fn(f64) -> bool),
-) -> Result<()> {
+) -> Result<(), EncodeError> {
     let [view, _] = kept.views(video.colours);
     // Light grey, so that the colours of points stand out.
     let grey = |[r, g, b]: [u8; 3]| {

@@ -1,10 +1,10 @@
 //! The measured numbers of one row over time.
 
-use ga_video::comfort::{Dimension, Scale, Timeline, Viewing};
+use crate::comfort::{Dimension, Scale, Timeline, Viewing};
 
 use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;
-use crate::svg::{Anchor, Svg, ticks};
+use ga_draw::document::{Anchor, Svg, ticks};
 
 const TOP: f64 = 26.0;
 const BOTTOM: f64 = 136.0;

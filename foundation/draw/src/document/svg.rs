@@ -5,25 +5,30 @@ use std::fmt::{Display, Write};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
-use crate::page::escaped;
+use crate::escape::escaped;
 
 /// A picture to which elements are added, the last ones on top. Places are x to the right and y
 /// down. Attributes are those of SVG, such as `fill="#fff"`.
-pub(crate) struct Svg {
+#[derive(Clone, Debug)]
+pub struct Svg {
     text: String,
 }
 
 /// Where a text is, against its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
+    /// It begins there.
     Start,
+    /// Its middle is there.
     Middle,
+    /// It ends there.
     End,
 }
 
 impl Svg {
     /// A picture of a size, and what it shows in words.
-    pub(crate) fn new([width, height]: [f64; 2], words: &str) -> Self {
+    #[must_use]
+    pub fn new([width, height]: [f64; 2], words: &str) -> Self {
         let (width, height) = (Short(width), Short(height));
         Self {
             text: format!(
@@ -35,7 +40,8 @@ impl Svg {
         }
     }
 
-    pub(crate) fn rectangle(&mut self, [x, y]: [f64; 2], size: [f64; 2], attributes: &str) {
+    /// A rectangle with its upper left corner and its size.
+    pub fn rectangle(&mut self, [x, y]: [f64; 2], size: [f64; 2], attributes: &str) {
         let [width, height] = size.map(Short);
         self.add(format_args!(
             "<rect x=\"{}\" y=\"{}\" width=\"{width}\" height=\"{height}\" {attributes}/>\n",
@@ -44,14 +50,16 @@ impl Svg {
         ));
     }
 
-    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], attributes: &str) {
+    /// A straight line.
+    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], attributes: &str) {
         let [[x1, y1], [x2, y2]] = [from, to].map(|place| place.map(Short));
         self.add(format_args!(
             "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" {attributes}/>\n"
         ));
     }
 
-    pub(crate) fn circle(&mut self, centre: [f64; 2], radius: f64, attributes: &str) {
+    /// A circle.
+    pub fn circle(&mut self, centre: [f64; 2], radius: f64, attributes: &str) {
         let [x, y] = centre.map(Short);
         let radius = Short(radius);
         self.add(format_args!(
@@ -60,7 +68,7 @@ impl Svg {
     }
 
     /// Straight lines through places.
-    pub(crate) fn path(&mut self, places: impl IntoIterator<Item = [f64; 2]>, attributes: &str) {
+    pub fn path(&mut self, places: impl IntoIterator<Item = [f64; 2]>, attributes: &str) {
         self.text += "<path d=\"";
         for (index, place) in places.into_iter().enumerate() {
             let [x, y] = place.map(Short);
@@ -70,7 +78,8 @@ impl Svg {
         self.add(format_args!("\" {attributes}/>\n"));
     }
 
-    pub(crate) fn text(
+    /// A line of text with the height of its letters.
+    pub fn text(
         &mut self,
         [x, y]: [f64; 2],
         size: f64,
@@ -93,7 +102,7 @@ impl Svg {
     }
 
     /// The bytes of a file of the kind `image/…`, stretched over a rectangle.
-    pub(crate) fn picture(
+    pub fn picture(
         &mut self,
         [x, y]: [f64; 2],
         size: [f64; 2],
@@ -111,11 +120,13 @@ impl Svg {
     }
 
     /// Elements as they are.
-    pub(crate) fn raw(&mut self, elements: &str) {
+    pub fn raw(&mut self, elements: &str) {
         self.text += elements;
     }
 
-    pub(crate) fn into_text(mut self) -> String {
+    /// The whole picture.
+    #[must_use]
+    pub fn into_text(mut self) -> String {
         self.text += "</svg>\n";
         self.text
     }
@@ -138,7 +149,8 @@ impl Display for Short {
 }
 
 /// About `most` numbers from `first` to `last`, multiples of 1, 2 or 5 times a power of ten.
-pub(crate) fn ticks([first, last]: [f64; 2], most: usize) -> Vec<f64> {
+#[must_use]
+pub fn ticks([first, last]: [f64; 2], most: usize) -> Vec<f64> {
     let length = last - first;
     if !(length > 0.0 && length.is_finite()) {
         return vec![first];

@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use ga_video::Frame;
-use ga_video::comfort::asynchrony::REACH;
-use ga_video::comfort::{Dimension, FrameMeasures, Level, Record, Viewing};
+use crate::Frame;
+use crate::comfort::asynchrony::REACH;
+use crate::comfort::{Dimension, FrameMeasures, Level, Record, Viewing};
 
 use super::kept::Kept;
 
@@ -132,11 +132,11 @@ impl Moments {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
+    use crate::comfort::asynchrony::{Asynchrony, Delay};
+    use crate::comfort::stereoscopy::Stereoscopy;
+    use crate::comfort::{Dimension, FrameMeasures, Missing, Record, Row, Score, Viewing};
+    use crate::{Frame, Planes, Samples};
     use ga_image::plane::Plane;
-    use ga_video::comfort::asynchrony::{Asynchrony, Delay};
-    use ga_video::comfort::stereoscopy::Stereoscopy;
-    use ga_video::comfort::{Dimension, FrameMeasures, Missing, Record, Row, Score, Viewing};
-    use ga_video::{Frame, Planes, Samples};
 
     use super::Moments;
 

@@ -1,11 +1,11 @@
 //! The scores of all rows over time as colours.
 
-use ga_video::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
+use crate::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
 
 use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words;
-use crate::page::Tint;
-use crate::svg::{Anchor, Svg};
+use ga_draw::document::Tint;
+use ga_draw::document::{Anchor, Svg};
 
 /// The height of a row, and of its upper part, which shows the worst frame.
 const ROW: f64 = 28.0;

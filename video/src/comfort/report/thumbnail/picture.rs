@@ -1,13 +1,13 @@
 //! Pictures with titles, side by side.
 
-use anyhow::Result;
+use crate::comfort::{Match, Viewing};
+use ga_image::file::EncodeError;
 use ga_image::jpeg;
 use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
-use ga_video::comfort::{Match, Viewing};
 
-use crate::commands::video::comfort::report::axis::INK;
-use crate::svg::{Anchor, Svg};
+use crate::comfort::report::axis::INK;
+use ga_draw::document::{Anchor, Svg};
 
 /// The widths of the whole, of one of two pictures and of one of three.
 pub(super) const WIDTH: f64 = 980.0;
@@ -24,16 +24,16 @@ pub(super) const TITLE: f64 = 24.0;
 pub(super) const QUALITY: u8 = 82;
 
 /// A picture, and what one sees in it.
-pub(in crate::commands::video::comfort::report) struct Thumbnail {
-    pub(in crate::commands::video::comfort::report) svg: String,
-    pub(in crate::commands::video::comfort::report) words: String,
+pub(in crate::comfort::report) struct Thumbnail {
+    pub(in crate::comfort::report) svg: String,
+    pub(in crate::comfort::report) words: String,
 }
 
 /// What pictures need to know of the video.
 #[derive(Clone, Copy)]
-pub(in crate::commands::video::comfort::report) struct Video<'a> {
-    pub(in crate::commands::video::comfort::report) viewing: &'a Viewing,
-    pub(in crate::commands::video::comfort::report) colours: YCbCr,
+pub(in crate::comfort::report) struct Video<'a> {
+    pub(in crate::comfort::report) viewing: &'a Viewing,
+    pub(in crate::comfort::report) colours: YCbCr,
 }
 
 /// A picture of pixels, with a title above it.
@@ -43,7 +43,7 @@ pub(super) fn put(
     size: [f64; 2],
     title: &str,
     picture: &Plane<[u8; 3]>,
-) -> Result<()> {
+) -> Result<(), EncodeError> {
     let bytes = jpeg::encode(picture, QUALITY)?;
     svg.picture([x, y], size, ("jpeg", &bytes), "");
     put_title(svg, [x, y], title);

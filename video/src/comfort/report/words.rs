@@ -1,7 +1,7 @@
 //! The rows of the table in words for those who make a video.
 
-use ga_video::comfort::stereoscopy::Stereoscopy;
-use ga_video::comfort::{Dimension, Record, SIZE, Scale, Viewing, meaning};
+use crate::comfort::stereoscopy::Stereoscopy;
+use crate::comfort::{Dimension, Record, SIZE, Scale, Viewing, meaning};
 
 /// What a row is called.
 pub(super) fn name(dimension: Dimension) -> &'static str {
@@ -196,7 +196,7 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
     let measures = &record.measures;
     let amount = |raw: f64| amount(dimension, raw);
     let compared = |raw: f64, [more, less]: [&'static str; 2]| if raw < 0.0 { less } else { more };
-    let percent = |pixels: fn(&ga_video::comfort::Parallax) -> f64| {
+    let percent = |pixels: fn(&crate::comfort::Parallax) -> f64| {
         let parallax = measures.parallax.as_ref();
         parallax.map_or(0.0, |found| found.percent(pixels(found)))
     };
@@ -363,7 +363,7 @@ pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -
 
 #[cfg(test)]
 mod tests {
-    use ga_video::comfort::{Dimension, Viewing};
+    use crate::comfort::{Dimension, Viewing};
 
     use super::{limits, listed, number, signed_percent};
 

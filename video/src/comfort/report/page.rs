@@ -1,28 +1,26 @@
 //! The page.
 
-use anyhow::Result;
-use ga_video::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
-use ga_video::keyframe::scenes::timecode;
+use crate::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
+use crate::keyframe::scenes::timecode;
+use ga_image::file::EncodeError;
 
 use super::thumbnail::{self, Video};
 use super::verdict::{self, Problem};
 use super::{About, Report, axis, depth, heat, raw, words};
-use crate::commands::video::comfort::table;
-use crate::page::{Cell, Page, Tint};
+use ga_draw::document::{Cell, Page, Tint};
 
 impl Report {
-    /// The page. `failure` says why the video could not be read further.
-    pub(in crate::commands::video::comfort) fn html(
-        &self,
-        summary: &Summary,
-        failure: Option<&str>,
-    ) -> Result<String> {
-        html(self, summary, failure)
+    /// The page about the frames so far. `failure` says why the video could not be read further.
+    ///
+    /// # Errors
+    /// A picture that is shown cannot be encoded.
+    pub fn page(&self, summary: &Summary, failure: Option<&str>) -> Result<Page, EncodeError> {
+        page(self, summary, failure)
     }
 }
 
 /// The page of a report; `failure` says why the video could not be read further.
-fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<String> {
+fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Page, EncodeError> {
     let about = &report.about;
     let viewing = &about.viewing;
     let rate = report.rate(summary.frames);
@@ -100,7 +98,7 @@ fn html(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Str
         "′ is an arc minute, the sixtieth part of a degree, at the eye of the viewer. Times are \
          hours:minutes:seconds:frames; frames are counted from 0.",
     );
-    Ok(page.into_html())
+    Ok(page)
 }
 
 /// The command that removes what can be removed.
@@ -229,7 +227,7 @@ fn mean(row: &RowSummary) -> Cell {
     match row.mean_score() {
         Some(mean) => Cell {
             text: format!("{mean:.1}"),
-            tint: Some(heat::tint(table::level(mean))),
+            tint: row.mean_level().map(heat::tint),
         },
         None => none(),
     }
@@ -269,7 +267,7 @@ fn add_problems(
     report: &Report,
     problems: &[Problem<'_>],
     (frames, rate): (usize, [u32; 2]),
-) -> Result<()> {
+) -> Result<(), EncodeError> {
     let viewing = &report.about.viewing;
     page.heading("What to mend, in this order");
     page.numbered(problems.iter().map(|problem| {
@@ -328,7 +326,7 @@ fn add_moment(
     moment: &super::moments::Moment,
     video: Video<'_>,
     rate: [u32; 2],
-) -> Result<()> {
+) -> Result<(), EncodeError> {
     let record = &moment.record;
     let score = record.row(dimension).score.unwrap_or_default();
     page.subheading(&format!(

@@ -1,8 +1,8 @@
 //! Time to the right, as all charts of the report have it.
 
-use ga_video::comfort::Timeline;
+use crate::comfort::Timeline;
 
-use crate::svg::{Anchor, Svg, ticks};
+use ga_draw::document::{Anchor, Svg, ticks};
 
 /// How wide a chart is, and where its time begins and ends.
 pub(super) const WIDTH: f64 = 980.0;

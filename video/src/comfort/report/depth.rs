@@ -1,13 +1,13 @@
 //! The depth budget: how far in front of the screen and behind it points are, over time.
 
-use anyhow::Result;
+use crate::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
+use ga_image::file::EncodeError;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_video::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
 
 use super::axis::{self, FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
 use super::words::number;
-use crate::svg::{Anchor, Svg, ticks};
+use ga_draw::document::{Anchor, Svg, ticks};
 
 const TOP: f64 = 16.0;
 const BOTTOM: f64 = 400.0;
@@ -23,7 +23,7 @@ const LINES: [(&str, &str); 3] = [
 ];
 
 /// The picture, and whether all points stay in the budget.
-pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String> {
+pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String, EncodeError> {
     let time = TimeAxis::new(timeline);
     let limits = limits(viewing);
     let range = range(timeline, &limits);
@@ -150,7 +150,7 @@ fn range(timeline: &Timeline, limits: &[(f64, &str)]) -> [f64; 2] {
 }
 
 /// A column of shades for each interval: the more points have a parallax, the darker.
-fn draw_density(svg: &mut Svg, timeline: &Timeline, range: [f64; 2]) -> Result<()> {
+fn draw_density(svg: &mut Svg, timeline: &Timeline, range: [f64; 2]) -> Result<(), EncodeError> {
     let intervals = timeline.intervals();
     if intervals.is_empty() {
         return Ok(());

@@ -5,6 +5,8 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
+use crate::escape::escaped;
+
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;margin:2em auto;\
     padding:0 1em;color:#2c3440;background:#fafafc}table{border-collapse:collapse}\
     td,th{padding:.2em .9em;text-align:right;border-bottom:1px solid #dde;white-space:nowrap}\
@@ -21,13 +23,15 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     .none{background:#ececf0;color:#555}";
 
 /// A page to which parts are added from the top to the bottom. Text may have any characters.
-pub(crate) struct Page {
+#[derive(Clone, Debug)]
+pub struct Page {
     html: String,
 }
 
 impl Page {
     /// A page with its heading.
-    pub(crate) fn new(title: &str) -> Self {
+    #[must_use]
+    pub fn new(title: &str) -> Self {
         let title = escaped(title);
         Self {
             html: format!(
@@ -39,31 +43,33 @@ impl Page {
     }
 
     /// A heading below those of [`heading`](Self::heading).
-    pub(crate) fn subheading(&mut self, text: &str) {
+    pub fn subheading(&mut self, text: &str) {
         self.add(format_args!("<h3>{}</h3>\n", escaped(text)));
     }
 
-    pub(crate) fn paragraph(&mut self, text: &str) {
+    /// A paragraph.
+    pub fn paragraph(&mut self, text: &str) {
         self.add(format_args!("<p>{}</p>\n", escaped(text)));
     }
 
     /// A paragraph that is not overlooked.
-    pub(crate) fn warning(&mut self, text: &str) {
+    pub fn warning(&mut self, text: &str) {
         self.add(format_args!("<p class=\"warning\">{}</p>\n", escaped(text)));
     }
 
-    pub(crate) fn heading(&mut self, text: &str) {
+    /// A heading of a part.
+    pub fn heading(&mut self, text: &str) {
         self.add(format_args!("<h2>{}</h2>\n", escaped(text)));
     }
 
     /// A chart, or any other SVG picture.
-    pub(crate) fn svg(&mut self, svg: &str) {
+    pub fn svg(&mut self, svg: &str) {
         self.add(format_args!("{}\n", svg.trim_end()));
     }
 
     /// A chart that keeps its size in narrow windows, where it can be moved to the side, with what
     /// it shows in words below it.
-    pub(crate) fn wide_svg(&mut self, svg: &str, caption: &str) {
+    pub fn wide_svg(&mut self, svg: &str, caption: &str) {
         self.add(format_args!(
             "<figure><div class=\"wide\">{}</div><figcaption>{}</figcaption></figure>\n",
             svg.trim_end(),
@@ -72,12 +78,14 @@ impl Page {
     }
 
     /// Text for a terminal.
-    pub(crate) fn code(&mut self, text: &str) {
-        self.add(format_args!("<pre><code>{}</code></pre>\n", escaped(text)));
+    pub fn code(&mut self, text: &str) {
+        let lines: Vec<String> = text.lines().map(escaped).collect();
+        let text = lines.join("\n");
+        self.add(format_args!("<pre><code>{text}</code></pre>\n"));
     }
 
     /// Paragraphs with numbers from 1; each begins with a few important words.
-    pub(crate) fn numbered(&mut self, items: impl IntoIterator<Item = (String, String)>) {
+    pub fn numbered(&mut self, items: impl IntoIterator<Item = (String, String)>) {
         self.html += "<ol>\n";
         for (start, text) in items {
             self.add(format_args!(
@@ -90,7 +98,7 @@ impl Page {
     }
 
     /// A picture, with what it shows in words.
-    pub(crate) fn png(&mut self, words: &str, png: &[u8]) {
+    pub fn png(&mut self, words: &str, png: &[u8]) {
         self.add(format_args!(
             "<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
             escaped(words),
@@ -99,7 +107,7 @@ impl Page {
     }
 
     /// A table. The first column is aligned to the left, the others to the right.
-    pub(crate) fn table<const N: usize>(
+    pub fn table<const N: usize>(
         &mut self,
         names: [&str; N],
         rows: impl IntoIterator<Item = [String; N]>,
@@ -112,7 +120,7 @@ impl Page {
     }
 
     /// A [`table`](Self::table) with many columns, whose cells may have colours.
-    pub(crate) fn tinted_table<const N: usize>(
+    pub fn tinted_table<const N: usize>(
         &mut self,
         names: [&str; N],
         rows: impl IntoIterator<Item = [Cell; N]>,
@@ -149,7 +157,7 @@ impl Page {
     }
 
     /// A table of sentences, which are aligned to the left and may take several lines.
-    pub(crate) fn text_table<const N: usize>(
+    pub fn text_table<const N: usize>(
         &mut self,
         names: [&str; N],
         rows: impl IntoIterator<Item = [String; N]>,
@@ -158,7 +166,9 @@ impl Page {
         self.add_table("wide text", names, rows);
     }
 
-    pub(crate) fn into_html(mut self) -> String {
+    /// The whole page.
+    #[must_use]
+    pub fn into_html(mut self) -> String {
         self.html += "</body></html>\n";
         self.html
     }
@@ -170,9 +180,12 @@ impl Page {
 }
 
 /// A cell of a table.
-pub(crate) struct Cell {
-    pub(crate) text: String,
-    pub(crate) tint: Option<Tint>,
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// What it says.
+    pub text: String,
+    /// Its colour; `None` for that of the page.
+    pub tint: Option<Tint>,
 }
 
 impl From<String> for Cell {
@@ -183,19 +196,15 @@ impl From<String> for Cell {
 
 /// A colour of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tint {
+pub enum Tint {
+    /// Comfortable, or good.
     Green,
+    /// Doubtful.
     Orange,
+    /// Bad.
     Red,
+    /// Without a value.
     Grey,
-}
-
-/// Text as HTML and SVG have it.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -3,11 +3,11 @@
 mod depth;
 mod picture;
 
-use anyhow::Result;
+use crate::comfort::Dimension;
+use crate::comfort::stereoscopy::Stereoscopy;
+use ga_image::file::EncodeError;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_video::comfort::Dimension;
-use ga_video::comfort::stereoscopy::Stereoscopy;
 pub(super) use picture::{Thumbnail, Video};
 
 use picture::{GAP, HALF, THIRD, TITLE, WIDTH, put, put_title, some};
@@ -16,10 +16,14 @@ use super::axis::INK;
 use super::kept::Kept;
 use super::moments::Moment;
 use super::words;
-use crate::svg::{Anchor, Svg};
+use ga_draw::document::{Anchor, Svg};
 
 /// Draws what is wrong in the row of a moment.
-pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> Result<Thumbnail> {
+pub(super) fn draw(
+    moment: &Moment,
+    dimension: Dimension,
+    video: Video<'_>,
+) -> Result<Thumbnail, EncodeError> {
     match dimension {
         Dimension::Brightness | Dimension::Colour => checks(moment, video),
         Dimension::Vertical => heights(moment, video),
@@ -39,7 +43,7 @@ pub(super) fn draw(moment: &Moment, dimension: Dimension, video: Video<'_>) -> R
 
 /// Both views beside each other; points joined by level lines, and how much higher or lower they
 /// are in the right view, exaggerated.
-fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
+fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     const POINTS: usize = 30;
     /// The length that the largest differences have in the picture.
     const LONG: f64 = 40.0;
@@ -122,7 +126,7 @@ fn arrow(svg: &mut Svg, from: [f64; 2], to: [f64; 2]) {
 }
 
 /// Squares of the left and of the right view in turn, in one picture.
-fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
+fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     const ACROSS: usize = 8;
     /// For what the right view does not show.
     const HIDDEN: [u8; 3] = [128; 3];
@@ -225,7 +229,7 @@ fn mean_colours(moment: &Moment, views: [&Plane<[u8; 3]>; 2]) -> [[f64; 3]; 2] {
 }
 
 /// The surroundings of a point in both views at full size, and where they are.
-fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
+fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     let kept = &moment.pictures;
     let Some((place, details)) = kept.detail(video.colours) else {
         return both(kept, video, ["left view", "right view"]);
@@ -275,7 +279,7 @@ fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
 }
 
 /// What both eyes see at the same time, and the right view that belongs to the left one.
-fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
+fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     let kept = &moment.pictures;
     let frame = kept.frame;
     let delay = moment
@@ -317,7 +321,7 @@ fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
 }
 
 /// Both views with the eyes that see them.
-fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
+fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     let titles = match moment.record.stereoscopy {
         Stereoscopy::Exchanged => [
             "shown to the left eye; belongs to the right one",
@@ -329,7 +333,7 @@ fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail> {
     both(&moment.pictures, video, titles)
 }
 
-fn both(kept: &Kept, video: Video<'_>, titles: [&str; 2]) -> Result<Thumbnail> {
+fn both(kept: &Kept, video: Video<'_>, titles: [&str; 2]) -> Result<Thumbnail, EncodeError> {
     let height = kept.height(HALF);
     let mut svg = Svg::new([WIDTH, TITLE + height], "Both views");
     let views = kept.views(video.colours);

@@ -1,7 +1,7 @@
 //! What to make of the rows: what is good, and what to mend first.
 
-use ga_video::comfort::stereoscopy::Stereoscopy;
-use ga_video::comfort::{Dimension, RowSummary, Summary};
+use crate::comfort::stereoscopy::Stereoscopy;
+use crate::comfort::{Dimension, RowSummary, Summary, Viewing};
 
 use super::moments::{Moment, Moments};
 use super::words;
@@ -59,7 +59,7 @@ impl Problem<'_> {
 pub(super) fn sentences(
     summary: &Summary,
     problems: &[Problem<'_>],
-    viewing: &ga_video::comfort::Viewing,
+    viewing: &Viewing,
     place: impl Fn(usize) -> String,
 ) -> Vec<String> {
     let (mut good, mut missing) = (Vec::new(), Vec::new());

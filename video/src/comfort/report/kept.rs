@@ -1,10 +1,10 @@
 //! What is kept of the pictures of a frame until it is known whether they are shown.
 
+use crate::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
+use crate::{Frame, Planes, Samples};
 use ga_image::plane::Plane;
 use ga_image::resample::box_means;
 use ga_image::ycbcr::YCbCr;
-use ga_video::comfort::{Dimension, FrameMeasures, Level, Match, Viewing};
-use ga_video::{Frame, Planes, Samples};
 
 /// The greatest number of columns that views are reduced to.
 const WIDEST: usize = 480;
