@@ -1,7 +1,7 @@
 //! What can be wrong with files of rigs and of motion.
 
-use ga_mesh::MeshError;
 use ga_mesh::FormatError;
+use ga_mesh::MeshError;
 use ga_mesh::gltf::Element;
 
 use crate::bvh::BvhProblem;

@@ -15,7 +15,7 @@ use ga_image::plane::Plane;
 use ga_image::png;
 use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Attribute, Appearance, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
+    Appearance, Attribute, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
 };
 use ga_runtime::cga3::{Motor, Point, Rotor};
 

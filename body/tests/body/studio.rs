@@ -13,7 +13,7 @@ use ga_image::plane::Plane;
 use ga_mannequin::{Human, Marker};
 use ga_render::texture::{Mipmap, Sampler};
 use ga_render::{
-    Attribute, Appearance, MaterialChoice, Object, Rendering, Scene, Shading, Style, View, render,
+    Appearance, Attribute, MaterialChoice, Object, Rendering, Scene, Shading, Style, View, render,
 };
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;

@@ -88,7 +88,11 @@ impl Command for Arguments {
     fn run(&self, context: &Context) -> Result<Report> {
         let arguments = self;
         let out = &arguments.out;
-        let mut files = context.files([&arguments.mesh, &arguments.views].into_iter().chain(&arguments.pictures))?;
+        let mut files = context.files(
+            [&arguments.mesh, &arguments.views]
+                .into_iter()
+                .chain(&arguments.pictures),
+        )?;
         // Formats that hold pictures.
         let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
         let begin = Instant::now();

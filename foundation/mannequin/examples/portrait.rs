@@ -9,8 +9,10 @@ use std::path::PathBuf;
 use ga_image::colour::LinearColour;
 use ga_image::png;
 use ga_mannequin::Human;
-use ga_render::texture::{Sampler, Mipmap};
-use ga_render::{Attribute, Ground, Appearance, MaterialChoice, Object, Scene, Style, View, render};
+use ga_render::texture::{Mipmap, Sampler};
+use ga_render::{
+    Appearance, Attribute, Ground, MaterialChoice, Object, Scene, Style, View, render,
+};
 
 /// Name, position of the camera, what it looks at, vertical field of view in radians, size.
 type Portrait = (&'static str, [f64; 3], [f64; 3], f64, [u32; 2]);

@@ -21,7 +21,7 @@ use ga_mesh::subdivision::{Cage, Rules};
 use ga_mesh::{CornerAttribute, Faces, Mesh, obj, tangents};
 use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
 use ga_render::{
-    Attribute, Appearance, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
+    Appearance, Attribute, MaterialChoice, Object, Scene, Style, View, ViewDirection, render,
 };
 
 type Picture = Plane<[u8; 3]>;

@@ -40,7 +40,7 @@ mod sequence;
 use ga_image::plane::Plane;
 use rayon::prelude::*;
 
-use crate::{Ground, Appearance, Object, Rendering, Scene, Style, View, render};
+use crate::{Appearance, Ground, Object, Rendering, Scene, Style, View, render};
 pub use error::SheetError;
 pub use frame::{Frame, Kind};
 pub use sequence::{Sequence, Shooting};

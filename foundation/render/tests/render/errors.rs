@@ -2,7 +2,7 @@
 
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Attribute, Dot, Ground, Light, Lighting, Appearance, MaterialChoice, Normals, Polyline,
+    Appearance, Attribute, Dot, Ground, Light, Lighting, MaterialChoice, Normals, Polyline,
     RenderError, Scene, Style, View, ViewDirection, Visibility, render,
 };
 use ga_runtime::cga3::{Motor, Translator};

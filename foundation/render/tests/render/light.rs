@@ -3,8 +3,10 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
-use ga_render::texture::{Filter, Sampler, Mipmap, Wrap};
-use ga_render::{Attribute, Ground, Appearance, MaterialChoice, Object, Scene, Style, View, render};
+use ga_render::texture::{Filter, Mipmap, Sampler, Wrap};
+use ga_render::{
+    Appearance, Attribute, Ground, MaterialChoice, Object, Scene, Style, View, render,
+};
 
 use crate::pictures::sphere;
 use crate::scenes::{CORNERS, UNIT_SQUARE, code, one_light, square};

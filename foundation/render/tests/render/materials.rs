@@ -5,7 +5,7 @@ use ga_image::colour::LinearColour;
 use ga_image::plane::Plane;
 use ga_render::texture::{Filter, Mipmap, Sampler, TextureError, Wrap};
 use ga_render::{
-    Attribute, Light, Lighting, Appearance, MaterialChoice, Normals, Object, Scene, Shading, Style,
+    Appearance, Attribute, Light, Lighting, MaterialChoice, Normals, Object, Scene, Shading, Style,
     View, render,
 };
 use ga_runtime::cga3::{Motor, Rotor};

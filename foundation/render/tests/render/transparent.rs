@@ -3,7 +3,7 @@
 use crate::{Pixels, enumerated};
 use ga_image::colour::LinearColour;
 use ga_render::{
-    Buffers, Ground, Appearance, MaterialChoice, Object, Scene, Shading, Style, View, render,
+    Appearance, Buffers, Ground, MaterialChoice, Object, Scene, Shading, Style, View, render,
 };
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! The depth budget: how far in front of the screen and behind it points are, over time.
 
 use crate::comfort::{Dimension, Histogram, Scale, Timeline, Viewing};
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
 
@@ -23,7 +23,7 @@ const LINES: [(&str, &str); 3] = [
 ];
 
 /// The picture, and whether all points stay in the budget.
-pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String, EncodeError> {
+pub(super) fn svg(timeline: &Timeline, viewing: &Viewing) -> Result<String, FormatError> {
     let time = TimeAxis::new(timeline);
     let limits = limits(viewing);
     let range = range(timeline, &limits);
@@ -150,7 +150,7 @@ fn range(timeline: &Timeline, limits: &[(f64, &str)]) -> [f64; 2] {
 }
 
 /// A column of shades for each interval: the more points have a parallax, the darker.
-fn draw_density(svg: &mut Svg, timeline: &Timeline, range: [f64; 2]) -> Result<(), EncodeError> {
+fn draw_density(svg: &mut Svg, timeline: &Timeline, range: [f64; 2]) -> Result<(), FormatError> {
     let intervals = timeline.intervals();
     if intervals.is_empty() {
         return Ok(());

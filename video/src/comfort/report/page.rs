@@ -2,7 +2,7 @@
 
 use crate::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
 use crate::keyframe::scenes::timecode;
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 
 use super::thumbnail::{self, Video};
 use super::verdict::{self, Problem};
@@ -14,13 +14,13 @@ impl Report {
     ///
     /// # Errors
     /// A picture that is shown cannot be encoded.
-    pub fn page(&self, summary: &Summary, failure: Option<&str>) -> Result<Page, EncodeError> {
+    pub fn page(&self, summary: &Summary, failure: Option<&str>) -> Result<Page, FormatError> {
         page(self, summary, failure)
     }
 }
 
 /// The page of a report; `failure` says why the video could not be read further.
-fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Page, EncodeError> {
+fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Page, FormatError> {
     let about = &report.about;
     let viewing = &about.viewing;
     let rate = report.rate(summary.frames);
@@ -267,7 +267,7 @@ fn add_problems(
     report: &Report,
     problems: &[Problem<'_>],
     (frames, rate): (usize, [u32; 2]),
-) -> Result<(), EncodeError> {
+) -> Result<(), FormatError> {
     let viewing = &report.about.viewing;
     page.heading("What to mend, in this order");
     page.numbered(problems.iter().map(|problem| {
@@ -326,7 +326,7 @@ fn add_moment(
     moment: &super::moments::Moment,
     video: Video<'_>,
     rate: [u32; 2],
-) -> Result<(), EncodeError> {
+) -> Result<(), FormatError> {
     let record = &moment.record;
     let score = record.row(dimension).score.unwrap_or_default();
     page.subheading(&format!(

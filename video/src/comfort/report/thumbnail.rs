@@ -5,7 +5,7 @@ mod picture;
 
 use crate::comfort::Dimension;
 use crate::comfort::stereoscopy::Stereoscopy;
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
 pub(super) use picture::{Thumbnail, Video};
@@ -23,7 +23,7 @@ pub(super) fn draw(
     moment: &Moment,
     dimension: Dimension,
     video: Video<'_>,
-) -> Result<Thumbnail, EncodeError> {
+) -> Result<Thumbnail, FormatError> {
     match dimension {
         Dimension::Brightness | Dimension::Colour => checks(moment, video),
         Dimension::Vertical => heights(moment, video),
@@ -43,7 +43,7 @@ pub(super) fn draw(
 
 /// Both views beside each other; points joined by level lines, and how much higher or lower they
 /// are in the right view, exaggerated.
-fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
+fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     const POINTS: usize = 30;
     /// The length that the largest differences have in the picture.
     const LONG: f64 = 40.0;
@@ -126,7 +126,7 @@ fn arrow(svg: &mut Svg, from: [f64; 2], to: [f64; 2]) {
 }
 
 /// Squares of the left and of the right view in turn, in one picture.
-fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
+fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     const ACROSS: usize = 8;
     /// For what the right view does not show.
     const HIDDEN: [u8; 3] = [128; 3];
@@ -229,7 +229,7 @@ fn mean_colours(moment: &Moment, views: [&Plane<[u8; 3]>; 2]) -> [[f64; 3]; 2] {
 }
 
 /// The surroundings of a point in both views at full size, and where they are.
-fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
+fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     let kept = &moment.pictures;
     let Some((place, details)) = kept.detail(video.colours) else {
         return both(kept, video, ["left view", "right view"]);
@@ -279,7 +279,7 @@ fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> 
 }
 
 /// What both eyes see at the same time, and the right view that belongs to the left one.
-fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
+fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     let kept = &moment.pictures;
     let frame = kept.frame;
     let delay = moment
@@ -321,7 +321,7 @@ fn times(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
 }
 
 /// Both views with the eyes that see them.
-fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
+fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     let titles = match moment.record.stereoscopy {
         Stereoscopy::Exchanged => [
             "shown to the left eye; belongs to the right one",
@@ -333,7 +333,7 @@ fn eyes(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, EncodeError> {
     both(&moment.pictures, video, titles)
 }
 
-fn both(kept: &Kept, video: Video<'_>, titles: [&str; 2]) -> Result<Thumbnail, EncodeError> {
+fn both(kept: &Kept, video: Video<'_>, titles: [&str; 2]) -> Result<Thumbnail, FormatError> {
     let height = kept.height(HALF);
     let mut svg = Svg::new([WIDTH, TITLE + height], "Both views");
     let views = kept.views(video.colours);

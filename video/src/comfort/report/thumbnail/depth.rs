@@ -1,7 +1,7 @@
 //! Points of a frame in the colours of their parallax.
 
 use crate::comfort::{Dimension, Match, Record, Scale};
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 
 use super::picture::{GAP, HALF, TITLE, Thumbnail, Video, WIDTH, put, some};
@@ -27,7 +27,7 @@ pub(super) fn draw(
     moment: &Moment,
     dimension: Dimension,
     video: Video<'_>,
-) -> Result<Thumbnail, EncodeError> {
+) -> Result<Thumbnail, FormatError> {
     let record = &moment.record;
     let before = moment.before.as_ref();
     let records = [before.map(|(record, _)| &**record), Some(&**record)];
@@ -152,7 +152,7 @@ fn panel(
     (record, kept): (&Record, &Kept),
     video: Video<'_>,
     (most, is_ringed): (f64, &dyn Fn(f64) -> bool),
-) -> Result<(), EncodeError> {
+) -> Result<(), FormatError> {
     let [view, _] = kept.views(video.colours);
     // Light grey, so that the colours of points stand out.
     let grey = |[r, g, b]: [u8; 3]| {

@@ -1,7 +1,7 @@
 //! Pictures with titles, side by side.
 
 use crate::comfort::{Match, Viewing};
-use ga_image::file::EncodeError;
+use ga_image::file::FormatError;
 use ga_image::jpeg;
 use ga_image::plane::Plane;
 use ga_image::ycbcr::YCbCr;
@@ -43,7 +43,7 @@ pub(super) fn put(
     size: [f64; 2],
     title: &str,
     picture: &Plane<[u8; 3]>,
-) -> Result<(), EncodeError> {
+) -> Result<(), FormatError> {
     let bytes = jpeg::encode(picture, QUALITY)?;
     svg.picture([x, y], size, ("jpeg", &bytes), "");
     put_title(svg, [x, y], title);
