@@ -86,11 +86,11 @@ impl<R: Read> Stream<R> {
         let Some((b'\n', line)) = stream.line.split_last() else {
             // The magic bytes are looked at first: a file of another kind may have no lines.
             parse(&stream.line)?;
-            return Err(syntax(stream.line.len(), "the first line does not end").into());
+            return Err(syntax(stream.line.len(), "the first line does not end"));
         };
         stream.header = parse(line)?;
         if stream.header.size.iter().any(|side| *side > MAX_SIDE) {
-            return Err(syntax(0, "the header states more than 32768 columns or rows").into());
+            return Err(syntax(0, "the header states more than 32768 columns or rows"));
         }
         Ok(stream)
     }
