@@ -12,7 +12,7 @@ impl Recording {
     /// # Errors
     ///
     /// [`RecordingError::TooLarge`] where a small file announces very many frames, as one in
-    /// which nothing moves can, or where a number is not finite.
+    /// which nothing moves can, and [`RecordingError::Transform`] where a number is not finite.
     ///
     /// # Examples
     ///
