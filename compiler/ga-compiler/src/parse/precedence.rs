@@ -1,5 +1,5 @@
-//! Formulas from tokens, by precedence climbing: operators bind as in Rust, and what readers of Rust
-//! and of textbooks would group in different ways needs parentheses.
+//! Formulas from tokens, by precedence climbing: operators bind as in Rust, and what readers of
+//! Rust and of textbooks would group in different ways needs parentheses.
 
 use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;

@@ -1,6 +1,6 @@
 //! Classes of equal multivectors, each with the operations that give it.
 //!
-//! A class (`class.rs`) is an e-class and a way an e-node of an e-graph, and the rules are applied by equality
+//! A class is an e-class and a way an e-node of an e-graph, and the rules are applied by equality
 //! saturation (Tate et al. 2009; Willsey et al., egg, 2021).
 //!
 //! Two multivectors are taken as equal if they are equal at the random points of the program's

@@ -1,5 +1,5 @@
-//! Which way is taken to each class: by estimates of the cost, first one class after the other, then
-//! with single changes.
+//! Which way is taken to each class: by estimates of the cost, first one class after the other,
+//! then with single changes.
 
 use super::class::{ClassId, Operation};
 use super::classes::Classes;

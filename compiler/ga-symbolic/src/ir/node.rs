@@ -26,7 +26,8 @@ pub enum Node {
     /// An input, by its number.
     Input(usize),
     /// A sum of values with different nodes in rising order. The factors are coprime integers, the
-    /// first of them positive. Or a single value with a positive factor, see [`Arena::held`](super::Arena::held).
+    /// first of them positive. Or a single value with a positive factor, see
+    /// [`Arena::held`](super::Arena::held).
     Sum(Box<[Value]>),
     /// A product of two nodes in rising order.
     Product(NodeId, NodeId),

@@ -7,8 +7,8 @@ use crate::program::{Program, Step, StepId};
 /// How many steps deep the factors of an outer product are looked for. Those of a blade are few.
 const DEEPEST: usize = 16;
 
-/// Finds the factors of products. A product that several steps read, or that is computed on its own,
-/// is one factor.
+/// Finds the factors of products. A product that several steps read, or that is computed on its
+/// own, is one factor.
 pub(super) struct Factors<'a> {
     program: &'a Program<'a>,
     pieces: &'a Pieces<'a>,
