@@ -98,6 +98,35 @@ fn a_pair_is_checked() {
 }
 
 #[test]
+fn the_next_command_is_said_where_its_files_are_known() {
+    let folder = tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    write("left one.pgm", &noise(0, 0));
+    write("right.pgm", &noise(8, 0));
+    let run = |more: &[&str]| {
+        let command = [
+            "stereo",
+            "match",
+            "left one.pgm",
+            "right.pgm",
+            "--out",
+            "d.pfm",
+        ];
+        let arguments = [&command[..], &["--max-disparity", "16"], more].concat();
+        let output = nullcone(folder.path(), arguments);
+        assert_success(&output);
+        text(&output.stdout).to_owned()
+    };
+    assert!(!run(&[]).contains("next: "));
+    write("rig.yml", b"");
+    let next = "\nnext: nullcone stereo reconstruct 'left one.pgm' right.pgm --rig rig.yml \
+                --out model.glb\n";
+    assert!(run(&[]).ends_with(next), "{}", run(&[]));
+    assert_eq!(run(&["--quiet"]), "");
+    assert!(!run(&["--json"]).contains("next: "));
+}
+
+#[test]
 fn a_report_has_the_values_of_a_command_without_a_page_of_its_own() {
     let folder = meshes();
     let arguments = ["mesh", "info", "turned.obj", "--report", "page.html", "-q"];
