@@ -90,17 +90,33 @@ impl Separator {
         }
     }
 
-    /// The one that a line has outside of quotation marks.
-    fn of(line: &str) -> Self {
-        let outside: String = line.split('"').step_by(2).collect();
-        if outside.contains('\t') {
-            Self::Tab
-        } else if outside.contains(';') {
-            Self::Semicolon
-        } else {
-            Self::Comma
+    /// The one that the first row of a text has outside of quotation marks.
+    fn of(text: &str) -> Self {
+        let mut row = text;
+        while let Some((line, rest)) = row.split_once('\n')
+            && !begins_row(line)
+        {
+            row = rest;
         }
+        let (mut is_quoted, mut found) = (false, Self::Comma);
+        for character in row.chars() {
+            match character {
+                '"' => is_quoted = !is_quoted,
+                _ if is_quoted => {}
+                '\n' => break,
+                '\t' => return Self::Tab,
+                ';' => found = Self::Semicolon,
+                _ => {}
+            }
+        }
+        found
     }
+}
+
+/// Whether a line is neither empty nor a comment.
+fn begins_row(line: &str) -> bool {
+    let shown = line.trim_matches(['\r', ' ']);
+    !shown.is_empty() && !shown.starts_with('#')
 }
 
 /// Rows of cells.
@@ -166,9 +182,7 @@ impl Table {
                 .filter(|byte| **byte == b'\n')
                 .count(),
         })?;
-        let mut lines = text.lines().map(str::trim);
-        let is_row = |line: &&str| !line.is_empty() && !line.starts_with('#');
-        let separator = Separator::of(lines.find(is_row).unwrap_or_default());
+        let separator = Separator::of(text);
         let mut scanner = Scanner {
             rest: text,
             line: 1,
@@ -292,11 +306,10 @@ impl Scanner<'_> {
     fn row(&mut self) -> Result<Option<Row>, TableError> {
         loop {
             let (line, _) = self.rest.split_once('\n').unwrap_or((self.rest, ""));
-            let shown = line.trim_matches(['\r', ' ']);
             if self.rest.is_empty() {
                 return Ok(None);
             }
-            if !shown.is_empty() && !shown.starts_with('#') {
+            if begins_row(line) {
                 break;
             }
             self.skip(line.len() + 1);
@@ -387,6 +400,10 @@ pub fn row(cells: impl IntoIterator<Item = Cell>, separator: Separator) -> Strin
                 };
             }
         }
+    }
+    // An empty line would be no row.
+    if line.is_empty() {
+        line += "NA";
     }
     line.push('\n');
     line
