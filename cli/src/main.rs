@@ -114,7 +114,6 @@ fn main() -> ExitCode {
 }
 
 fn run(command: &Command, context: &Context) -> Result<ExitCode> {
-    let quiet = context.is_quiet();
     match command {
         Command::Demo(arguments) => frame::run(arguments, context),
         Command::Animate(arguments) => frame::run(arguments, context),

@@ -18,7 +18,7 @@ pub(crate) use next::command_line;
 pub(crate) use page::of as plain_page;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
-pub(crate) use warning::Warning;
+pub(crate) use warning::{Warning, print as print_warnings};
 
 use crate::output;
 use ga_draw::document::Page;

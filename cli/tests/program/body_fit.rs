@@ -10,7 +10,7 @@ use ga_runtime::cga3::Point;
 use serde_json::{Value, json};
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{assert_failure, assert_success, names, nullcone, number};
+use crate::common::{assert_failure, assert_success, names, nullcone, number, text};
 
 /// Not the rate of files that state none.
 const RATE: f64 = 25.0;
@@ -198,6 +198,39 @@ fn the_word_mannequin_is_the_figure_of_the_program_wherever_it_stands() {
     let arguments = "body fit --joints one.json --rig camera.yml --out a.glb --character";
     let arguments = arguments.split(' ').chain(["./mannequin"]);
     assert_failure(&nullcone(folder.path(), arguments), &["./mannequin"]);
+}
+
+/// Two views that do not belong together: the right one shows another frame, and shifted.
+#[test]
+fn a_bad_fit_is_doubtful() {
+    let folder = inputs();
+    let good = fit(folder.path(), "joints.json", "rig.yml", &["--check"]);
+    let good = report(&good);
+    assert_eq!(good["verdict"], "good");
+    assert_eq!(good["warnings"], json!([]));
+
+    let path = folder.path().join("joints.json");
+    let mut joints: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    for (index, place) in joints["views"][1]["frames"][2]
+        .as_array_mut()
+        .unwrap()
+        .iter_mut()
+        .enumerate()
+    {
+        if let Some(place) = place.as_array_mut() {
+            let v = place[1].as_f64().unwrap();
+            place[1] = json!(v + 80.0 * (index % 3) as f64 - 80.0);
+        }
+    }
+    std::fs::write(&path, joints.to_string()).unwrap();
+    let output = fit(folder.path(), "joints.json", "rig.yml", &["--check"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let bad: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(bad["verdict"], "doubtful");
+    let warnings = bad["warnings"].as_array().unwrap();
+    let of_frame = |warning: &&Value| warning["frame"] == 2;
+    let warning = warnings.iter().find(of_frame).unwrap();
+    assert_eq!(warning["kind"], "large_error");
 }
 
 #[test]

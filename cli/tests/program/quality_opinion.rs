@@ -121,7 +121,7 @@ fn wrong_scores_are_named_and_nothing_is_written() {
         ),
         (
             "objective,subjective\n1,2\n2\n",
-            "found record with 1 fields",
+            "line 3 has 1 cells, and the first line names 2 columns",
         ),
     ] {
         std::fs::write(folder.path().join("scores.csv"), csv).unwrap();

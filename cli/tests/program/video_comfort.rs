@@ -116,6 +116,8 @@ fn each_frame_is_a_line_with_all_rows() {
     let summary = std::fs::read(folder.path().join("summary.json")).unwrap();
     let summary: Value = serde_json::from_slice(&summary).unwrap();
     assert_eq!(summary["frames"], 10);
+    // 30 codes and 3 px in 136 rows are severe.
+    assert_eq!(summary["verdict"], "failed");
     assert_eq!(summary["rows"]["vertical"]["frames_green"], 0);
 
     let one = nullcone(

@@ -44,8 +44,8 @@ use crate::shell::quoted;
 /// "map_by": "names", "map": {"LeftUpLeg": "thigh_l", …}, "slide_metres": …, "feet": […], …}. A map
 /// that is printed is of the form that --map reads: the joint of the motion first, and the joint of
 /// the target, or a list of them. slide_metres is how far apart two places of an ankle are at most
-/// while it stands, in what is written; slide_free_metres is the same without --foot-locking. The verdict is doubtful where there is a
-/// warning, otherwise good.
+/// while it stands, in what is written; slide_free_metres is the same without --foot-locking. The
+/// verdict is doubtful where there is a warning, otherwise good.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

@@ -1,6 +1,6 @@
 //! `nullcone stereo reconstruct`: two views as a cloud of points or a surface in metres.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 

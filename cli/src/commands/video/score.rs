@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
+use ga_files::table::Table;
 use ga_video::keyframe::evaluation::score;
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +20,8 @@ pub(super) struct Arguments {
     /// What nullcone video keyframes --json printed, or any JSON object with "cuts".
     #[arg(value_name = "FOUND.json")]
     found: PathBuf,
-    /// The first frames of the shots after the labelled cuts, a number a line.
+    /// The first frames of the shots after the labelled cuts, a number a line; the first line may be
+    /// a name.
     #[arg(value_name = "LABELS.csv")]
     labels: PathBuf,
     /// How far a cut may be from its label, in frames.
@@ -81,26 +83,15 @@ fn read(path: &Path) -> Result<Vec<u8>> {
     std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The numbers of the first column; empty lines do not count.
+/// The numbers of the first column.
 fn labels(path: &Path) -> Result<Vec<usize>> {
-    let bytes = read(path)?;
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(&bytes[..]);
-    let mut labels = Vec::new();
-    for record in reader.records() {
-        let record = record.with_context(|| path.display().to_string())?;
-        let word = record.get(0).unwrap_or_default();
-        let line = record.position().map_or(0, csv::Position::line);
-        let number = word.parse().with_context(|| {
-            format!(
-                "{}: line {line}: {word:?} is not a frame number",
-                path.display()
-            )
-        })?;
-        labels.push(number);
-    }
-    Ok(labels)
+    let table = Table::parse(&read(path)?).with_context(|| path.display().to_string())?;
+    let labels = (0..table.len()).map(|row| {
+        let label = table.text(row, 0);
+        label.parse().with_context(|| {
+            let (file, line) = (path.display(), table.line(row));
+            format!("{file}: line {line}: {label:?} is not a frame number")
+        })
+    });
+    labels.collect()
 }

@@ -1,5 +1,5 @@
-//! The report of the comfort of a video as a page that needs no other file: what is good and what to
-//! mend first, all scores over time, the depth budget, and the worst moments as pictures.
+//! The report of the comfort of a video as a page that needs no other file: what is good and what
+//! to mend first, all scores over time, the depth budget, and the worst moments as pictures.
 //!
 //! A [`Report`] is told of each frame while the video is read, as by an
 //! [`Observer`](crate::comfort::Observer).

@@ -163,7 +163,7 @@ fn pictures(arguments: &Arguments, context: &Context) -> Result<Compared> {
         page = Some(page::of_pictures(arguments, &report, &map));
     }
     if let Some(path) = &arguments.csv {
-        output::write(path, &table::csv(&[frame])?)?;
+        output::write(path, table::csv(&[frame]).as_bytes())?;
     }
     Ok(Compared {
         page,
@@ -205,7 +205,7 @@ fn videos(arguments: &Arguments, context: &Context) -> Result<Compared> {
     report.ms_ssim_reason = too_small(size);
     let mut files = Vec::new();
     if let Some(path) = &arguments.csv {
-        files.push((path, table::csv(&frames)?));
+        files.push((path, table::csv(&frames).into_bytes()));
     }
     if let Some(path) = &arguments.plot {
         let svg = plot::svg(&frames, &arguments.distorted);

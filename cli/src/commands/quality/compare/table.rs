@@ -1,18 +1,21 @@
-//! The measures of all frames as CSV.
+//! The measures of all frames as a table.
 
-use anyhow::Result;
+use ga_files::table::{Cell, Separator, row};
 use ga_video::quality::{FrameQuality, MEASURES};
 
 /// A row for each frame. A measure that a frame does not have is empty.
-pub(super) fn csv(frames: &[FrameQuality]) -> Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+pub(super) fn csv(frames: &[FrameQuality]) -> String {
     let keys = MEASURES.iter().map(|measure| measure.key);
-    writer.write_record(["frame", "time_seconds"].into_iter().chain(keys))?;
+    let names = ["frame", "time_seconds"].into_iter().chain(keys);
+    let mut text = row(
+        names.map(|name| Cell::Text(name.to_owned())),
+        Separator::Comma,
+    );
     for frame in frames {
         let values = MEASURES.iter().map(|measure| (measure.value)(frame));
-        let texts = values.map(|value| value.map_or(String::new(), |number| number.to_string()));
-        let place = [frame.index.to_string(), frame.time_seconds.to_string()];
-        writer.write_record(place.into_iter().chain(texts))?;
+        let place = [frame.index as f64, frame.time_seconds].map(Some);
+        let cells = place.into_iter().chain(values).map(Cell::from);
+        text += &row(cells, Separator::Comma);
     }
-    Ok(writer.into_inner()?)
+    text
 }

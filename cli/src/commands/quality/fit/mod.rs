@@ -4,11 +4,11 @@ mod arguments;
 mod page;
 mod plot;
 mod report;
-mod table;
 
 pub(crate) use arguments::Arguments;
 
 use anyhow::{Context as _, Result};
+use ga_files::table::Table;
 use ga_video::opinion::Scores;
 use ga_video::opinion::logistic::{Curve, Fit, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap, Interval};
@@ -19,7 +19,6 @@ use crate::frame::{self, Command, Context};
 use crate::output;
 use ga_draw::document::Page;
 use report::{AgainstReport, CurveReport, Report};
-use table::Table;
 
 impl Command for Arguments {
     type Report = Shown;
@@ -57,7 +56,7 @@ fn fit(arguments: &Arguments, context: &Context) -> Result<Shown> {
     let progress = context.progress(4);
     let path = &arguments.scores;
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let table = Table::parse(&bytes).with_context(|| path.display().to_string())?;
+    let table = Table::with_names(&bytes).with_context(|| path.display().to_string())?;
     let scores = scores(&table, "objective").with_context(|| path.display().to_string())?;
     let bootstrap = Bootstrap {
         draws: arguments.draws as usize,
@@ -109,7 +108,7 @@ fn fit(arguments: &Arguments, context: &Context) -> Result<Shown> {
 
 fn scores(table: &Table, objective: &str) -> Result<Scores> {
     let scores = Scores::new(table.numbers(objective)?, table.numbers("subjective")?)?;
-    Ok(match table.has("deviation") {
+    Ok(match table.column("deviation").is_some() {
         true => scores.with_deviations(table.numbers("deviation")?)?,
         false => scores,
     })

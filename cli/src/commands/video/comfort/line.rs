@@ -1,6 +1,7 @@
 //! One line for each frame.
 
 use anyhow::Result;
+use ga_files::table::{self, Cell, Separator};
 use ga_video::comfort::{Dimension, Record, Row};
 use serde_json::{Map, Value, json};
 
@@ -86,31 +87,28 @@ fn number(value: Option<f64>) -> Value {
 }
 
 /// The names of the columns of [`csv()`].
-pub(super) fn csv_header() -> Result<String> {
+pub(super) fn csv_header() -> String {
     let mut names = vec!["frame".to_owned(), "time_seconds".to_owned()];
     for dimension in Dimension::ALL {
         let name = dimension.name();
         names.push(format!("{name}_score"));
         names.push(format!("{name}_{}", dimension.unit().name()));
     }
-    written(names)
+    table::row(names.into_iter().map(Cell::Text), Separator::Comma)
 }
 
 /// The scores and raw numbers of a frame; a state stands for a score that is missing.
-pub(super) fn csv(record: &Record) -> Result<String> {
-    let mut cells = vec![record.frame.to_string(), record.time_seconds.to_string()];
+pub(super) fn csv(record: &Record) -> String {
+    let mut cells = vec![
+        Cell::Number(record.frame as f64),
+        Cell::Number(record.time_seconds),
+    ];
     for Row { score, raw, .. } in &record.rows {
-        cells.push(match score {
+        cells.push(Cell::Text(match score {
             Ok(score) => score.to_string(),
             Err(missing) => missing.to_string(),
-        });
-        cells.push(raw.map_or(String::new(), |raw| raw.to_string()));
+        }));
+        cells.push(Cell::from(*raw));
     }
-    written(cells)
-}
-
-fn written(cells: Vec<String>) -> Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells)?;
-    Ok(String::from_utf8(writer.into_inner()?)?)
+    table::row(cells, Separator::Comma)
 }

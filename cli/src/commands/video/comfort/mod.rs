@@ -131,7 +131,7 @@ fn measure(arguments: &Arguments, context: &Context) -> Result<Found> {
         count: properties.frame_count.map(|count| count as u64),
         summary: Summary::default(),
         printed: match lines {
-            Lines::Csv => output::print(&line::csv_header()?),
+            Lines::Csv => output::print(&line::csv_header()),
             Lines::Json | Lines::None => Ok(()),
         },
         can_align: false,
@@ -315,7 +315,7 @@ impl Observer for Watcher<'_> {
         if self.printed.is_ok() {
             let text = match self.lines {
                 Lines::Json => Some(line::json(&record)),
-                Lines::Csv => Some(line::csv(&record)),
+                Lines::Csv => Some(Ok(line::csv(&record))),
                 Lines::None => None,
             };
             if let Some(text) = text {
