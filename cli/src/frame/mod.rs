@@ -1,6 +1,7 @@
 //! The frame around every command: what it prints, as text, JSON or a page, its warnings, its
 //! verdict and its status. A command parses its arguments, calls a library and gives a report.
 
+mod command;
 mod context;
 mod next;
 mod page;
@@ -10,79 +11,17 @@ mod warning;
 
 use std::process::ExitCode;
 
-use anyhow::{Error, Result};
+use anyhow::Result;
 use serde::Serialize;
 
+pub(crate) use command::{Command, Report};
 pub(crate) use context::{Context, Options};
 pub(crate) use next::command_line;
-pub(crate) use page::of as plain_page;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::{Warning, print as print_warnings};
 
 use crate::output;
-use ga_draw::document::Page;
-
-/// A command with its arguments.
-pub(crate) trait Command {
-    /// What is said at the end.
-    type Report: Report;
-
-    /// Does the work.
-    fn run(&self, context: &Context) -> Result<Self::Report>;
-
-    /// Whether a verdict that is not good is to be seen in the status: `--check`, which commands
-    /// have that judge.
-    fn is_check(&self) -> bool {
-        false
-    }
-}
-
-/// What a command says at the end. As JSON it is one object with the keys of the report, its
-/// verdict and its warnings.
-pub(crate) trait Report: Serialize {
-    /// The report for people: lines with their ends.
-    fn text(&self) -> String;
-
-    /// Whether the text is what the command is for, as a table that is asked for. It is printed
-    /// even where nothing is to be said of the work.
-    fn is_result(&self) -> bool {
-        false
-    }
-
-    /// Whether the objects of `--json` were printed one by one during the work.
-    fn is_printed_as_json(&self) -> bool {
-        false
-    }
-
-    /// What users should know about the result; `None` for commands that never warn.
-    fn warnings(&self) -> Option<&[Warning]> {
-        None
-    }
-
-    /// How good the result is; `None` for commands that do not judge.
-    fn verdict(&self) -> Option<Verdict> {
-        None
-    }
-
-    /// A command that goes on from here.
-    fn next(&self) -> Option<String> {
-        None
-    }
-
-    /// The page of `--report`; a page with the text and the values of the report by default.
-    fn page(&self, title: &str) -> Result<Page>
-    where
-        Self: Sized,
-    {
-        page::of(self, title)
-    }
-
-    /// An error after which the rest is still worth saying.
-    fn failure(&mut self) -> Option<Error> {
-        None
-    }
-}
 
 /// A report as JSON.
 #[derive(Serialize)]
@@ -103,7 +42,10 @@ pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode
     let mut report = command.run(context)?;
     let failure = report.failure();
     if let Some(path) = context.report() {
-        let page = report.page(&context.title())?;
+        let page = match report.page() {
+            Some(page) => page,
+            None => page::of(&report, &context.title())?,
+        };
         output::write(path, page.into_html().as_bytes())?;
     }
     if !context.is_quiet() {
@@ -129,9 +71,4 @@ pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode
         }
         _ => Ok(ExitCode::SUCCESS),
     }
-}
-
-/// The status of a command that prints for itself.
-pub(crate) fn unframed(result: Result<()>) -> Result<ExitCode> {
-    result.map(|()| ExitCode::SUCCESS)
 }

@@ -3,11 +3,12 @@
 use anyhow::Result;
 use serde_json::Value;
 
-use super::{Report, Verdict};
+use super::command::Report;
+use super::verdict::Verdict;
 use ga_draw::document::Page;
 
 /// A page with verdict, warnings, text, and a table of the values that the text may round.
-pub(crate) fn of(report: &impl Report, title: &str) -> Result<Page> {
+pub(super) fn of(report: &impl Report, title: &str) -> Result<Page> {
     let mut page = Page::new(title);
     if let Some(verdict) = report.verdict() {
         let text = format!("The result is {}.", verdict.word());

@@ -139,11 +139,8 @@ impl frame::Report for Found {
         self.report.text()
     }
 
-    fn page(&self, title: &str) -> Result<Page> {
-        match &self.page {
-            Some(page) => Ok(page.clone()),
-            None => frame::plain_page(self, title),
-        }
+    fn page(&self) -> Option<Page> {
+        self.page.clone()
     }
 
     fn failure(&mut self) -> Option<Error> {

@@ -90,7 +90,10 @@ impl<R: Read> Stream<R> {
         };
         stream.header = parse(line)?;
         if stream.header.size.iter().any(|side| *side > MAX_SIDE) {
-            return Err(syntax(0, "the header states more than 32768 columns or rows"));
+            return Err(syntax(
+                0,
+                "the header states more than 32768 columns or rows",
+            ));
         }
         Ok(stream)
     }

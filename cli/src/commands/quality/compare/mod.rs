@@ -86,11 +86,8 @@ impl frame::Report for Compared {
         Some(&self.warnings)
     }
 
-    fn page(&self, title: &str) -> Result<Page> {
-        match &self.page {
-            Some(page) => Ok(page.clone()),
-            None => frame::plain_page(self, title),
-        }
+    fn page(&self) -> Option<Page> {
+        self.page.clone()
     }
 
     fn failure(&mut self) -> Option<Error> {

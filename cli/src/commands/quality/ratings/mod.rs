@@ -46,11 +46,8 @@ impl frame::Report for Shown {
         text(&self.report)
     }
 
-    fn page(&self, title: &str) -> Result<Page> {
-        match &self.page {
-            Some(page) => Ok(page.clone()),
-            None => frame::plain_page(self, title),
-        }
+    fn page(&self) -> Option<Page> {
+        self.page.clone()
     }
 }
 
