@@ -13,7 +13,6 @@ use anyhow::{Error, Result};
 use serde::Serialize;
 
 pub(crate) use context::{Context, Options};
-pub(crate) use page::of as plain_page;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::Warning;
@@ -73,13 +72,21 @@ pub(crate) trait Report: Serialize {
     where
         Self: Sized,
     {
-        page::of(self, title)
+        plain_page(self, title)
     }
 
     /// An error after which the rest is still worth saying.
     fn failure(&mut self) -> Option<Error> {
         None
     }
+}
+
+/// The page of a report that has none of its own.
+pub(crate) fn plain_page(report: &impl Report, title: &str) -> Result<Page> {
+    let warnings = report.warnings().unwrap_or_default();
+    let values = serde_json::to_value(report)?;
+    let (verdict, text) = (report.verdict(), report.text());
+    Ok(page::of(title, verdict, warnings, &text, &values))
 }
 
 /// A report as JSON.

@@ -1,32 +1,38 @@
 //! The page of a report that has none of its own.
 
-use anyhow::Result;
 use serde_json::Value;
 
-use super::{Report, Verdict};
+use super::verdict::Verdict;
+use super::warning::Warning;
 use ga_draw::document::Page;
 
 /// A page with verdict, warnings, text, and a table of the values that the text may round.
-pub(crate) fn of(report: &impl Report, title: &str) -> Result<Page> {
+pub(super) fn of(
+    title: &str,
+    verdict: Option<Verdict>,
+    warnings: &[Warning],
+    text: &str,
+    values: &Value,
+) -> Page {
     let mut page = Page::new(title);
-    if let Some(verdict) = report.verdict() {
+    if let Some(verdict) = verdict {
         let text = format!("The result is {}.", verdict.word());
         match verdict {
             Verdict::Good => page.paragraph(&text),
             Verdict::Doubtful | Verdict::Failed => page.warning(&text),
         }
     }
-    for warning in report.warnings().unwrap_or_default() {
+    for warning in warnings {
         page.warning(&warning.line_of_text());
     }
-    page.code(report.text().trim_end());
+    page.code(text.trim_end());
     let mut rows = Vec::new();
-    add_rows("", &serde_json::to_value(report)?, &mut rows);
+    add_rows("", values, &mut rows);
     if !rows.is_empty() {
         page.heading("Values");
         page.table(["key", "value"], rows);
     }
-    Ok(page)
+    page
 }
 
 /// The number of elements of a list that have rows.
