@@ -1,6 +1,6 @@
-//! Tables of keys as CSV.
+//! Tables of keys, as [`ga_files::table`] reads and writes them.
 
-use csv::{ReaderBuilder, StringRecord, Trim, Writer};
+use ga_files::table::{Cell, Separator, Table, TableError, row};
 
 use super::resample::Resampled;
 
@@ -11,7 +11,7 @@ use super::resample::Resampled;
 /// ```
 /// use ga_anim::curve::table::KeyTable;
 ///
-/// let table = KeyTable::parse(b"t,height\n0,1\n0.5,3\n")?;
+/// let table = KeyTable::decode(b"t,height\n0,1\n0.5,3\n")?;
 /// assert_eq!(table.names, ["t", "height"]);
 /// assert_eq!(table.channels, [[1.0, 3.0]]);
 /// # Ok::<_, ga_anim::curve::table::KeyTableError>(())
@@ -27,16 +27,16 @@ pub struct KeyTable {
     /// The values of each channel at the times.
     pub channels: Vec<Vec<f64>>,
     /// The line of each key in the file, from 1.
-    pub lines: Vec<u64>,
+    pub lines: Vec<usize>,
 }
 
 /// What is wrong with a table.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum KeyTableError {
-    /// The text is not CSV.
-    #[error("{0}")]
-    Csv(#[from] csv::Error),
+    /// The text is not a table.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// There is no key.
     #[error("there are no keys")]
     Empty,
@@ -44,17 +44,17 @@ pub enum KeyTableError {
     #[error("line {line}: a column of times and at least one channel are needed")]
     NoChannel {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
     },
     /// A line has another number of columns.
     #[error("line {line}: {found} columns, but line {first} has {expected}")]
     Columns {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// What was found.
         found: usize,
         /// The line that it is compared with.
-        first: u64,
+        first: usize,
         /// What is expected.
         expected: usize,
     },
@@ -62,7 +62,7 @@ pub enum KeyTableError {
     #[error("line {line}, column {column} ({name}): {text:?} is not a finite number")]
     Number {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The column, from 1.
         column: usize,
         /// The name.
@@ -77,74 +77,69 @@ impl KeyTable {
     ///
     /// # Errors
     /// What is wrong with the table, with the line.
-    pub fn parse(bytes: &[u8]) -> Result<Self, KeyTableError> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .trim(Trim::All)
-            .from_reader(bytes);
-        let mut records = reader.records().peekable();
-        let line = |record: &StringRecord| record.position().map_or(1, csv::Position::line);
-        let Some(Ok(first)) = records.peek().filter(|first| first.is_ok()) else {
-            return Err(records
-                .next()
-                .and_then(Result::err)
-                .map_or(KeyTableError::Empty, Into::into));
+    pub fn decode(bytes: &[u8]) -> Result<Self, KeyTableError> {
+        let table = Table::parse(bytes).map_err(|error| match error {
+            TableError::Cells {
+                line,
+                found,
+                expected,
+                first,
+            } => KeyTableError::Columns {
+                line,
+                found,
+                first,
+                expected,
+            },
+            other => other.into(),
+        })?;
+        let has_header = !table.names().is_empty();
+        let (width, first) = match has_header {
+            true => (table.names().len(), table.names_line()),
+            false => (table.width(0), table.line(0)),
         };
-        let (width, first_line) = (first.len(), line(first));
-        if width < 2 {
-            return Err(KeyTableError::NoChannel { line: first_line });
+        match (width, table.len()) {
+            (2.., 1..) => {}
+            (0, _) | (2.., 0) => return Err(KeyTableError::Empty),
+            _ => return Err(KeyTableError::NoChannel { line: first }),
         }
-        // A first line without any number is a line of names.
-        let has_header = first.iter().all(|field| field.parse::<f64>().is_err());
-        let names: Vec<String> = match has_header {
-            true => first.iter().map(str::to_string).collect(),
-            false => std::iter::once("t".to_string())
-                .chain((1..width).map(|channel| format!("channel {channel}")))
-                .collect(),
-        };
-        let mut table = Self {
-            names,
+        let channels = (1..width).map(|channel| format!("channel {channel}"));
+        let mut keys = Self {
+            names: match has_header {
+                true => table.names().to_vec(),
+                false => std::iter::once("t".to_owned()).chain(channels).collect(),
+            },
             has_header,
             times: Vec::new(),
             channels: vec![Vec::new(); width - 1],
             lines: Vec::new(),
         };
-        for record in records.skip(usize::from(has_header)) {
-            let record = record?;
-            let line = line(&record);
-            if record.len() != width {
-                let found = record.len();
+        for row in 0..table.len() {
+            let (line, found) = (table.line(row), table.width(row));
+            if found != width {
                 return Err(KeyTableError::Columns {
                     line,
                     found,
-                    first: first_line,
+                    first,
                     expected: width,
                 });
             }
-            for (column, field) in record.iter().enumerate() {
-                let Some(number) = field.parse::<f64>().ok().filter(|x| x.is_finite()) else {
-                    let (name, text) = (table.names[column].clone(), field.to_string());
+            for column in 0..width {
+                let Ok(Some(number)) = table.number(row, column) else {
                     return Err(KeyTableError::Number {
                         line,
                         column: column + 1,
-                        name,
-                        text,
+                        name: keys.names[column].clone(),
+                        text: table.text(row, column).to_owned(),
                     });
                 };
                 match column.checked_sub(1) {
-                    None => table.times.push(number),
-                    Some(channel) => table.channels[channel].push(number),
+                    None => keys.times.push(number),
+                    Some(channel) => keys.channels[channel].push(number),
                 }
             }
-            table.lines.push(line);
+            keys.lines.push(line);
         }
-        if table.times.is_empty() {
-            Err(KeyTableError::Empty)
-        } else {
-            Ok(table)
-        }
+        Ok(keys)
     }
 
     /// How a message names a column, by its index.
@@ -153,20 +148,16 @@ impl KeyTable {
     }
 
     /// Rows under the names of this table, as CSV. Each number reads back exactly.
-    ///
-    /// # Errors
-    /// A name cannot be written as CSV.
-    pub fn with_rows(&self, rows: &Resampled<Vec<f64>>) -> Result<Vec<u8>, csv::Error> {
-        let mut writer = Writer::from_writer(Vec::new());
+    pub fn with_rows(&self, rows: &Resampled<Vec<f64>>) -> String {
+        let mut text = String::new();
         if self.has_header {
-            writer.write_record(&self.names)?;
+            let names = self.names.iter().cloned().map(Cell::Text);
+            text += &row(names, Separator::Comma);
         }
         for (time, values) in rows.times.iter().zip(&rows.values) {
             let numbers = std::iter::once(time).chain(values);
-            writer.write_record(numbers.map(|number| format!("{number:?}")))?;
+            text += &row(numbers.copied().map(Cell::exact), Separator::Comma);
         }
-        writer
-            .into_inner()
-            .map_err(|error| error.into_error().into())
+        text
     }
 }

@@ -40,6 +40,8 @@ pub enum TableError {
     Cells {
         /// The line.
         line: usize,
+        /// The line of the names.
+        first: usize,
         /// How many cells it has.
         found: usize,
         /// How many columns have names.
@@ -123,6 +125,8 @@ fn begins_row(line: &str) -> bool {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     names: Vec<String>,
+    /// The line of the names; 0 where there are none.
+    names_line: usize,
     rows: Vec<Row>,
     separator: Separator,
 }
@@ -143,12 +147,14 @@ impl Table {
         if table.rows.is_empty() {
             return Err(TableError::Empty);
         }
-        table.names = table.rows.remove(0).cells;
+        let first = table.rows.remove(0);
+        (table.names, table.names_line) = (first.cells, first.line);
         let expected = table.names.len();
         for Row { line, cells } in &table.rows {
             if cells.len() != expected {
                 return Err(TableError::Cells {
                     line: *line,
+                    first: table.names_line,
                     found: cells.len(),
                     expected,
                 });
@@ -157,7 +163,7 @@ impl Table {
         Ok(table)
     }
 
-    /// A table whose first row names its columns where it has a cell that is no number. Without
+    /// A table whose first row names its columns where none of its cells is a number. Without
     /// names, rows may have different numbers of cells; those that a row lacks are missing.
     ///
     /// # Errors
@@ -167,8 +173,8 @@ impl Table {
         let Some(first) = table.rows.first() else {
             return Ok(table);
         };
-        let is_number = |cell: &String| number(cell, table.separator).is_ok();
-        match first.cells.iter().all(is_number) {
+        let is_number = |cell: &String| matches!(number(cell, table.separator), Ok(Some(_)));
+        match first.cells.iter().any(is_number) {
             true => Ok(table),
             false => Self::with_names(bytes),
         }
@@ -194,6 +200,7 @@ impl Table {
         }
         Ok(Self {
             names: Vec::new(),
+            names_line: 0,
             rows,
             separator,
         })
@@ -203,6 +210,18 @@ impl Table {
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The line of the names, from 1; 0 where the table has none.
+    #[must_use]
+    pub fn names_line(&self) -> usize {
+        self.names_line
+    }
+
+    /// The number of cells of a row; 0 for a row that is not there.
+    #[must_use]
+    pub fn width(&self, row: usize) -> usize {
+        self.rows.get(row).map_or(0, |row| row.cells.len())
     }
 
     /// The number of rows under the names.
@@ -409,6 +428,15 @@ pub fn row(cells: impl IntoIterator<Item = Cell>, separator: Separator) -> Strin
     line
 }
 
+impl Cell {
+    /// A number in as many digits as say it exactly, with an exponent where it is very large or very
+    /// small.
+    #[must_use]
+    pub fn exact(number: f64) -> Self {
+        Self::Text(format!("{number:?}"))
+    }
+}
+
 /// Whether a text would be read as something else without quotation marks.
 fn needs_quotation_marks(text: &str) -> bool {
     text.contains([',', ';', '\t', '"', '\n', '\r'])
@@ -446,6 +474,10 @@ mod tests {
         assert_eq!((plain.names().len(), plain.len()), (0, 2));
         assert_eq!(plain.number(1, 0)?, Some(20.0));
         assert_eq!(plain.text(0, 1), "");
+        // A row with a number is not one of names, whatever else it says.
+        let kinds = Table::parse(b"10,cut\n20,dissolve\n")?;
+        assert_eq!((kinds.names().len(), kinds.len()), (0, 2));
+        assert_eq!(kinds.text(0, 1), "cut");
         let named = Table::parse(b"cut\n10\n")?;
         assert_eq!((named.column("CUT"), named.len()), (Some(0), 1));
         Ok(())

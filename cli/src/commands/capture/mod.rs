@@ -29,7 +29,7 @@ impl Command for Arguments {
         let begin = Instant::now();
         let progress = context.progress(4);
         progress.step("reading");
-        let points = ga_files::read(&arguments.points, PointTable::parse)?;
+        let points = ga_files::read(&arguments.points, PointTable::decode)?;
         let named = || arguments.points.display().to_string();
         let reference =
             frame(arguments.reference.as_deref(), "--reference", &points).with_context(named)?;
@@ -220,14 +220,14 @@ fn files(
                 let found = surface.frame_files(place, arguments, motion, one, poses[one]);
                 files.extend(found.with_context(|| cannot(path))?);
             }
-            _ => files.push((path.clone(), expressions_csv(points, frames)?)),
+            _ => files.push((path.clone(), expressions_csv(points, frames).into_bytes())),
         }
     }
     if let Some(path) = &arguments.pose {
-        files.push((path.clone(), poses_csv(points, frames)?));
+        files.push((path.clone(), poses_csv(points, frames).into_bytes()));
     }
     if let Some(path) = &arguments.matrix {
-        files.push((path.clone(), matrices_csv(points, frames)?));
+        files.push((path.clone(), matrices_csv(points, frames).into_bytes()));
     }
     Ok(files)
 }

@@ -11,7 +11,7 @@ use ga_mesh::normals::vertex_normals;
 use ga_mesh::{CornerAttribute, Mesh};
 use ga_runtime::cga3::{Motor, Point, Similarity};
 use ga_runtime::vga3::{Rotor, Vector};
-use ga_vision::capture::table::{Key, PointTable, parse_keys};
+use ga_vision::capture::table::{Key, PointTable, decode_keys};
 use ga_vision::capture::{
     CaptureError, CapturedFrame, LocalArea, PrincipalShapes, SphericalParameterisation,
     SurfaceMesh, SurfaceMotion,
@@ -60,7 +60,7 @@ impl Surface {
     ) -> Result<Self> {
         let (mesh, warnings) = mesh_file::read(path)?;
         let keys = match &arguments.keys {
-            Some(path) => ga_files::read(path, |bytes| parse_keys(bytes, points, &mesh))?,
+            Some(path) => ga_files::read(path, |bytes| decode_keys(bytes, points, &mesh))?,
             None => (0..)
                 .zip(rest)
                 .map(|(point, &place)| Key { point, place })

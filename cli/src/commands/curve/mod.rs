@@ -150,7 +150,7 @@ impl Command for Arguments {
         files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
         let progress = context.progress(3);
         progress.step("reading");
-        let table = ga_files::read(&arguments.keys, KeyTable::parse)?;
+        let table = ga_files::read(&arguments.keys, KeyTable::decode)?;
         progress.step("fitting");
         let name = || arguments.keys.display().to_string();
         let curves = splines(&table, &arguments.ends).with_context(name)?;
@@ -209,7 +209,7 @@ fn write(
         files.push((path, svg.into_bytes()));
     }
     if let Some(path) = &arguments.out {
-        files.push((path, table.with_rows(rows)?));
+        files.push((path, table.with_rows(rows).into_bytes()));
     }
     output::write_together(files)
 }

@@ -1,6 +1,6 @@
-//! Where points are on a mesh, as CSV.
+//! Where points are on a mesh, as a table.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use ga_files::table::{Table, TableError};
 use ga_mesh::Mesh;
 use ga_runtime::cga3::Point;
 
@@ -19,9 +19,9 @@ pub struct Key {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum KeyTableError {
-    /// The text is not CSV.
-    #[error("{0}")]
-    Csv(#[from] csv::Error),
+    /// The text is not a table.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// The first line has other names.
     #[error("the first line must be `point,vertex` or `point,x,y,z`, not {0:?}")]
     Header(String),
@@ -32,7 +32,7 @@ pub enum KeyTableError {
     #[error("line {line}: {name:?} is not the name of a point")]
     NoPoint {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name.
         name: String,
     },
@@ -40,7 +40,7 @@ pub enum KeyTableError {
     #[error("line {line}: point {name:?} is there twice")]
     Twice {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name.
         name: String,
     },
@@ -48,7 +48,7 @@ pub enum KeyTableError {
     #[error("line {line}: {text:?} is not a vertex of the mesh, which are 0 to {last}")]
     Vertex {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The text of the field.
         text: String,
         /// The last vertex of the mesh.
@@ -58,7 +58,7 @@ pub enum KeyTableError {
     #[error("line {line}: {text:?} is not a finite number")]
     Number {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The text of the field.
         text: String,
     },
@@ -68,18 +68,17 @@ pub enum KeyTableError {
 ///
 /// # Errors
 /// What is wrong with the table, with the line.
-pub fn parse_keys(
+pub fn decode_keys(
     bytes: &[u8],
     points: &PointTable,
     mesh: &Mesh,
 ) -> Result<Vec<Key>, KeyTableError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
-    let header: Vec<_> = reader
-        .headers()?
-        .iter()
-        .map(str::to_ascii_lowercase)
-        .collect();
+    let table = Table::with_names(bytes).map_err(|error| match error {
+        TableError::Empty => KeyTableError::Header(String::new()),
+        other => other.into(),
+    })?;
+    let header = table.names().iter().map(|name| name.to_ascii_lowercase());
+    let header: Vec<_> = header.collect();
     let names: Vec<_> = header.iter().map(String::as_str).collect();
     let by_vertex = match names[..] {
         ["point", "vertex"] => true,
@@ -87,18 +86,17 @@ pub fn parse_keys(
         _ => return Err(KeyTableError::Header(header.join(","))),
     };
     let mut keys: Vec<Key> = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        let line = record.position().map_or(1, csv::Position::line);
-        let name = || record[0].to_owned();
-        let point = points.point(&record[0]);
-        let point = point.ok_or_else(|| KeyTableError::NoPoint { line, name: name() })?;
+    for row in 0..table.len() {
+        let (line, name) = (table.line(row), table.text(row, 0));
+        let named = || name.to_owned();
+        let point = points.point(name);
+        let point = point.ok_or_else(|| KeyTableError::NoPoint { line, name: named() })?;
         if keys.iter().any(|key| key.point == point) {
-            return Err(KeyTableError::Twice { line, name: name() });
+            return Err(KeyTableError::Twice { line, name: named() });
         }
         let place = match by_vertex {
-            true => vertex(&record, line, mesh)?,
-            false => place(&record, line)?,
+            true => vertex(&table, row, mesh)?,
+            false => place(&table, row)?,
         };
         keys.push(Key { point, place });
     }
@@ -108,24 +106,24 @@ pub fn parse_keys(
     Ok(keys)
 }
 
-fn vertex(record: &StringRecord, line: u64, mesh: &Mesh) -> Result<Point<f64>, KeyTableError> {
-    let text = &record[1];
+fn vertex(table: &Table, row: usize, mesh: &Mesh) -> Result<Point<f64>, KeyTableError> {
+    let text = table.text(row, 1);
     let index = text.parse::<usize>().ok();
     let place = index.and_then(|index| mesh.positions().get(index));
     place.copied().ok_or_else(|| KeyTableError::Vertex {
-        line,
+        line: table.line(row),
         text: text.to_owned(),
         last: mesh.vertex_count().saturating_sub(1),
     })
 }
 
-fn place(record: &StringRecord, line: u64) -> Result<Point<f64>, KeyTableError> {
+fn place(table: &Table, row: usize) -> Result<Point<f64>, KeyTableError> {
     let mut place = [0.0; 3];
-    for (coordinate, text) in place.iter_mut().zip(record.iter().skip(1)) {
-        let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
+    for (coordinate, column) in place.iter_mut().zip(1..) {
+        let number = table.number(row, column).ok().flatten();
         *coordinate = number.ok_or_else(|| KeyTableError::Number {
-            line,
-            text: text.to_owned(),
+            line: table.line(row),
+            text: table.text(row, column).to_owned(),
         })?;
     }
     Ok(place.into())

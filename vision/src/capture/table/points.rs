@@ -1,11 +1,12 @@
-//! Tables of points in frames, as CSV.
+//! Tables of points in frames.
 
 use std::collections::HashSet;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use ga_files::table::{Table, TableError};
 use ga_runtime::cga3::Point;
 
-/// PointTable of a face over time, in metres.
+/// Points of a face over time, in metres.
+#[derive(Clone, Debug)]
 pub struct PointTable {
     /// The names of the points.
     pub names: Vec<String>,
@@ -17,7 +18,7 @@ pub struct PointTable {
 #[derive(Clone, Debug)]
 pub struct PointRow {
     /// The line in the file, from 1.
-    pub line: u64,
+    pub line: usize,
     /// Its name: what the column `frame` has, or else the number of the row, from 0.
     pub label: String,
     /// The time in seconds, where the table has a column for it.
@@ -30,9 +31,9 @@ pub struct PointRow {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PointTableError {
-    /// The text is not CSV.
-    #[error("{0}")]
-    Csv(#[from] csv::Error),
+    /// The text is not a table.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// There is no frame.
     #[error("there are no frames")]
     Empty,
@@ -40,7 +41,7 @@ pub enum PointTableError {
     #[error("line {line}: there are no points; each has three columns, NAME_x, NAME_y and NAME_z")]
     NoPoint {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
     },
     /// The name of a column is not that of a coordinate.
     #[error(
@@ -49,7 +50,7 @@ pub enum PointTableError {
     )]
     Header {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The column, from 1.
         column: usize,
         /// The name.
@@ -61,7 +62,7 @@ pub enum PointTableError {
     #[error("line {line}: point {name:?} is there twice")]
     Twice {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name.
         name: String,
     },
@@ -71,7 +72,7 @@ pub enum PointTableError {
     )]
     NotTriples {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// What was found.
         found: usize,
     },
@@ -79,11 +80,11 @@ pub enum PointTableError {
     #[error("line {line}: {found} columns, but line {first} has {expected}")]
     Columns {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// What was found.
         found: usize,
         /// The line that it is compared with.
-        first: u64,
+        first: usize,
         /// What is expected.
         expected: usize,
     },
@@ -93,7 +94,7 @@ pub enum PointTableError {
     )]
     Number {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name of the frame.
         frame: String,
         /// The axis.
@@ -110,7 +111,7 @@ pub enum PointTableError {
     )]
     Partial {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name of the frame.
         frame: String,
         /// The name of the point.
@@ -122,7 +123,7 @@ pub enum PointTableError {
     #[error("line {line}: the time {text:?} is not a finite number above that of the line before")]
     Time {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The text of the field.
         text: String,
     },
@@ -130,7 +131,7 @@ pub enum PointTableError {
     #[error("line {line}: frame {label:?} is there twice")]
     SameFrame {
         /// The line in the file, from 1.
-        line: u64,
+        line: usize,
         /// The name of the frame.
         label: String,
     },
@@ -152,37 +153,41 @@ impl PointTable {
     ///
     /// # Errors
     /// What is wrong with the table, with the line.
-    pub fn parse(bytes: &[u8]) -> Result<Self, PointTableError> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .trim(Trim::All)
-            .from_reader(bytes);
-        let mut records = reader.records().peekable();
-        let Some(Ok(first)) = records.peek().filter(|first| first.is_ok()) else {
-            let problem = records.next().and_then(Result::err);
-            return Err(problem.map_or(PointTableError::Empty, Into::into));
+    pub fn decode(bytes: &[u8]) -> Result<Self, PointTableError> {
+        let table = Table::parse(bytes).map_err(|error| match error {
+            TableError::Cells {
+                line,
+                found,
+                expected,
+                first,
+            } => PointTableError::Columns {
+                line,
+                found,
+                first,
+                expected,
+            },
+            other => other.into(),
+        })?;
+        let has_names = !table.names().is_empty();
+        if !has_names && table.is_empty() {
+            return Err(PointTableError::Empty);
+        }
+        let columns = match has_names {
+            true => Columns::of_names(&table)?,
+            false => Columns::without_names(&table)?,
         };
-        let (width, first_line) = (first.len(), line_of(first));
-        // A line with a number is not a line of names.
-        let has_header = first.iter().all(|field| field.parse::<f64>().is_err());
-        let columns = match has_header {
-            true => Columns::of_names(first)?,
-            false => Columns::without_names(first)?,
-        };
+        let width = table.width(0);
         let mut frames: Vec<PointRow> = Vec::new();
-        for record in records.skip(usize::from(has_header)) {
-            let record = record?;
-            if record.len() != width {
+        for row in 0..table.len() {
+            if table.width(row) != width {
                 return Err(PointTableError::Columns {
-                    line: line_of(&record),
-                    found: record.len(),
-                    first: first_line,
+                    line: table.line(row),
+                    found: table.width(row),
+                    first: table.line(0),
                     expected: width,
                 });
             }
-            let frame = columns.frame(&record, frames.len())?;
+            let frame = columns.frame(&table, row)?;
             let is_later = match (frames.last().and_then(|last| last.time), frame.time) {
                 (Some(before), Some(time)) => time > before,
                 _ => true,
@@ -190,7 +195,7 @@ impl PointTable {
             if !is_later {
                 return Err(PointTableError::Time {
                     line: frame.line,
-                    text: record[columns.time.unwrap_or(0)].to_owned(),
+                    text: table.text(row, columns.time.unwrap_or(0)).to_owned(),
                 });
             }
             frames.push(frame);
@@ -229,10 +234,6 @@ impl PointTable {
     }
 }
 
-fn line_of(record: &StringRecord) -> u64 {
-    record.position().map_or(1, csv::Position::line)
-}
-
 fn check_labels(frames: &[PointRow]) -> Result<(), PointTableError> {
     let mut labels: Vec<_> = frames.iter().map(|f| (f.label.as_str(), f.line)).collect();
     labels.sort_unstable();
@@ -255,8 +256,8 @@ fn coordinate(column: &str) -> Option<(&str, usize)> {
 }
 
 impl Columns {
-    fn of_names(header: &StringRecord) -> Result<Self, PointTableError> {
-        let line = line_of(header);
+    fn of_names(table: &Table) -> Result<Self, PointTableError> {
+        let (header, line) = (table.names(), table.names_line());
         let mut found = Self {
             frame: None,
             time: None,
@@ -305,8 +306,8 @@ impl Columns {
         Ok(found)
     }
 
-    fn without_names(first: &StringRecord) -> Result<Self, PointTableError> {
-        let (line, found) = (line_of(first), first.len());
+    fn without_names(table: &Table) -> Result<Self, PointTableError> {
+        let (line, found) = (table.line(0), table.width(0));
         if !found.is_multiple_of(3) {
             return Err(PointTableError::NotTriples { line, found });
         }
@@ -318,30 +319,29 @@ impl Columns {
         })
     }
 
-    fn frame(&self, record: &StringRecord, index: usize) -> Result<PointRow, PointTableError> {
-        let line = line_of(record);
-        let label = self.frame.map(|column| record[column].to_owned());
-        let label = label.unwrap_or_else(|| index.to_string());
-        let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
+    fn frame(&self, table: &Table, row: usize) -> Result<PointRow, PointTableError> {
+        let line = table.line(row);
+        let label = self.frame.map(|column| table.text(row, column).to_owned());
+        let label = label.unwrap_or_else(|| row.to_string());
         let time = self.time.map(|column| {
-            let text = &record[column];
-            number(text).ok_or_else(|| PointTableError::Time {
+            let number = table.number(row, column).ok().flatten();
+            number.ok_or_else(|| PointTableError::Time {
                 line,
-                text: text.to_owned(),
+                text: table.text(row, column).to_owned(),
             })
         });
         let point = |point: usize| {
-            let fields = [0, 1, 2].map(|axis| &record[self.first + 3 * point + axis]);
-            if fields.iter().all(|field| field.is_empty()) {
+            let columns = [0, 1, 2].map(|axis| self.first + 3 * point + axis);
+            if columns.iter().all(|column| table.number(row, *column) == Ok(None)) {
                 return Ok(None);
             }
             let mut place = [0.0; 3];
-            for (axis, text) in fields.into_iter().enumerate() {
+            for (axis, column) in columns.into_iter().enumerate() {
                 let (frame, name) = (label.clone(), self.names[point].clone());
                 let coordinate = AXES[axis];
-                place[axis] = match number(text) {
-                    Some(number) => number,
-                    None if text.is_empty() => {
+                place[axis] = match table.number(row, column) {
+                    Ok(Some(number)) => number,
+                    Ok(None) => {
                         return Err(PointTableError::Partial {
                             line,
                             frame,
@@ -349,13 +349,13 @@ impl Columns {
                             coordinate,
                         });
                     }
-                    None => {
+                    Err(_) => {
                         return Err(PointTableError::Number {
                             line,
                             frame,
                             coordinate,
                             point: name,
-                            text: text.to_owned(),
+                            text: table.text(row, column).to_owned(),
                         });
                     }
                 };
