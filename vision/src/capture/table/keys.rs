@@ -90,9 +90,15 @@ pub fn decode_keys(
         let (line, name) = (table.line(row), table.text(row, 0));
         let named = || name.to_owned();
         let point = points.point(name);
-        let point = point.ok_or_else(|| KeyTableError::NoPoint { line, name: named() })?;
+        let point = point.ok_or_else(|| KeyTableError::NoPoint {
+            line,
+            name: named(),
+        })?;
         if keys.iter().any(|key| key.point == point) {
-            return Err(KeyTableError::Twice { line, name: named() });
+            return Err(KeyTableError::Twice {
+                line,
+                name: named(),
+            });
         }
         let place = match by_vertex {
             true => vertex(&table, row, mesh)?,

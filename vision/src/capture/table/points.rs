@@ -332,7 +332,10 @@ impl Columns {
         });
         let point = |point: usize| {
             let columns = [0, 1, 2].map(|axis| self.first + 3 * point + axis);
-            if columns.iter().all(|column| table.number(row, *column) == Ok(None)) {
+            if columns
+                .iter()
+                .all(|column| table.number(row, *column) == Ok(None))
+            {
                 return Ok(None);
             }
             let mut place = [0.0; 3];
