@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Error, Result, ensure};
+use anyhow::{Context, Error, Result, bail, ensure};
 use ga_camera::format::{self, CameraFile, CameraFileError, NamedCamera, Rectified};
 use ga_camera::rig::StereoRig;
 use ga_render::View;
@@ -87,9 +87,24 @@ impl ChosenPair {
         self.rig(&file).map_err(|error| about(path, error))
     }
 
-    /// The first name, of the camera of one view.
+    /// Reads the camera of one view, by its name where one is given.
     pub(crate) fn read_one(&self, path: &Path) -> Result<NamedCamera> {
-        read_one(path, self.names.first().map(String::as_str))
+        match self.names.as_slice() {
+            [] => read_one(path, None),
+            [name] => read_one(path, Some(name)),
+            several => bail!(
+                "--view is given {} times, and there is one view",
+                several.len()
+            ),
+        }
+    }
+
+    /// Fails where cameras are chosen and none are read, or not from one file of a pair.
+    pub(crate) fn refuse(&self, reason: &str) -> Result<()> {
+        match self.names.first() {
+            Some(name) => bail!("--view {name}: {reason}"),
+            None => Ok(()),
+        }
     }
 
     fn rig(&self, file: &CameraFile) -> Result<Rig, CameraFileError> {

@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
+use ga_camera::format::json::VIEWS;
 use ga_image::file::Format as PictureFormat;
 
 use crate::format::{self, Format};
@@ -158,7 +159,8 @@ impl Files {
     }
 }
 
-/// Whether reading an input reads a file: the input itself, or a picture of a video in a folder.
+/// Whether reading an input reads a file: the input itself, a picture of a video in a folder, or the
+/// cameras of a folder of views.
 fn reads(input: &Path, file: &Path) -> bool {
     if !input.is_dir() {
         return ga_files::is_same_file(input, file);
@@ -166,7 +168,8 @@ fn reads(input: &Path, file: &Path) -> bool {
     let is_inside = file
         .parent()
         .is_some_and(|folder| ga_files::is_same_file(input, non_empty(folder)));
-    is_inside && is_picture(file)
+    let is_cameras = file.file_name().is_some_and(|name| name == VIEWS);
+    is_inside && (is_cameras || is_picture(file))
 }
 
 /// Whether a file begins as a picture does.

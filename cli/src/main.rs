@@ -106,10 +106,13 @@ fn main() -> ExitCode {
     let context = Context::new(cli.options.clone(), words.collect());
     match run(&cli.command, &context) {
         Ok(status) => status,
-        Err(error) => {
-            eprintln!("{}", failure::text(&error));
-            ExitCode::FAILURE
-        }
+        Err(error) => match error.downcast::<clap::Error>() {
+            Ok(wrong_arguments) => wrong_arguments.exit(),
+            Err(error) => {
+                eprintln!("{}", failure::text(&error));
+                ExitCode::FAILURE
+            }
+        },
     }
 }
 

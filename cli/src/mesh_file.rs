@@ -7,13 +7,15 @@ use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
 
 use crate::format::Format;
-use crate::frame::Warning;
+use crate::frame::{Warning, keep_for_failure};
 use crate::standard_output::is_standard_output;
 
 /// Reads a mesh, with warnings of what its file refers to that is not there.
 pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
     let (mesh, warnings) = format::read(file)?;
-    Ok((mesh, missing_parts(file, warnings)))
+    let warnings = missing_parts(file, warnings);
+    keep_for_failure(&warnings);
+    Ok((mesh, warnings))
 }
 
 /// Warnings of what the file of a mesh refers to that is not there.

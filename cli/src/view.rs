@@ -135,7 +135,12 @@ impl View {
 
 /// The path of a file of cameras, where `--camera` is one.
 pub(crate) fn camera_path(text: &str) -> Option<&Path> {
-    let path = Path::new(text.trim());
+    let text = text.trim();
+    // Names of views mean them whatever lies in the folder.
+    if ["front", "side", "top", "three-quarter"].contains(&text) || text.starts_with("eye ") {
+        return None;
+    }
+    let path = Path::new(text);
     let is_known = Format::of(path, &[Format::Json, Format::Yaml, Format::Text]).is_some();
     (is_known || path.exists()).then_some(path)
 }

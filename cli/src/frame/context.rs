@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
+use clap::error::ErrorKind;
 
 use super::Progress;
 use crate::files::Files;
@@ -58,11 +59,11 @@ impl Context {
     /// Fails where nothing would come of the work: neither `is_asked`, an output of the command by
     /// one of these options, nor a report.
     pub(crate) fn need_result(&self, is_asked: bool, options: &str) -> Result<()> {
-        ensure!(
-            is_asked || self.options.json || self.options.report.is_some(),
-            "nothing is to be made: give one of {options}, --json and --report"
-        );
-        Ok(())
+        if is_asked || self.options.json || self.options.report.is_some() {
+            return Ok(());
+        }
+        let text = format!("nothing is to be made: give one of {options}, --json and --report\n");
+        Err(clap::Error::raw(ErrorKind::MissingRequiredArgument, text).into())
     }
 
     /// The progress of work in steps.

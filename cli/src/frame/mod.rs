@@ -19,7 +19,7 @@ pub(crate) use context::{Context, Options};
 pub(crate) use next::command_line;
 pub(crate) use progress::Progress;
 pub(crate) use verdict::{Check, Verdict};
-pub(crate) use warning::{Warning, print as print_warnings};
+pub(crate) use warning::{Warning, keep_for_failure};
 
 use crate::output;
 
@@ -39,7 +39,15 @@ const NOT_GOOD: u8 = 3;
 
 /// Runs a command, and prints its report as it is asked for.
 pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
-    let mut report = command.run(context)?;
+    let mut report = match command.run(context) {
+        Ok(report) => report,
+        Err(error) => {
+            if !context.is_quiet() {
+                warning::print_of_inputs();
+            }
+            return Err(error);
+        }
+    };
     let failure = report.failure();
     if let Some(path) = context.report() {
         let page = match report.page() {

@@ -1,6 +1,7 @@
 //! What a command warns of, in words and in JSON alike.
 
 use std::path::Path;
+use std::sync::Mutex;
 
 use serde::Serialize;
 
@@ -37,6 +38,23 @@ impl Warning {
             file: Some(file.display().to_string()),
             ..self
         }
+    }
+}
+
+/// What is known of the inputs of a command that has not ended.
+static OF_INPUTS: Mutex<Vec<Warning>> = Mutex::new(Vec::new());
+
+/// Keeps what is said of an input, which may be the reason why the command fails.
+pub(crate) fn keep_for_failure(warnings: &[Warning]) {
+    if let Ok(mut kept) = OF_INPUTS.lock() {
+        kept.extend_from_slice(warnings);
+    }
+}
+
+/// Writes the warnings of inputs to standard error: those of a command that failed.
+pub(super) fn print_of_inputs() {
+    if let Ok(kept) = OF_INPUTS.lock() {
+        print(&kept);
     }
 }
 

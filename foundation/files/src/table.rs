@@ -2,7 +2,8 @@
 //!
 //! Cells are separated by commas, tabs or semicolons; after semicolons numbers may have a decimal
 //! comma. The first row says which: a tab there is the separator, otherwise a semicolon, otherwise
-//! the comma. Lines that begin with `#` are comments, and empty lines do not count. A cell in
+//! the comma. Lines that begin with `#` are comments unless they have as many cells as the first
+//! row, two at least; empty lines do not count. A cell in
 //! quotation marks may hold separators, line ends and, doubled, quotation marks. A cell that is
 //! empty, `NA` or `NaN`, in small or capital letters, is missing. A byte order mark and `\r\n` are
 //! allowed.
@@ -115,10 +116,18 @@ impl Separator {
     }
 }
 
-/// Whether a line is neither empty nor a comment.
+/// Whether a line is neither empty nor begins as a comment does.
 fn begins_row(line: &str) -> bool {
-    let shown = line.trim_matches(['\r', ' ']);
-    !shown.is_empty() && !shown.starts_with('#')
+    !is_empty(line) && !is_marked(line)
+}
+
+fn is_empty(line: &str) -> bool {
+    line.trim_matches(['\r', ' ']).is_empty()
+}
+
+/// Whether a line begins as a comment does.
+fn is_marked(line: &str) -> bool {
+    line.trim_start_matches(' ').starts_with('#')
 }
 
 /// Rows of cells.
@@ -135,6 +144,16 @@ pub struct Table {
 struct Row {
     line: usize,
     cells: Vec<String>,
+    /// Whether it begins as a comment does.
+    is_marked: bool,
+}
+
+impl Row {
+    /// Whether it is a comment in a table whose rows have this number of cells. A row such as
+    /// `#1,0.5` is none.
+    fn is_comment(&self, width: usize) -> bool {
+        self.is_marked && (self.cells.len() < 2 || self.cells.len() != width)
+    }
 }
 
 impl Table {
@@ -150,7 +169,7 @@ impl Table {
         let first = table.rows.remove(0);
         (table.names, table.names_line) = (first.cells, first.line);
         let expected = table.names.len();
-        for Row { line, cells } in &table.rows {
+        for Row { line, cells, .. } in &table.rows {
             if cells.len() != expected {
                 return Err(TableError::Cells {
                     line: *line,
@@ -163,8 +182,9 @@ impl Table {
         Ok(table)
     }
 
-    /// A table whose first row names its columns where none of its cells is a number. Without
-    /// names, rows may have different numbers of cells; those that a row lacks are missing.
+    /// A table whose first row names its columns where none of its cells is a number, also one that
+    /// is not finite, and the first cell does not begin with a digit. Without names, rows may have
+    /// different numbers of cells; those that a row lacks are missing.
     ///
     /// # Errors
     /// The bytes are no such table.
@@ -173,8 +193,12 @@ impl Table {
         let Some(first) = table.rows.first() else {
             return Ok(table);
         };
-        let is_number = |cell: &String| matches!(number(cell, table.separator), Ok(Some(_)));
-        match first.cells.iter().any(is_number) {
+        let is_number = |cell: &String| {
+            cell.parse::<f64>().is_ok() || matches!(number(cell, table.separator), Ok(Some(_)))
+        };
+        let mut letters = first.cells.first().map_or("", String::as_str).chars();
+        let begins_as_number = letters.next().is_some_and(|letter| letter.is_ascii_digit());
+        match begins_as_number || first.cells.iter().any(is_number) {
             true => Ok(table),
             false => Self::with_names(bytes),
         }
@@ -198,6 +222,9 @@ impl Table {
         while let Some(row) = scanner.row()? {
             rows.push(row);
         }
+        let first = rows.iter().find(|row: &&Row| !row.is_marked);
+        let width = first.map_or(0, |row| row.cells.len());
+        rows.retain(|row| !row.is_comment(width));
         Ok(Self {
             names: Vec::new(),
             names_line: 0,
@@ -302,6 +329,7 @@ fn is_missing(cell: &str) -> bool {
 }
 
 fn number(cell: &str, separator: Separator) -> Result<Option<f64>, NotANumber> {
+    let cell = cell.trim();
     if is_missing(cell) {
         return Ok(None);
     }
@@ -321,24 +349,29 @@ struct Scanner<'a> {
 }
 
 impl Scanner<'_> {
-    /// The next row that is neither empty nor a comment.
+    /// The next row that is not empty.
     fn row(&mut self) -> Result<Option<Row>, TableError> {
         loop {
             let (line, _) = self.rest.split_once('\n').unwrap_or((self.rest, ""));
             if self.rest.is_empty() {
                 return Ok(None);
             }
-            if begins_row(line) {
+            if !is_empty(line) {
                 break;
             }
             self.skip(line.len() + 1);
         }
+        let is_marked = is_marked(self.rest);
         let (line, mut cells) = (self.line, Vec::new());
         loop {
             let (cell, is_last) = self.cell(cells.len() + 1)?;
             cells.push(cell);
             if is_last {
-                return Ok(Some(Row { line, cells }));
+                return Ok(Some(Row {
+                    line,
+                    cells,
+                    is_marked,
+                }));
             }
         }
     }
@@ -474,12 +507,25 @@ mod tests {
         assert_eq!((plain.names().len(), plain.len()), (0, 2));
         assert_eq!(plain.number(1, 0)?, Some(20.0));
         assert_eq!(plain.text(0, 1), "");
+        for first in ["nan,nan", "120O,340", "1;5"] {
+            let table = Table::parse(format!("{first}\n0,1\n").as_bytes())?;
+            assert_eq!((table.names().len(), table.len()), (0, 2), "{first}");
+        }
         // A row with a number is not one of names, whatever else it says.
         let kinds = Table::parse(b"10,cut\n20,dissolve\n")?;
         assert_eq!((kinds.names().len(), kinds.len()), (0, 2));
         assert_eq!(kinds.text(0, 1), "cut");
         let named = Table::parse(b"cut\n10\n")?;
         assert_eq!((named.column("CUT"), named.len()), (Some(0), 1));
+        Ok(())
+    }
+
+    #[test]
+    fn a_row_that_begins_as_a_comment_does_is_not_lost() -> Result<(), TableError> {
+        let text = b"# by hand\n#,a,b\n# two, cells\n#1,3,4\nx,5,6\n#end\n";
+        let table = Table::with_names(text)?;
+        assert_eq!(table.names(), ["#", "a", "b"]);
+        assert_eq!(cells(&table), [["#1", "3", "4"], ["x", "5", "6"]]);
         Ok(())
     }
 

@@ -26,7 +26,10 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         match (&self.images[..], &self.rig) {
-            ([image], None) => flat::run(self, image, context).map(Report::Flat),
+            ([image], None) => {
+                self.chosen.refuse("it chooses cameras of --rig")?;
+                flat::run(self, image, context).map(Report::Flat)
+            }
             ([left, right], Some(rig)) => curve::run(self, [left, right], rig, context)
                 .map(Box::new)
                 .map(Report::Curve),

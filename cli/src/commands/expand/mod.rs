@@ -148,7 +148,10 @@ impl frame::Report for Report {
     }
 
     fn warnings(&self) -> Option<&[Warning]> {
-        Some(&self.warnings)
+        // Beside names of functions, the key is there only where it says something.
+        let has_names = matches!(&self.output, Output::Operations(counts) if counts.has_names());
+        let is_needed = !has_names || !self.warnings.is_empty();
+        is_needed.then_some(self.warnings.as_slice())
     }
 }
 

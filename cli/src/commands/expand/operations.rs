@@ -31,6 +31,11 @@ impl Counts {
             .map(Self)
     }
 
+    /// Whether the keys of the object are names of functions.
+    pub(super) fn has_names(&self) -> bool {
+        self.0.len() > 1
+    }
+
     /// A line for each function, and one for the work on its uniform operands where it has any.
     pub(super) fn table(&self) -> String {
         let mut text = String::new();

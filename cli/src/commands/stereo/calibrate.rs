@@ -19,7 +19,9 @@ use super::views;
 use crate::camera_file::{about, read_side};
 use crate::file_list;
 use crate::format::Format;
-use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning, command_line};
+use crate::frame::{
+    self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
+};
 use crate::output;
 use crate::rotation::smaller_rotation;
 
@@ -173,12 +175,8 @@ impl Command for Arguments {
         let files = pairs_of_files(&arguments.left, &arguments.right)?;
         check_outputs(arguments, context, &files)?;
         let other_numbers = warning_of_other_numbers(&files);
-        let report = calibrated(arguments, context, &files, &settings);
-        if report.is_err() && !context.is_quiet() {
-            // It may be the reason of the failure, which has no report.
-            frame::print_warnings(other_numbers.as_slice());
-        }
-        let mut report = report?;
+        keep_for_failure(other_numbers.as_slice());
+        let mut report = calibrated(arguments, context, &files, &settings)?;
         report.warnings.extend(other_numbers);
         Ok(report)
     }

@@ -165,8 +165,12 @@ impl frame::Report for Report {
         } else {
             "the views are not rectified"
         };
+        let exchanged = match self.views_exchanged {
+            true => "the disparities are negative: the views seem to be exchanged\n",
+            false => "",
+        };
         format!(
-            "{verdict}\n\
+            "{verdict}\n{exchanged}\
              vertical offset       {:9.3} px\n\
              rotation              {:9.4}°\n\
              zoom                  {:9.5}\n\

@@ -94,6 +94,8 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let arguments = self;
+        let inputs = [&self.first, &self.second, &self.camera].into_iter();
+        context.files(inputs.chain(&self.camera_b))?;
         ensure!(
             arguments.threshold.is_finite() && arguments.threshold > 0.0,
             "--threshold {}: it must be positive and finite",

@@ -45,7 +45,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<CameraFile, ReadError<CameraFileEr
 pub fn decode(bytes: &[u8], folder: &Path) -> Result<CameraFile, CameraFileError> {
     let text = text(bytes)?;
     if text.trim_start().starts_with(['{', '[']) {
-        return json::decode(text, folder);
+        let found = json::decode(text, folder);
+        // OpenCV writes its own keys as JSON too, which is YAML.
+        if let (Err(CameraFileError::NoViews), Ok(storage)) = (&found, Storage::decode(bytes))
+            && rig::has_matrix(&storage)
+        {
+            return rig::decode(&storage);
+        }
+        return found;
     }
     if is_calib(text) {
         return calib::decode(text);

@@ -51,6 +51,12 @@ const TRANSLATION: [&str; 2] = ["T", "t"];
 /// The names of the cameras.
 pub(super) const SIDES: [&str; 2] = ["left", "right"];
 
+/// Whether there is the matrix of a camera.
+pub(super) fn has_matrix(storage: &Storage) -> bool {
+    let is_pair = MATRICES.iter().any(|names| first(storage, names).is_some());
+    is_pair || first(storage, &camera::MATRIX).is_some()
+}
+
 /// The cameras of a file of one or of two.
 pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
     if MATRICES.iter().any(|names| first(storage, names).is_some()) {

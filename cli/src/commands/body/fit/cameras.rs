@@ -40,7 +40,12 @@ impl CameraFiles {
     pub(super) fn read(&self, joints: &JointViews) -> Result<Vec<Camera>> {
         match (&self.rig, &self.views) {
             (Some(path), _) => of_rig(path, &self.chosen, joints.views().len()),
-            (None, Some(path)) => of_views(path, joints),
+            (None, Some(path)) => {
+                self.chosen.refuse(
+                    "it chooses cameras of --rig; those of --views have the names of views",
+                )?;
+                of_views(path, joints)
+            }
             (None, None) => bail!("--rig or --views is needed: the cameras"),
         }
     }

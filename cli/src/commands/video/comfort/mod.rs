@@ -19,6 +19,7 @@ use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict};
 use crate::output;
 use crate::shell::quoted;
+use crate::standard_output;
 use ga_draw::document::Page;
 use input::LayoutName;
 
@@ -251,6 +252,10 @@ impl Arguments {
     /// Fails before the work begins where the files could not be written after it.
     fn check_out(&self, context: &Context) -> Result<()> {
         let files = context.files([&self.video].into_iter().chain(&self.right))?;
+        ensure!(
+            !(self.csv && standard_output::is_taken()),
+            "--report -: --csv prints to standard output too"
+        );
         let mut files = files.printing("--csv", self.csv);
         files.write_if_given("--out", self.out.as_ref(), &[Format::Html])?;
         files.write_if_given("--summary", self.summary.as_ref(), &[Format::Json])?;

@@ -47,6 +47,7 @@
 //!
 //! [`NamedCamera::intrinsics`]: super::NamedCamera::intrinsics
 
+mod distinct;
 mod object;
 mod read;
 mod write;

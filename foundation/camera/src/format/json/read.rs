@@ -5,6 +5,7 @@ use std::path::Path;
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use serde_json::Value;
 
+use super::distinct::Distinct;
 use super::object::{CAMERA, Object, POSE};
 use crate::format::camera;
 use crate::format::camera_file::{CameraFile, NamedCamera, SINGLE};
@@ -29,7 +30,8 @@ pub(in crate::format) fn decode(text: &str, folder: &Path) -> Result<CameraFile,
 }
 
 fn parse(text: &str) -> Result<Value, CameraFileError> {
-    serde_json::from_str(text).map_err(|error| CameraFileError::Syntax {
+    let found = serde_json::from_str(text).map(|Distinct(value)| value);
+    found.map_err(|error| CameraFileError::Syntax {
         line: error.line(),
         format: "JSON",
         problem: error.to_string(),
