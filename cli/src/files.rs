@@ -159,8 +159,8 @@ impl Files {
     }
 }
 
-/// Whether reading an input reads a file: the input itself, a picture of a video in a folder, or the
-/// cameras of a folder of views.
+/// Whether reading an input reads a file: the input itself, a picture of a video in a folder, or
+/// the cameras of a folder of views.
 fn reads(input: &Path, file: &Path) -> bool {
     if !input.is_dir() {
         return ga_files::is_same_file(input, file);

@@ -26,7 +26,6 @@ mod instruction_set;
 pub mod interop;
 pub mod linear;
 mod macros;
-pub mod prelude;
 pub mod products;
 pub mod scalar;
 #[cfg(feature = "testing")]
@@ -50,6 +49,12 @@ pub use algebras::sta::*;
 #[cfg(feature = "vga2")]
 pub use algebras::vga2::*;
 pub use algebras::vga3::*;
+// After the algebras, so that rustc names their types by the paths of the algebras.
+#[doc(hidden)]
+#[path = "prelude.rs"]
+pub mod __prelude;
+#[doc(inline)]
+pub use __prelude as prelude;
 // Never there: rustc lists them in notes on unresolved imports, and names the feature, which it
 // does not for what a `*` would have imported.
 #[cfg(all(feature = "cga2", not(feature = "cga2")))]

@@ -8,7 +8,7 @@
 //! ```
 //! use ga_runtime::prelude::*;
 //!
-//! ga! { cga3;
+//! ga! { ga_runtime::cga3;
 //!     /// The circle in which a sphere meets a plane, moved by a motor.
 //!     fn moved_section(m: Motor, s: Sphere, p: Plane) -> Circle { sandwich(m, s & p) }
 //! }

@@ -36,8 +36,8 @@ use crate::output;
 /// down and z forwards; (0, 0) is the middle of the first pixel. A camera is an object, which may
 /// have "distortion" in OpenCV's order and "lens": "fisheye", or the path of OpenCV's YAML or of
 /// such an object as JSON. `nullcone render --views DIR` writes pictures and such a file. A file of
-/// another format, such as the rig of nullcone stereo calibrate, names no pictures: --pictures does.
-/// Its cameras need poses; the world of a rig is the frame of its left camera.
+/// another format, such as the rig of nullcone stereo calibrate, names no pictures: --pictures
+/// does. Its cameras need poses; the world of a rig is the frame of its left camera.
 ///
 /// For instance
 ///

@@ -187,3 +187,79 @@ fn commands_that_make_something_say_in_json_what() {
     assert_eq!(made["triangles"], 4);
     assert_eq!(made["files"], json!(["a.png"]));
 }
+
+#[test]
+fn a_page_does_not_replace_an_input() {
+    let folder = tempdir().unwrap();
+    let camera = "%YAML:1.0\n---\nK: [[500, 0, 160], [0, 500, 120], [0, 0, 1]]\n";
+    for (name, bytes) in [("a.pgm", noise(0, 0)), ("b.pgm", noise(8, 0))] {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+    }
+    std::fs::write(folder.path().join("a.html"), camera).unwrap();
+    let arguments = [
+        "stereo", "pose", "a.pgm", "b.pgm", "--camera", "a.html", "--report", "a.html",
+    ];
+    let message = "it is the input a.html, which would be lost";
+    assert_failure(
+        &nullcone(folder.path(), arguments),
+        &["--report a.html", message],
+    );
+    let kept = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
+    assert_eq!(kept, camera);
+}
+
+#[test]
+fn what_is_known_of_an_input_is_said_where_the_command_fails() {
+    let folder = meshes();
+    std::fs::write(folder.path().join("tags"), "no tags").unwrap();
+    let arguments = [
+        "mesh",
+        "subdivide",
+        "without.obj",
+        "--levels",
+        "1",
+        "--creases",
+        "tags",
+        "--out",
+        "f.obj",
+    ];
+    let output = nullcone(folder.path(), arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(message.starts_with("warning: without.obj: "), "{message}");
+    assert!(
+        message.contains("nowhere.mtl") && message.contains("error: tags"),
+        "{message}"
+    );
+    let quiet = nullcone(folder.path(), [&arguments[..], &["--quiet"]].concat());
+    assert!(text(&quiet.stderr).starts_with("error: "));
+}
+
+#[test]
+fn a_command_without_anything_to_make_has_wrong_arguments() {
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("keys.csv"), "0,1\n1,2\n").unwrap();
+    let output = nullcone(folder.path(), ["curve", "keys.csv"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        text(&output.stderr).contains("--out"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+#[test]
+fn words_that_mean_something_mean_it_whatever_lies_in_the_folder() {
+    let folder = meshes();
+    let draw = || {
+        let arguments = ["render", "good.obj", "--camera", "front", "--out", "a.png"];
+        assert_success(&nullcone(folder.path(), arguments));
+        std::fs::read(folder.path().join("a.png")).unwrap()
+    };
+    let before = draw();
+    std::fs::create_dir(folder.path().join("front")).unwrap();
+    assert_eq!(draw(), before);
+    let contour = ["contour", "a.png", "--view", "left", "--out", "c.svg"];
+    let output = nullcone(folder.path(), contour);
+    assert_failure(&output, &["--view left: it chooses cameras of --rig"]);
+}

@@ -462,8 +462,8 @@ pub fn row(cells: impl IntoIterator<Item = Cell>, separator: Separator) -> Strin
 }
 
 impl Cell {
-    /// A number in as many digits as say it exactly, with an exponent where it is very large or very
-    /// small.
+    /// A number in as many digits as say it exactly, with an exponent where it is very large or
+    /// very small.
     #[must_use]
     pub fn exact(number: f64) -> Self {
         Self::Text(format!("{number:?}"))

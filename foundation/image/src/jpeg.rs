@@ -23,8 +23,8 @@ const PIXELS_FROM_ONE_BYTE: f64 = 512.0;
 ///
 /// # Errors
 ///
-/// [`FormatError::Jpeg`] with what is wrong, and [`FormatError::Claim`] when the header states more
-/// pixels than the bytes can hold.
+/// [`FormatError::JpegDecode`] with what is wrong, and [`FormatError::Claim`] when the header
+/// states more pixels than the bytes can hold.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let options = DecoderOptions::new_safe()
         .set_strict_mode(true)

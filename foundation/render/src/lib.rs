@@ -12,7 +12,8 @@
 //! | [`model`] | models from files as such scenes |
 //! | [`bake`] | pictures for the maps of [`ga_mesh::bake`] |
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
-//! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a side |
+//! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a
+//! side |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
 //!
 //! Hidden surfaces are removed by a depth buffer with several samples for each pixel. A triangle is

@@ -85,8 +85,9 @@ impl Viewing {
     /// ```
     /// use ga_video::comfort::Viewing;
     ///
-    /// assert_eq!(Viewing::of_screen(55.0, None), Ok(Viewing::default()));
+    /// assert_eq!(Viewing::of_screen(55.0, None)?, Viewing::default());
     /// assert!(Viewing::of_screen(0.0, Some(2.0)).is_err());
+    /// # Ok::<(), ga_video::comfort::ComfortError>(())
     /// ```
     ///
     /// # Errors

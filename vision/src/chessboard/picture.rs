@@ -10,8 +10,8 @@ const GREEN: [u8; 3] = [60, 220, 60];
 const BLUE: [u8; 3] = [90, 150, 255];
 
 /// Two views beside each other, with a line through the corners in their order and a cross at each:
-/// red at the first corner, green in the first row, and blue in the others. Where one view is lower,
-/// what is below it is black.
+/// red at the first corner, green in the first row, and blue in the others. Where one view is
+/// lower, what is below it is black.
 pub fn pair_picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
     let width = views[0].width();
     let height = views[0].height().max(views[1].height());

@@ -67,8 +67,8 @@ pub(crate) struct Arguments {
     /// The distortion that is determined: none, fisheye, or terms such as k1,k2,p1,p2,k3.
     #[arg(long, value_name = "TERMS", default_value_t = LensTerms::default())]
     distortion: LensTerms,
-    /// The left camera, of a file of any format: a guess, or, with --intrinsics known, the truth. Of
-    /// a rig, it is the left camera.
+    /// The left camera, of a file of any format: a guess, or, with --intrinsics known, the truth.
+    /// Of a rig, it is the left camera.
     #[arg(long, value_name = "FILE")]
     left_camera: Option<PathBuf>,
     /// The right camera; of a rig, it is the right camera.
@@ -325,8 +325,9 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
     Ok(pairs.map(|(left, right)| [left, right]).collect())
 }
 
-/// A warning of the first pair whose names do not belong together by their numbers: where a number of
-/// the left name differs from that of the right one, it does so as in the first pair, as 0 and 1 in
+/// A warning of the first pair whose names do not belong together by their numbers: where a number
+/// of the left name differs from that of the right one, it does so as in the first pair, as 0 and 1
+/// in
 /// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
 fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
     let changes = |pair: &[PathBuf; 2]| {

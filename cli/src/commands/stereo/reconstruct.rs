@@ -30,10 +30,10 @@ use crate::output;
 
 /// Reconstruct what two cameras see, in metres.
 ///
-/// The views are as the cameras took them: they are rectified with the rig of a file (of any format,
-/// such as OpenCV's YAML, which `nullcone stereo calibrate` writes), matched, and each pixel that
-/// both cameras see becomes a point. Where --rig is a Middlebury calib.txt, the views are taken as
-/// rectified already.
+/// The views are as the cameras took them: they are rectified with the rig of a file (of any
+/// format, such as OpenCV's YAML, which `nullcone stereo calibrate` writes), matched, and each
+/// pixel that both cameras see becomes a point. Where --rig is a Middlebury calib.txt, the views
+/// are taken as rectified already.
 ///
 /// The ending of --out decides: .ply holds a cloud of points, .obj and .glb a surface of triangles;
 /// --cloud asks for points in any of them, --surface for triangles. Neighbouring pixels are joined
@@ -61,8 +61,8 @@ pub(crate) struct Arguments {
     #[arg(value_name = "RIGHT")]
     right: PathBuf,
     /// The two cameras: YAML with M1, D1, M2, D2, R and T in one file, a calib.txt, or two views in
-    /// JSON. OpenCV's examples write two files: append extrinsics.yml, without `%YAML:1.0` and `---`, to
-    /// intrinsics.yml.
+    /// JSON. OpenCV's examples write two files: append extrinsics.yml, without `%YAML:1.0` and
+    /// `---`, to intrinsics.yml.
     #[arg(long, value_name = "FILE")]
     rig: PathBuf,
     #[command(flatten)]

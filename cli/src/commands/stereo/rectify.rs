@@ -21,8 +21,9 @@ pub(super) const RIG: &str = "rig.yml";
 /// Rectify two views, so that the images of a point are in the same row of both.
 ///
 /// The rig is a file of two cameras of any format, such as YAML with OpenCV's names M1, D1, M2, D2,
-/// R and T, as `nullcone stereo calibrate` writes it. The folder gets left.png, right.png and rig.yml, which holds the rectified
-/// cameras (M1, M2, R, T) and OpenCV's R1, R2, P1, P2 and Q. What no camera saw is black.
+/// R and T, as `nullcone stereo calibrate` writes it. The folder gets left.png, right.png and
+/// rig.yml, which holds the rectified cameras (M1, M2, R, T) and OpenCV's R1, R2, P1, P2 and Q.
+/// What no camera saw is black.
 ///
 /// For instance
 ///

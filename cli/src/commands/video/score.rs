@@ -20,8 +20,8 @@ pub(super) struct Arguments {
     /// What nullcone video keyframes --json printed, or any JSON object with "cuts".
     #[arg(value_name = "FOUND.json")]
     found: PathBuf,
-    /// The first frames of the shots after the labelled cuts, a number a line; the first line may be
-    /// a name.
+    /// The first frames of the shots after the labelled cuts, a number a line; the first line may
+    /// be a name.
     #[arg(value_name = "LABELS.csv")]
     labels: PathBuf,
     /// How far a cut may be from its label, in frames.

@@ -35,7 +35,7 @@ use hysteresis::{COLUMNS, Hysteresis};
 /// });
 /// let edges = Canny::new(100.0, 300.0)?.edges(&square);
 /// assert_eq!(edges.row(10).iter().filter(|value| **value == 255).count(), 2);
-/// # Ok::<(), ga_image::canny::PlaneError>(())
+/// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Canny {

@@ -19,8 +19,8 @@ const BYTES_FROM_ONE: f64 = 1032.0;
 ///
 /// # Errors
 ///
-/// [`FormatError::Png`] with what is wrong, and [`FormatError::Claim`] when the header states more
-/// pixels than the bytes can hold.
+/// [`FormatError::PngDecode`] with what is wrong, and [`FormatError::Claim`] when the header states
+/// more pixels than the bytes can hold.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::EXPAND);

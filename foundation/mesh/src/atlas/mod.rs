@@ -128,7 +128,7 @@ impl Atlas {
 /// let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 /// let atlas = unwrap(&tetrahedron, &triangles, &Options::default())?;
 /// assert_eq!((atlas.report.flipped, atlas.report.overlapping_texels), (0, 0));
-/// # Ok::<(), ga_mesh::atlas::TextureSpaceError>(())
+/// # Ok::<(), ga_mesh::TextureSpaceError>(())
 /// ```
 pub fn unwrap(
     positions: &[[f64; 3]],

@@ -36,7 +36,7 @@ impl Coarse {
     ///
     /// # Errors
     ///
-    /// [`TextureSpaceError::Tangents`], and [`TextureSpaceError::NoTriangles`] where none is left.
+    /// [`TextureSpaceError::Mesh`], and [`TextureSpaceError::NoTriangles`] where none is left.
     pub fn from_mesh(mesh: &Mesh, set: usize) -> Result<Self, TextureSpaceError> {
         let computed;
         let tangents = match mesh.tangents() {

@@ -33,7 +33,7 @@ impl Document {
     /// let mended = &document.conformed()?.meshes[0].primitives[0];
     /// assert_eq!(mended.joints[0], [[2, 1, 0, 0]]);
     /// assert_eq!(mended.weights[0], [[0.25, 0.75, 0.0, 0.0]]);
-    /// # Ok::<(), ga_mesh::gltf::FormatError>(())
+    /// # Ok::<(), ga_mesh::FormatError>(())
     /// ```
     pub fn conformed(&self) -> Result<Self, FormatError> {
         self.validate()?;

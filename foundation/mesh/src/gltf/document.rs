@@ -22,7 +22,7 @@ use super::{Animation, Extras, Image, MaterialElement, Mesh, Sampler, Skin, Text
 /// };
 /// let file = gltf::encode(&document)?;
 /// assert_eq!(gltf::decode(&file)?.meshes, document.meshes);
-/// # Ok::<(), gltf::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {

@@ -40,7 +40,7 @@ pub struct Primitive {
     pub custom: Vec<CustomAttribute>,
     /// The vertices in the order in which [`Mode`] connects them; all in rising order where absent.
     pub indices: Option<Vec<u32>>,
-    /// The material; that of [`Material::default`](super::Material) where absent.
+    /// The material; that of [`MaterialElement::default`](super::MaterialElement) where absent.
     pub material: Option<usize>,
     /// Displacements of the vertices. A vertex with weights w is at p + Σ wᵢ dᵢ.
     pub targets: Vec<MorphTarget>,

@@ -141,7 +141,7 @@ pub fn read_with_warnings(
 ///
 /// let error = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0\n").unwrap_err();
 /// assert_eq!(error.to_string(), "line 2: a v line has 3, 4, 6 or 7 numbers, but this one has 2");
-/// # Ok::<(), ga_mesh::obj::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
     decode_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|(mesh, _)| mesh)
@@ -164,10 +164,10 @@ pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
 /// use ga_mesh::obj::decode_with_libraries;
 ///
 /// let text = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-/// let loaded = decode_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
-/// let red = loaded.mesh.material(0).map(|material| material.base_colour);
+/// let (mesh, _) = decode_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
+/// let red = mesh.material(0).map(|material| material.base_colour);
 /// assert_eq!(red, Some([1.0, 0.0, 0.0, 1.0]));
-/// # Ok::<(), ga_mesh::obj::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode_with_libraries(
     bytes: &[u8],

@@ -60,7 +60,7 @@ pub(crate) fn files(path: &Path, mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
 ///     ga_mesh::obj::encode(&mesh),
 ///     "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 0.5 0.0\nf 1 2 3\n"
 /// );
-/// # Ok::<(), ga_mesh::obj::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 #[must_use]
 pub fn encode(mesh: &Mesh) -> String {

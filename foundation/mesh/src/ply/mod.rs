@@ -68,7 +68,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
 ///     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 /// let mesh = ga_mesh::ply::decode(text)?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
-/// # Ok::<(), ga_mesh::ply::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
     read::mesh(bytes)

@@ -16,7 +16,7 @@ use crate::{CornerAttribute, Mesh};
 /// let file = ply::encode(&mesh, ply::Encoding::Ascii);
 /// assert!(file.ends_with(b"end_header\n0 0 0\n1 0 0\n0 0.1 0\n3 0 1 2\n"));
 /// assert_eq!(ply::decode(&file).as_ref(), Ok(&mesh));
-/// # Ok::<(), ga_mesh::obj::FormatError>(())
+/// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 #[must_use]
 pub fn encode(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {

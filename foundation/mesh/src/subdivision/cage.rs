@@ -47,7 +47,7 @@ impl Cage {
     ///
     /// # Errors
     ///
-    /// [`MeshError::NoFaces`], [`MeshError::Mesh`] for an index out of range,
+    /// [`MeshError::NoFaces`], [`MeshError::IndexOutOfRange`],
     /// [`MeshError::NotATriangle`] in Loop's scheme, [`MeshError::DegenerateFace`]
     /// and [`MeshError::NonManifoldEdge`].
     pub fn new(faces: Faces, vertices: usize, rules: Rules) -> Result<Self, MeshError> {

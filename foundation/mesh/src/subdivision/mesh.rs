@@ -142,7 +142,7 @@ impl<'a> Subdivision<'a> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::Mesh`] where a coordinate overflows.
+    /// [`MeshError::NotFinite`] where a coordinate overflows.
     pub fn into_mesh(self) -> Result<Mesh, MeshError> {
         let firsts = self.first_descendants();
         let range = |face: u32| firsts[face as usize]..firsts[face as usize + 1];

@@ -344,7 +344,7 @@ impl Columns {
                 let coordinate = AXES[axis];
                 place[axis] = match table.number(row, column) {
                     Ok(Some(number)) => number,
-                    Ok(None) => {
+                    Ok(None) if table.text(row, column).is_empty() => {
                         return Err(PointTableError::Partial {
                             line,
                             frame,
@@ -352,7 +352,7 @@ impl Columns {
                             coordinate,
                         });
                     }
-                    Err(_) => {
+                    Ok(None) | Err(_) => {
                         return Err(PointTableError::Number {
                             line,
                             frame,

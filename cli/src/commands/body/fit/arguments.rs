@@ -26,10 +26,11 @@ use crate::frame::Check;
 /// where the view does not show it, or [u, v, deviation] with its own standard deviation. Joints
 /// have the names of the character's, or those that `nullcone animate` understands.
 ///
-/// The cameras are in a file of any format (--rig), in the order of the views: a stereo rig for two,
-/// such as OpenCV's YAML, a camera for one. For more, --views has the file of `nullcone render --views`: each view belongs
-/// to the picture of its name, with or without the ending, such as the view "view-003" or
-/// view-003.json to view-003.png; where no name is that of a picture, they are in one order.
+/// The cameras are in a file of any format (--rig), in the order of the views: a stereo rig for
+/// two, such as OpenCV's YAML, a camera for one. For more, --views has the file of `nullcone render
+/// --views`: each view belongs to the picture of its name, with or without the ending, such as the
+/// view "view-003" or view-003.json to view-003.png; where no name is that of a picture, they are
+/// in one order.
 ///
 /// The result is binary glTF with the character's skin and one animation. With --rig the first
 /// camera is at the origin and looks along −z, with x to the right and y up; with --views the

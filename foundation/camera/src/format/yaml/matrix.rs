@@ -15,8 +15,8 @@ impl Matrix {
     /// A matrix from its values by rows.
     ///
     /// # Errors
-    /// [`CameraFileError::ValueCount`] for another number of values, [`CameraFileError::NotFinite`] for one
-    /// that is not finite. The name in the error is empty, the line 0.
+    /// [`CameraFileError::ValueCount`] for another number of values, [`CameraFileError::NotFinite`]
+    /// for one that is not finite. The name in the error is empty, the line 0.
     pub fn new(rows: usize, columns: usize, values: Vec<f64>) -> Result<Self, CameraFileError> {
         Self::named("", 0, rows, columns, values)
     }

@@ -79,8 +79,8 @@ impl Storage {
     /// The matrix of a name; `None` where the name is absent. All its numbers are finite.
     ///
     /// # Errors
-    /// [`CameraFileError`] where the value is not a matrix, has another number of values than rows and
-    /// columns say, or a number that is not finite.
+    /// [`CameraFileError`] where the value is not a matrix, has another number of values than rows
+    /// and columns say, or a number that is not finite.
     pub fn matrix(&self, name: &str) -> Result<Option<Matrix>, CameraFileError> {
         match self.entry(name) {
             None => Ok(None),

@@ -18,7 +18,7 @@
 //!     positions: &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //!     normals: &[[0.0, 0.0, 1.0]; 3],
 //!     triangles: &[[0, 1, 2]],
-//!     material: Material::default(),
+//!     material: Dielectric::default(),
 //!     skin: None,
 //!     animations: &[],
 //! };
