@@ -70,7 +70,8 @@ fn operations_as_json() {
         let printed = expanded(functions, &["--emit", "ops", "--json"]);
         let mut printed: Value = serde_json::from_str(&printed).unwrap();
         let warnings = printed.as_object_mut().unwrap().remove("warnings");
-        assert_eq!(warnings, Some(json!([])));
+        // Beside names of functions the key is there only where it says something.
+        assert_eq!(warnings, printed.get("mul").map(|_| json!([])));
         printed
     };
     assert_eq!(of(MOVED), whole(operations(21, 18, [0; 3]), none()));
