@@ -1,4 +1,4 @@
-//! An example at the end of the help of each command.
+//! The help of each command in one form: what it does in a line, and an example at the end.
 
 use clap::Command;
 
@@ -188,8 +188,18 @@ fn add(command: Command, words: &str) -> Command {
         let words = format!("{words} {name}");
         command.mut_subcommand(name, |below| add(below, words.trim_start()))
     });
+    let command = match command.get_about().map(ToString::to_string) {
+        Some(about) => command.about(one_line(&about)),
+        None => command,
+    };
     match EXAMPLES.iter().find(|(of, _)| *of == words) {
         Some((_, example)) => command.after_help(format!("Example:\n  {example}")),
         None => command,
     }
+}
+
+/// What a command does, as a line of a list: without line ends and the full stop.
+fn one_line(about: &str) -> String {
+    let words: Vec<&str> = about.split_whitespace().collect();
+    words.join(" ").trim_end_matches('.').to_owned()
 }

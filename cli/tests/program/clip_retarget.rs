@@ -175,8 +175,9 @@ fn matched_bones_point_as_those_of_the_motion() {
             let retarget = [
                 "clip", "retarget", "cmu.bvh", "--target", target, "--out", out,
             ];
-            let report = json(path, &retarget);
+            let report = json(path, &[&retarget[..], &["--check"]].concat());
             assert_eq!(report["frames"], FRAMES);
+            assert_eq!(report["verdict"], "good");
             assert_eq!(report["map_by"], by);
             for (index, name) in CMU.iter().enumerate() {
                 // Only one arm: the structure does not tell arms.

@@ -130,6 +130,9 @@ fn each_frame_is_a_line_with_all_rows() {
     assert_eq!(text(&table.stdout).lines().count(), 11);
     let plain = nullcone(folder.path(), &arguments[..5]);
     assert!(text(&plain.stdout).contains("over convergence"));
+    let checked = nullcone(folder.path(), [&arguments[..5], &["--check"]].concat());
+    assert_eq!(checked.status.code(), Some(3));
+    assert_eq!(checked.stdout, plain.stdout);
 }
 
 #[test]
