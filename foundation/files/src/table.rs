@@ -48,7 +48,7 @@ pub enum TableError {
         /// How many columns have names.
         expected: usize,
     },
-    /// There is no line of names.
+    /// The table has no rows, so that no line names its columns.
     #[error("the table is empty")]
     Empty,
     /// A column is not there.

@@ -27,7 +27,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<CameraFile, ReadError<CameraFileEr
 /// for. The contents tell the format: an object of JSON, lines of the form `key=value`, or YAML.
 ///
 /// # Errors
-/// [`CameraFileError`] for what is no such file, and for cameras that are missing or impossible.
+/// [`CameraFileError`] where the bytes are not such a file, or a camera is missing or impossible.
 ///
 /// ```
 /// use std::path::Path;

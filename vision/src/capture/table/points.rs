@@ -37,7 +37,7 @@ pub enum PointTableError {
     /// There is no frame.
     #[error("there are no frames")]
     Empty,
-    /// There is no point.
+    /// The table has no columns of points.
     #[error("line {line}: there are no points; each has three columns, NAME_x, NAME_y and NAME_z")]
     NoPoint {
         /// The line in the file, from 1.
