@@ -4,7 +4,7 @@ use ga_mesh::FormatError;
 use ga_mesh::MeshError;
 use ga_mesh::gltf::Element;
 
-use crate::bvh::BvhProblem;
+use crate::bvh::problem::BvhProblem;
 use crate::recording::RecordingError;
 use crate::skeleton::SkeletonError;
 use crate::weights::error::SkinError;

@@ -2,7 +2,7 @@
 
 use ga_camera::CameraError;
 
-use crate::relative_pose::View;
+use crate::relative_pose::view::View;
 
 /// Why it cannot be found how cameras stand to each other or to known points, or why their views
 /// cannot be rectified. Points, pairs and views are counted from 0.

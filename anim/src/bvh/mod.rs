@@ -32,7 +32,7 @@ mod joint;
 mod kinematics;
 mod motion;
 mod parser;
-mod problem;
+pub(crate) mod problem;
 mod warning;
 mod words;
 mod writer;

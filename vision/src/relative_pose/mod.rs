@@ -17,7 +17,7 @@ mod fundamental;
 mod matrix;
 mod rotation;
 mod sampson;
-mod view;
+pub(crate) mod view;
 
 use ga_runtime::cga3::Motor;
 use ga_runtime::vga3::Vector;
