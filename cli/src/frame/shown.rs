@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::command::Report;
 use super::context::Context;
+use super::verdict::Verdict;
 use super::warning::Warning;
 use crate::output;
 
@@ -23,6 +24,13 @@ pub(crate) struct Shown<V> {
     pub(crate) text: String,
     #[serde(skip)]
     pub(crate) warnings: Option<Vec<Warning>>,
+    #[serde(skip)]
+    pub(crate) verdict: Option<Verdict>,
+    #[serde(skip)]
+    pub(crate) next: Option<String>,
+    /// Whether the objects of `--json` were printed during the work.
+    #[serde(skip)]
+    pub(crate) is_printed_as_json: bool,
     #[serde(skip)]
     pub(crate) page: Option<Page>,
     /// Why the values are not of the whole input.
@@ -39,9 +47,27 @@ impl<V> Shown<V> {
             values,
             text,
             warnings: None,
+            verdict: None,
+            next: None,
+            is_printed_as_json: false,
             page: None,
             failure: None,
             files: Staged::default(),
+        }
+    }
+
+    /// The same report of other values.
+    pub(crate) fn map<W>(self, values: impl FnOnce(V) -> W) -> Shown<W> {
+        Shown {
+            values: values(self.values),
+            text: self.text,
+            warnings: self.warnings,
+            verdict: self.verdict,
+            next: self.next,
+            is_printed_as_json: self.is_printed_as_json,
+            page: self.page,
+            failure: self.failure,
+            files: self.files,
         }
     }
 
@@ -75,6 +101,18 @@ impl<V: Serialize> Report for Shown<V> {
 
     fn warnings(&self) -> Option<&[Warning]> {
         self.warnings.as_deref()
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        self.verdict
+    }
+
+    fn next(&self) -> Option<String> {
+        self.next.clone()
+    }
+
+    fn is_printed_as_json(&self) -> bool {
+        self.is_printed_as_json
     }
 
     fn page(&self) -> Option<Page> {

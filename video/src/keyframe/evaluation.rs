@@ -1,5 +1,7 @@
 //! Found cuts against labelled ones.
 
+use std::num::ParseIntError;
+
 use ga_files::table::{Table, TableError};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -59,12 +61,14 @@ pub enum LabelError {
     #[error(transparent)]
     Table(#[from] TableError),
     /// A cell of the first column is not the number of a frame.
-    #[error("line {line}: {text:?} is not a frame number")]
+    #[error("line {line}: {text:?} is not a frame number: {problem}")]
     Frame {
         /// The line.
         line: usize,
         /// What the cell says.
         text: String,
+        /// What is wrong with it.
+        problem: ParseIntError,
     },
 }
 
@@ -74,8 +78,8 @@ pub enum LabelError {
 /// use ga_video::keyframe::evaluation::{LabelError, labels};
 ///
 /// assert_eq!(labels(b"cut\n10\n25\n")?, [10, 25]);
-/// let wrong = labels(b"10\n2.5\n").map_err(|error| error.to_string());
-/// assert_eq!(wrong, Err("line 2: \"2.5\" is not a frame number".to_owned()));
+/// let message = labels(b"10\n2.5\n").unwrap_err().to_string();
+/// assert!(message.starts_with("line 2: \"2.5\" is not a frame number"));
 /// # Ok::<(), LabelError>(())
 /// ```
 ///
@@ -86,9 +90,10 @@ pub fn labels(bytes: &[u8]) -> Result<Vec<usize>, LabelError> {
     let table = Table::parse(bytes)?;
     let labels = (0..table.len()).map(|row| {
         let text = table.text(row, 0);
-        text.parse().map_err(|_| LabelError::Frame {
+        text.parse().map_err(|problem| LabelError::Frame {
             line: table.line(row),
             text: text.to_owned(),
+            problem,
         })
     });
     labels.collect()

@@ -1,7 +1,5 @@
 //! `nullcone quality compare`: a picture or a video against its reference.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Error, Result, bail, ensure};
@@ -102,10 +100,8 @@ fn is_picture(path: &Path) -> Option<bool> {
     if path.as_os_str() == "-" {
         return Some(false);
     }
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(16).read_to_end(&mut start));
-    read.ok()?;
-    Some(file::Format::detect(&start).is_some_and(|format| format != file::Format::Y4m))
+    let format = file::detect(path).ok()?;
+    Some(format.is_some_and(|format| format != file::Format::Y4m))
 }
 
 impl Arguments {
@@ -179,18 +175,12 @@ impl Arguments {
         if let Some(path) = &self.csv {
             output::stage(&mut shown.files, path, quality::csv(&frames).as_bytes())?;
         }
-        let failure = compared.err().map(|error| {
+        shown.warnings = Some(warnings);
+        shown.failure = compared.err().map(|error| {
             let done = frames.len();
             Error::new(error).context(format!("{}: {done} frames are reported", self.names()))
         });
-        Ok(Shown {
-            values: Measures::Videos(shown.values),
-            text: shown.text,
-            warnings: Some(warnings),
-            page: shown.page,
-            failure,
-            files: shown.files,
-        })
+        Ok(shown.map(Measures::Videos))
     }
 
     /// The weights of a picture in grey, as it states them.
