@@ -110,7 +110,8 @@ impl Frame {
 
 impl<T> Planes<T> {
     /// Luma, Cb and Cr.
-    pub(crate) fn as_array(&self) -> [&Plane<T>; 3] {
+    #[must_use]
+    pub fn as_array(&self) -> [&Plane<T>; 3] {
         let [cb, cr] = &self.differences;
         [&self.luma, cb, cr]
     }

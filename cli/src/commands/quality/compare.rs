@@ -140,12 +140,11 @@ impl Arguments {
         let reference = ga_video::open(&self.reference)?;
         let distorted = ga_video::open(&self.distorted)?;
         let size = reference.properties().size;
-        let range = f64::from((1u32 << reference.properties().bit_depth) - 1);
         let map = self.read_map(size)?;
         let comparison = VideoComparison::new(reference, distorted, map);
         let mut comparison = comparison.with_context(|| self.names())?;
 
-        let count = comparison.frame_count();
+        let (count, range) = (comparison.frame_count(), comparison.range());
         let progress = context.progress(count.unwrap_or(0) as u64);
         progress.step("comparing");
         let mut frames = Vec::new();
