@@ -1,12 +1,9 @@
 //! The files that a command reads and writes, checked before it computes anything.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 use ga_camera::format::json::VIEWS;
-use ga_image::file::Format as PictureFormat;
 
 use crate::format::{self, Format};
 use crate::standard_output::{self, is_dash, is_standard_output};
@@ -169,14 +166,7 @@ fn reads(input: &Path, file: &Path) -> bool {
         .parent()
         .is_some_and(|folder| ga_files::is_same_file(input, non_empty(folder)));
     let is_cameras = file.file_name().is_some_and(|name| name == VIEWS);
-    is_inside && (is_cameras || is_picture(file))
-}
-
-/// Whether a file begins as a picture does.
-fn is_picture(path: &Path) -> bool {
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(16).read_to_end(&mut start));
-    read.is_ok() && PictureFormat::detect(&start).is_some()
+    is_inside && (is_cameras || matches!(ga_image::file::detect(file), Ok(Some(_))))
 }
 
 fn non_empty(folder: &Path) -> &Path {

@@ -3,7 +3,6 @@
 
 mod buffer_files;
 mod camera_file;
-mod chart;
 mod checks;
 mod commands;
 mod examples;

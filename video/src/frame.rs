@@ -108,6 +108,15 @@ impl Frame {
     }
 }
 
+impl<T> Planes<T> {
+    /// Luma, Cb and Cr.
+    #[must_use]
+    pub fn as_array(&self) -> [&Plane<T>; 3] {
+        let [cb, cr] = &self.differences;
+        [&self.luma, cb, cr]
+    }
+}
+
 impl<T: Copy> Planes<T> {
     fn to_rgb(&self, neutral: T, colour: impl Fn([T; 3]) -> [u8; 3]) -> Plane<[u8; 3]> {
         let [cb, cr] = &self.differences;

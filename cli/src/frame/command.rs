@@ -2,6 +2,7 @@
 
 use anyhow::{Error, Result};
 use ga_draw::document::Page;
+use ga_files::Staged;
 use serde::Serialize;
 
 use super::context::Context;
@@ -58,6 +59,12 @@ pub(crate) trait Report: Serialize {
     /// The page of `--report`, where it is another than one with the text and the values.
     fn page(&self) -> Option<Page> {
         None
+    }
+
+    /// Files that are complete but for their names, which they get together with the page of
+    /// `--report`: all of them or none.
+    fn files(&mut self) -> Staged {
+        Staged::default()
     }
 
     /// An error after which the rest is still worth saying.

@@ -6,6 +6,7 @@ mod context;
 mod next;
 mod page;
 mod progress;
+mod shown;
 mod verdict;
 mod warning;
 
@@ -18,6 +19,7 @@ pub(crate) use command::{Command, Report};
 pub(crate) use context::{Context, Options};
 pub(crate) use next::command_line;
 pub(crate) use progress::Progress;
+pub(crate) use shown::Shown;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::{Warning, keep_for_failure};
 
@@ -49,13 +51,15 @@ pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode
         }
     };
     let failure = report.failure();
+    let mut files = report.files();
     if let Some(path) = context.report() {
         let page = match report.page() {
             Some(page) => page,
             None => page::of(&report, &context.title())?,
         };
-        output::write(path, page.into_html().as_bytes())?;
+        output::stage(&mut files, path, page.into_html().as_bytes())?;
     }
+    files.finish()?;
     if !context.is_quiet() {
         warning::print(report.warnings().unwrap_or_default());
     }

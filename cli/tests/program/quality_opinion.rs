@@ -141,6 +141,22 @@ fn wrong_scores_are_named_and_nothing_is_written() {
     }
 }
 
+/// A device that is always full fails when all outputs are complete.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_report_that_cannot_be_written_leaves_no_other_output() {
+    let folder = tempdir().unwrap();
+    let scores = "objective,subjective\n1,1\n2,2\n3,2.5\n4,4\n5,4.2\n6,5\n";
+    std::fs::write(folder.path().join("scores.csv"), scores).unwrap();
+    let outputs = ["--plot", "fit.svg", "--report", "/dev/full"];
+    let output = run(
+        folder.path(),
+        &[&["fit", "scores.csv", "--draws", "10"], &outputs[..]].concat(),
+    );
+    assert_failure(&output, &["cannot write /dev/full"]);
+    assert_eq!(names(folder.path()), ["scores.csv"]);
+}
+
 const RATINGS: &str = "rater,group,A,B\n\
     1,expert,4,5\n2,expert,5,5\n3,lay,3,4\n4,lay,2,\n5,lay,4,4\n";
 

@@ -1,5 +1,7 @@
 //! Picture files of any known format.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
 use ga_files::ReadError;
@@ -36,6 +38,20 @@ use crate::{jpeg, pfm, png, pnm, y4m};
 /// [`ReadError`], which names the file and says why: it cannot be opened, or a [`FormatError`].
 pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<FormatError>> {
     ga_files::read(path, decode)
+}
+
+/// The format of a file by its beginning; `None` where it is of no known one.
+///
+/// # Errors
+///
+/// The file cannot be read.
+pub fn detect(path: impl AsRef<Path>) -> io::Result<Option<Format>> {
+    const LONGEST_SIGNATURE: u64 = 16;
+    let mut start = Vec::new();
+    File::open(path)?
+        .take(LONGEST_SIGNATURE)
+        .read_to_end(&mut start)?;
+    Ok(Format::detect(&start))
 }
 
 /// The picture in the bytes of a file of any known format; see [`read`].

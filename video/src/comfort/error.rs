@@ -1,5 +1,6 @@
 //! Why a video cannot be analysed, or not further.
 
+use ga_image::file::FormatError;
 use ga_image::plane::PlaneError;
 
 use crate::VideoError;
@@ -45,6 +46,9 @@ pub enum ComfortError {
         /// The delay.
         delay: u64,
     },
+    /// The video without its defects cannot be written.
+    #[error(transparent)]
+    Output(#[from] FormatError),
     /// The threads could not be started.
     #[error("the threads of the analysis cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -67,7 +71,9 @@ impl ComfortError {
             Self::Mono { frame } | Self::Size { frame, .. } | Self::Match { frame, .. } => {
                 Some(*frame)
             }
-            Self::TooShort { .. } | Self::Threads(_) | Self::Viewing { .. } => None,
+            Self::TooShort { .. } | Self::Output(_) | Self::Threads(_) | Self::Viewing { .. } => {
+                None
+            }
         }
     }
 }

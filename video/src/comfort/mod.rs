@@ -13,6 +13,7 @@ mod depth;
 mod deviation;
 mod dimension;
 mod error;
+mod formats;
 mod frame;
 mod geometry;
 mod jackknife;

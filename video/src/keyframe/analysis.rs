@@ -3,6 +3,7 @@
 use ga_image::plane::Plane;
 use ga_image::quality::MutualInformation;
 use ga_image::ycbcr::YCbCr;
+use serde::{Serialize, Serializer};
 
 use super::cut::{CutDetector, threshold};
 use super::difference::{after_motion, at_rest, moments};
@@ -61,21 +62,29 @@ pub struct FrameMeasures {
     pub mutual_information_bits: Option<f64>,
 }
 
-/// What was found in a video.
-#[derive(Clone, Debug, PartialEq)]
+/// What was found in a video. Its JSON has the number of frames, and what was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Analysis {
     /// What was measured of each frame.
+    #[serde(serialize_with = "number")]
     pub frames: Vec<FrameMeasures>,
     /// The change that a frame has to exceed in order to begin a shot, for each frame.
+    #[serde(skip)]
     pub thresholds: Vec<f32>,
     /// The difference of the background from half a second before, for each frame.
+    #[serde(skip)]
     pub moving: Vec<f32>,
     /// Cuts, dissolves and fades.
+    #[serde(flatten)]
     pub transitions: Transitions,
     /// The shots, which cover all frames.
     pub shots: Vec<Shot>,
     /// The key frames, in order.
     pub key_frames: Vec<KeyFrame>,
+}
+
+fn number<S: Serializer>(frames: &[FrameMeasures], serializer: S) -> Result<S::Ok, S::Error> {
+    frames.len().serialize(serializer)
 }
 
 /// Analyses a video frame by frame. Its memory is that of three frames, of the signatures of 92

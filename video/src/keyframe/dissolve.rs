@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use ga_image::plane::Plane;
+use serde::Serialize;
 
 use super::blend::{Blend, Ends, MOTION};
 use super::difference::{after_motion, moments};
@@ -80,11 +81,13 @@ pub struct DissolveDetector {
 }
 
 /// A dissolve with how well it is explained.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Dissolve {
     /// The blended frames, half-open.
+    #[serde(flatten)]
     pub frames: Range<usize>,
     /// The part of the middle that the blend does not explain.
+    #[serde(skip)]
     pub residual: f32,
 }
 

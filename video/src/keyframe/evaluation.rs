@@ -1,5 +1,11 @@
 //! Found cuts against labelled ones.
 
+use std::num::ParseIntError;
+
+use ga_files::table::{Table, TableError};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
 /// How many found cuts are right, and how many labelled ones are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Score {
@@ -32,6 +38,65 @@ impl Score {
             2 * self.correct + self.extra + self.missed,
         )
     }
+}
+
+impl Serialize for Score {
+    /// The counts, and the quotients under their names; `null` where there is none.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_struct("Score", 6)?;
+        object.serialize_field("correct", &self.correct)?;
+        object.serialize_field("extra", &self.extra)?;
+        object.serialize_field("missed", &self.missed)?;
+        object.serialize_field("precision", &self.precision())?;
+        object.serialize_field("recall", &self.recall())?;
+        object.serialize_field("f1", &self.f1())?;
+        object.end()
+    }
+}
+
+/// Why labels cannot be read. Lines count from 1.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LabelError {
+    /// They are no table.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A cell of the first column is not the number of a frame.
+    #[error("line {line}: {text:?} is not a frame number: {problem}")]
+    Frame {
+        /// The line.
+        line: usize,
+        /// What the cell says.
+        text: String,
+        /// What is wrong with it.
+        problem: ParseIntError,
+    },
+}
+
+/// The numbers of frames in the first column of a table, which may have a line of names.
+///
+/// ```
+/// use ga_video::keyframe::evaluation::{LabelError, labels};
+///
+/// assert_eq!(labels(b"cut\n10\n25\n")?, [10, 25]);
+/// let message = labels(b"10\n2.5\n").unwrap_err().to_string();
+/// assert!(message.starts_with("line 2: \"2.5\" is not a frame number"));
+/// # Ok::<(), LabelError>(())
+/// ```
+///
+/// # Errors
+///
+/// Any [`LabelError`].
+pub fn labels(bytes: &[u8]) -> Result<Vec<usize>, LabelError> {
+    let table = Table::parse(bytes)?;
+    let labels = (0..table.len()).map(|row| {
+        let text = table.text(row, 0);
+        text.parse().map_err(|problem| LabelError::Frame {
+            line: table.line(row),
+            text: text.to_owned(),
+            problem,
+        })
+    });
+    labels.collect()
 }
 
 /// Pairs found cuts with labels at most `tolerance` frames away, each with at most one, and as many

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use ga_image::plane::Plane;
 use ga_numerics::order_statistics::Sorted;
+use serde::Serialize;
 
 use super::cut::usual;
 use super::difference::moments;
@@ -48,10 +49,11 @@ const MOST: usize = CELL_COUNT * 2 / 3;
 const UNEVEN: f32 = 0.3;
 
 /// A fade, as a half-open interval of frames.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fade {
     /// The frames in which brightness changes; where the video begins or ends with flat frames,
     /// with these.
+    #[serde(flatten)]
     pub frames: Range<usize>,
     /// Whether the picture appears or disappears.
     pub direction: Direction,
@@ -60,7 +62,8 @@ pub struct Fade {
 }
 
 /// Whether a picture appears or disappears.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Direction {
     /// The picture appears.
     In,
@@ -69,7 +72,8 @@ pub enum Direction {
 }
 
 /// What a picture fades from or to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Colour {
     /// Black.
     Black,

@@ -11,6 +11,7 @@
 //! - [`select`]: first stage, the difference of the background and of objects from the last
 //!   candidate; second stage, mutual information at full resolution.
 //! - [`analysis`]: all of it, frame by frame.
+//! - [`analyse`]: the same of a file, with [`Pictures`] of key frames, a page and a chart.
 //! - [`statistics`]: Cui, table 1. [`evaluation`]: found cuts against labelled ones.
 //! - [`scenes`]: shots as CSV and as an edit decision list.
 
@@ -19,9 +20,14 @@ mod blend;
 pub mod cut;
 pub mod difference;
 pub mod dissolve;
+mod error;
 pub mod evaluation;
 pub mod fade;
 pub mod layout;
+mod page;
+mod pictures;
+mod plot;
+mod reading;
 pub mod scenes;
 pub mod select;
 pub mod shot;
@@ -30,5 +36,8 @@ pub mod statistics;
 pub mod window;
 
 pub use analysis::{Analyser, Analysis, FrameMeasures, Options};
+pub use error::KeyFrameError;
+pub use pictures::Pictures;
+pub use reading::{Analysed, analyse};
 pub use select::{KeyFrame, Reason};
 pub use shot::{Background, Shot, Transitions};

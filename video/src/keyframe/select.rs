@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use ga_image::plane::{Plane, PlaneError, PlaneView};
 use ga_image::quality::{Information, MutualInformation};
 use ga_numerics::order_statistics::median;
+use serde::Serialize;
 
 use super::difference::at_rest;
 use super::fade::Level;
@@ -42,7 +43,8 @@ const BLACK_FRACTION: f32 = 0.12;
 const EVEN_BITS: f64 = 0.05;
 
 /// Why a frame is a key frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Reason {
     /// It is the first clear frame of its shot.
     Shot,
@@ -50,6 +52,18 @@ pub enum Reason {
     Background,
     /// The objects differ, and the background does not.
     Action,
+}
+
+impl Reason {
+    /// `shot`, `background` or `action`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Shot => "shot",
+            Self::Background => "background",
+            Self::Action => "action",
+        }
+    }
 }
 
 /// A frame that passed the first stage.
@@ -68,11 +82,12 @@ pub struct Candidate {
 }
 
 /// A chosen frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeyFrame {
     /// Its number.
     pub index: usize,
     /// When it is shown, in seconds after the first frame.
+    #[serde(rename = "time")]
     pub time_seconds: f64,
     /// Why it was chosen.
     pub reason: Reason,

@@ -2,21 +2,25 @@
 
 use std::ops::Range;
 
+use serde::Serialize;
+
 use super::cut::{STILL, usual};
 use super::dissolve::Dissolve;
-use super::fade::{Direction, Fade};
+use super::fade::{Colour, Direction, Fade};
 
 /// A shot: the frames from one cut to the next.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Shot {
     /// Its frames, half-open.
+    #[serde(flatten)]
     pub frames: Range<usize>,
     /// Whether its background stands still.
     pub background: Background,
 }
 
 /// Whether the background of a shot stands still.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Background {
     /// It stands still; objects may move.
     Static,
@@ -34,7 +38,7 @@ const NEAR_FADE: usize = 3;
 const ISOLATED: f32 = 2.5;
 
 /// The transitions of a video.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Transitions {
     /// The first frames of shots that follow a hard cut.
     pub cuts: Vec<usize>,
@@ -83,6 +87,26 @@ impl Transitions {
             .iter()
             .any(|dissolve| dissolve.frames.contains(&frame))
             && !self.fades.iter().any(|fade| fade.frames.contains(&frame))
+    }
+
+    /// The dissolves and the fades in words.
+    #[must_use]
+    pub fn blended(&self) -> Vec<String> {
+        let dissolves = self.dissolves.iter().map(|dissolve| &dissolve.frames);
+        let dissolves = dissolves.map(|Range { start, end }| format!("dissolve {start} to {end}"));
+        let fades = self.fades.iter().map(|fade| {
+            let direction = match fade.direction {
+                Direction::In => "in from",
+                Direction::Out => "out to",
+            };
+            let colour = match fade.colour {
+                Colour::Black => "black",
+                Colour::White => "white",
+            };
+            let Range { start, end } = fade.frames;
+            format!("fade {direction} {colour}, {start} to {end}")
+        });
+        dissolves.chain(fades).collect()
     }
 
     /// The first frames of all shots but the first, in order, with `true` for hard cuts.

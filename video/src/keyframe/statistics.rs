@@ -3,6 +3,9 @@
 use std::iter::Sum;
 use std::ops::Add;
 
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
 use super::shot::{Background, Shot};
 
 /// Counts of shots, as in Cui, table 1.
@@ -49,6 +52,18 @@ impl Statistics {
     pub fn static_proportion(&self) -> Option<f64> {
         let shots = self.shots();
         (shots > 0).then(|| self.static_shots as f64 / shots as f64)
+    }
+}
+
+impl Serialize for Statistics {
+    /// `shots`, of which are `static` and `dynamic`, and `static_proportion`.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_struct("Statistics", 4)?;
+        object.serialize_field("shots", &self.shots())?;
+        object.serialize_field("static", &self.static_shots)?;
+        object.serialize_field("dynamic", &self.dynamic_shots)?;
+        object.serialize_field("static_proportion", &self.static_proportion())?;
+        object.end()
     }
 }
 

@@ -1,8 +1,13 @@
 //! What is wrong with scores and ratings.
 
+use ga_files::table::TableError;
+
 /// Why scores or ratings cannot be evaluated. Rows count from 0, without a header.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OpinionError {
+    /// The table is wrong.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// Two columns have different lengths.
     #[error("the columns have different lengths: {first} and {second}")]
     Lengths {

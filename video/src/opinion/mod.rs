@@ -4,10 +4,12 @@
 //! - [`logistic`]: the curves by which measures are mapped to opinion scores, fitted.
 //! - [`performance`]: what a measure is worth: correlations, error and outliers, with confidence
 //!   intervals by bootstrap, and whether one measure is better than another.
+//! - [`evaluation`]: all of these numbers of a measure, with a page and a chart.
 //! - [`ratings`]: tables of raters and questions.
 
 pub mod correlation;
 mod error;
+pub mod evaluation;
 pub mod logistic;
 pub mod performance;
 pub mod ratings;

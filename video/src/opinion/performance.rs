@@ -3,6 +3,8 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
 
 use super::correlation::{kendall, pearson, spearman};
@@ -40,12 +42,12 @@ pub struct Interval {
 }
 
 /// How intervals are found by drawing scores again.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Bootstrap {
-    /// How many times as many scores are drawn as there are.
-    pub draws: usize,
     /// The confidence of an interval, between 0 and 1.
     pub confidence: f64,
+    /// How many times as many scores are drawn as there are.
+    pub draws: usize,
     /// The seed of the random numbers.
     pub seed: u64,
 }
@@ -193,6 +195,52 @@ pub fn difference<C: Curve>(
         correlation_p_value: correlation_p_value(first.subjective(), &predicted),
         error_p_value: error_p_value(variance(&predicted[0]), variance(&predicted[1]), count),
     })
+}
+
+impl<V: Copy> Performance<V> {
+    /// The numbers with the abbreviations by which they are known, in the order of the fields.
+    #[must_use]
+    pub fn named(&self) -> [(&'static str, V); 5] {
+        [
+            ("PLCC", self.linear_correlation),
+            ("SROCC", self.spearman),
+            ("KROCC", self.kendall),
+            ("RMSE", self.root_mean_square_error),
+            ("outlier ratio", self.outlier_ratio),
+        ]
+    }
+}
+
+impl Serialize for Performance<Interval> {
+    /// Keys such as `plcc` and `plcc_interval`.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, found) in self.named() {
+            found.serialize_as(&name.to_lowercase().replace(' ', "_"), &mut map)?;
+        }
+        map.end()
+    }
+}
+
+impl Serialize for Difference {
+    /// `plcc_difference` and `srocc_difference` with their intervals, and both probabilities.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        self.linear_correlation
+            .serialize_as("plcc_difference", &mut map)?;
+        self.spearman.serialize_as("srocc_difference", &mut map)?;
+        map.serialize_entry("correlation_p_value", &self.correlation_p_value)?;
+        map.serialize_entry("error_p_value", &self.error_p_value)?;
+        map.end()
+    }
+}
+
+impl Interval {
+    /// The number under a key, and the ends under another one.
+    fn serialize_as<M: SerializeMap>(&self, key: &str, map: &mut M) -> Result<(), M::Error> {
+        map.serialize_entry(key, &self.value)?;
+        map.serialize_entry(&format!("{key}_interval"), &[self.low, self.high])
+    }
 }
 
 impl Bootstrap {

@@ -1,5 +1,7 @@
 //! Scores of a measure beside the opinion of people.
 
+use ga_files::table::Table;
+
 use super::OpinionError;
 
 /// The scores that a measure gave to pictures or videos, and the mean opinion scores that people
@@ -49,6 +51,21 @@ impl Scores {
             subjective,
             deviations: None,
         })
+    }
+
+    /// The scores in a column of a table, and the mean opinion scores in its column `subjective`,
+    /// with their standard deviations where it has a column `deviation`.
+    ///
+    /// # Errors
+    ///
+    /// [`OpinionError::Table`] where a column or a number is missing; those of [`new`](Self::new)
+    /// and [`with_deviations`](Self::with_deviations).
+    pub fn of_column(table: &Table, objective: &str) -> Result<Self, OpinionError> {
+        let scores = Self::new(table.numbers(objective)?, table.numbers("subjective")?)?;
+        match table.column("deviation") {
+            Some(_) => scores.with_deviations(table.numbers("deviation")?),
+            None => Ok(scores),
+        }
     }
 
     /// The same scores with the standard deviation of the mean opinion scores, one for each: a

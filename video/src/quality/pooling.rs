@@ -1,6 +1,7 @@
 //! One number for many.
 
 use ga_numerics::order_statistics::Sorted;
+use serde::{Serialize, Serializer};
 
 /// The percentiles that [`Pooled`] has.
 pub const PERCENTILES: [u8; 5] = [5, 25, 50, 75, 95];
@@ -16,7 +17,7 @@ pub const PERCENTILES: [u8; 5] = [5, 25, 50, 75, 95];
 /// assert_eq!(pooled.least, 30.0);
 /// assert_eq!(pooled.percentiles[2], 50.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pooled {
     /// The arithmetic mean.
     pub mean: f64,
@@ -24,9 +25,11 @@ pub struct Pooled {
     /// of an infinite value is 0.
     pub harmonic_mean: Option<f64>,
     /// The least value.
+    #[serde(rename = "min")]
     pub least: f64,
     /// The values below which 5, 25, 50, 75 and 95 per cent of all lie: see
     /// [`order_statistics`](ga_numerics::order_statistics).
+    #[serde(flatten, serialize_with = "by_percentage")]
     pub percentiles: [f64; PERCENTILES.len()],
 }
 
@@ -46,4 +49,13 @@ impl Pooled {
             percentiles: PERCENTILES.map(|p| sorted.quantile(f64::from(p) / 100.0)),
         })
     }
+}
+
+/// Percentiles under keys such as `p5`.
+fn by_percentage<S: Serializer>(
+    values: &[f64; PERCENTILES.len()],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let entries = PERCENTILES.iter().zip(values);
+    serializer.collect_map(entries.map(|(percentage, value)| (format!("p{percentage}"), value)))
 }

@@ -96,6 +96,12 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
         Some(reference?.min(distorted?))
     }
 
+    /// The difference between the greatest and the least possible number: 255 for 8 bits.
+    #[must_use]
+    pub fn range(&self) -> f64 {
+        self.meter.range()
+    }
+
     fn measure(&mut self) -> Result<Option<FrameQuality>, VideoError> {
         let [reference, distorted] = &mut self.frames;
         let found = [

@@ -6,7 +6,7 @@ use ga_anim::curve::{Curve, Distance, Outside, Resampled};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::chart::{COLOURS, FINE, shown_small};
+use ga_draw::document::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the picture as it is shown.
 const SIZE: (u32, u32) = (1000, 560);

@@ -1,21 +1,17 @@
 //! The cuts, shots and key frames of a video.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context as _, Error, Result, ensure};
 use ga_files::Staged;
 use ga_image::png;
-use ga_video::keyframe::{Options, scenes};
-use serde::Serialize;
+use ga_render::sheet::{Captioned, captioned_sheet};
+use ga_video::keyframe::{Analysed, KeyFrame, Options, Pictures, analyse, scenes};
 
-use super::input::{Analysed, Blocks, analyse};
-use super::report::Report;
-use super::spool::Spool;
-use super::{page, plot, sheet};
+use super::shots::ShotOptions;
 use crate::format::Format;
-use crate::frame::{self, Command, Context};
+use crate::frame::{Command, Context, Shown};
 use crate::output;
-use ga_draw::document::Page;
 
 /// Find cuts, dissolves, fades, shots and key frames of a video.
 ///
@@ -50,12 +46,8 @@ pub(super) struct Arguments {
     /// candidate before it.
     #[arg(long, value_name = "PART", default_value_t = Options::default().threshold)]
     threshold: f64,
-    /// How frames are divided into blocks.
-    #[arg(long, value_enum, default_value_t = Blocks::Five)]
-    layout: Blocks,
-    /// The least number of frames of a shot.
-    #[arg(long, value_name = "FRAMES", default_value_t = 1)]
-    min_shot: usize,
+    #[command(flatten)]
+    shots: ShotOptions,
     /// Write the shots as a table (.csv) or as an edit decision list (.edl); may be repeated.
     #[arg(long, value_name = "FILE")]
     scenes: Vec<PathBuf>,
@@ -70,81 +62,49 @@ pub(super) struct Arguments {
 /// The formats of tables of shots.
 const SCENES: [Format; 2] = [Format::Csv, Format::Edl];
 
-/// What was found, and where it is shown.
-#[derive(Serialize)]
-pub(super) struct Found {
-    #[serde(flatten)]
-    report: Report,
-    #[serde(skip)]
-    page: Option<Page>,
-    /// Why the video was not read to its end.
-    #[serde(skip)]
-    failure: Option<Error>,
-}
+/// More key frames would make a contact sheet that viewers refuse.
+const MOST_ON_SHEET: usize = 200;
 
 impl Command for Arguments {
-    type Report = Found;
+    type Report = Shown<Analysed>;
 
-    fn run(&self, context: &Context) -> Result<Found> {
+    fn run(&self, context: &Context) -> Result<Self::Report> {
         self.check(context)?;
         let progress = context.progress(1);
         progress.step("analysing");
         let options = Options {
-            layout: self.layout.into(),
-            minimum_shot: self.min_shot,
             threshold: self.threshold,
             budget: self.budget,
+            ..self.shots.options()
         };
-        let with_page = context.report().is_some();
-        let pictures = self.out.is_some() || self.contact_sheet.is_some() || with_page;
-        let mut spool = pictures.then(Spool::new).transpose()?;
-        let mut analysed = analyse(&self.video, options, spool.as_mut(), &progress)?;
-        let report = Report::new(&analysed.analysis);
-        // What was analysed before an error is reported, without files beside the page.
-        let failure = analysed.failure.take();
+        let with_sheet = self.contact_sheet.is_some() || context.report().is_some();
+        let mut pictures = match self.out.is_some() || with_sheet {
+            true => Some(Pictures::new()?),
+            false => None,
+        };
+        let found = analyse(&self.video, options, pictures.as_mut(), |done, of| {
+            progress.at(done as u64, of as u64);
+        })?;
         progress.step("writing");
-        let sheet = match &mut spool {
-            Some(spool) if self.contact_sheet.is_some() || with_page => {
-                let sheet = sheet::draw(&report, spool, &self.title())?;
-                Some(png::encode(&sheet).context("cannot encode the contact sheet")?)
-            }
-            _ => None,
+        let title = self.title();
+        let sheet = match &mut pictures {
+            Some(pictures) if with_sheet => sheet(&title, &found.analysis.key_frames, pictures)?,
+            _ => Vec::new(),
         };
-        let page = match &sheet {
-            Some(sheet) if with_page => {
-                let title = self.title();
-                Some(page::of(
-                    &analysed,
-                    &report,
-                    sheet,
-                    &title,
-                    failure.as_ref(),
-                )?)
-            }
-            _ => None,
-        };
-        if failure.is_none() {
-            self.write(&analysed, &report, spool.as_mut(), sheet.as_deref())?;
+        // What was analysed before an error is reported, without files beside the page.
+        let is_whole = found.failure.is_none();
+        let text = text(&found);
+        let mut shown = Shown::new(found, text).with_plot(
+            self.plot.as_ref().filter(|_| is_whole),
+            context,
+            |found| found.analysis.svg(&title),
+            |found, svg| found.page(&title, svg, &sheet),
+        )?;
+        if is_whole {
+            self.write(&shown.values, pictures.as_mut(), &sheet, &mut shown.files)?;
         }
-        Ok(Found {
-            report,
-            page,
-            failure,
-        })
-    }
-}
-
-impl frame::Report for Found {
-    fn text(&self) -> String {
-        self.report.text()
-    }
-
-    fn page(&self) -> Option<Page> {
-        self.page.clone()
-    }
-
-    fn failure(&mut self) -> Option<Error> {
-        self.failure.take()
+        shown.failure = shown.values.failure.take().map(Error::from);
+        Ok(shown)
     }
 }
 
@@ -163,11 +123,8 @@ impl Arguments {
             files.write("--scenes", path, &SCENES)?;
         }
         files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
-        files.write_if_given(
-            "--contact-sheet",
-            self.contact_sheet.as_ref(),
-            &[Format::Png],
-        )?;
+        let sheet = self.contact_sheet.as_ref();
+        files.write_if_given("--contact-sheet", sheet, &[Format::Png])?;
         Ok(())
     }
 
@@ -179,42 +136,81 @@ impl Arguments {
         })
     }
 
-    /// Writes the files that were asked for, all of them or none.
+    /// Adds the files that were asked for, but for the chart.
     fn write(
         &self,
-        analysed: &Analysed,
-        report: &Report,
-        spool: Option<&mut Spool>,
-        sheet: Option<&[u8]>,
+        found: &Analysed,
+        pictures: Option<&mut Pictures>,
+        sheet: &[u8],
+        files: &mut Staged,
     ) -> Result<()> {
-        let mut files = Staged::default();
-        let title = self.title();
+        let shots = &found.analysis.shots;
         for path in &self.scenes {
-            let shots = &analysed.analysis.shots;
             let text = match Format::Edl.fits(path) {
-                true => scenes::edl(shots, analysed.rate(), &title),
-                false => scenes::csv(shots, analysed.rate()),
+                true => scenes::edl(shots, found.rate(), &self.title()),
+                false => scenes::csv(shots, found.rate()),
             };
-            output::stage(&mut files, path, text.as_bytes())?;
+            output::stage(files, path, text.as_bytes())?;
         }
-        if let Some(path) = &self.plot {
-            let svg = plot::svg(&analysed.analysis, &title)?;
-            output::stage(&mut files, path, svg.as_bytes())?;
-        }
-        if let (Some(folder), Some(spool)) = (&self.out, spool) {
-            for key in &report.key_frames {
-                if let Some(bytes) = spool.png(key.index)? {
-                    output::stage(&mut files, &key_path(folder, key.index), &bytes)?;
+        if let (Some(folder), Some(pictures)) = (&self.out, pictures) {
+            for key in &found.analysis.key_frames {
+                if let Some(bytes) = pictures.png(key.index)? {
+                    let path = folder.join(format!("frame_{:06}.png", key.index));
+                    output::stage(files, &path, &bytes)?;
                 }
             }
         }
-        if let (Some(path), Some(sheet)) = (&self.contact_sheet, sheet) {
-            output::stage(&mut files, path, sheet)?;
+        if let Some(path) = &self.contact_sheet {
+            output::stage(files, path, sheet)?;
         }
-        Ok(files.finish()?)
+        Ok(())
     }
 }
 
-fn key_path(folder: &Path, index: usize) -> PathBuf {
-    folder.join(format!("frame_{index:06}.png"))
+/// The key frames side by side, each with its number, time, reason and score, as PNG.
+fn sheet(title: &str, keys: &[KeyFrame], pictures: &mut Pictures) -> Result<Vec<u8>> {
+    let mut captioned = Vec::new();
+    for key in keys.iter().take(MOST_ON_SHEET) {
+        if let Some(picture) = pictures.picture(key.index)? {
+            let place = format!("frame {}, {:.3} s", key.index, key.time_seconds);
+            let reason = format!("{}, score {:.3}", key.reason.name(), key.score);
+            captioned.push(Captioned::new(&picture, [place, reason])?);
+        }
+    }
+    let heading = format!("{title}: {} key frames", keys.len());
+    png::encode(&captioned_sheet(&heading, &captioned)).context("cannot encode the contact sheet")
+}
+
+fn text(found: &Analysed) -> String {
+    let analysis = &found.analysis;
+    let transitions = &analysis.transitions;
+    let mut text = format!(
+        "{} frames, {} shots, {} cuts, {} dissolves, {} fades, {} key frames\n",
+        analysis.frames.len(),
+        analysis.shots.len(),
+        transitions.cuts.len(),
+        transitions.dissolves.len(),
+        transitions.fades.len(),
+        analysis.key_frames.len()
+    );
+    for line in transitions.blended() {
+        text += &(line + "\n");
+    }
+    for shot in &analysis.shots {
+        let (frames, background) = (&shot.frames, shot.background.name());
+        text += &format!(
+            "shot {} to {}, {background} background\n",
+            frames.start, frames.end
+        );
+    }
+    for key in &analysis.key_frames {
+        text += &format!(
+            "key frame {} at {:.3} s: {}, score {:.3}\n",
+            key.index,
+            key.time_seconds,
+            key.reason.name(),
+            key.score
+        );
+    }
+    text
 }

@@ -1,14 +1,9 @@
 //! `nullcone video`: the shots and key frames of videos, and the comfort of stereoscopic ones.
 
 mod comfort;
-mod input;
 mod keyframes;
-mod page;
-mod plot;
-mod report;
 mod score;
-mod sheet;
-mod spool;
+mod shots;
 mod statistics;
 
 use std::process::ExitCode;

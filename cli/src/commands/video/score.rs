@@ -1,13 +1,12 @@
 //! Found cuts against labelled ones.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context as _, Result};
-use ga_files::table::Table;
-use ga_video::keyframe::evaluation::score;
-use serde::{Deserialize, Serialize};
+use anyhow::Result;
+use ga_video::keyframe::evaluation::{Score, labels, score};
+use serde::Deserialize;
 
-use crate::frame::{self, Command, Context};
+use crate::frame::{Command, Context, Shown};
 
 /// Compare found cuts with labelled ones: precision, recall and F1.
 ///
@@ -34,64 +33,24 @@ struct Found {
     cuts: Vec<usize>,
 }
 
-#[derive(Serialize)]
-pub(super) struct Scores {
-    correct: usize,
-    extra: usize,
-    missed: usize,
-    precision: Option<f64>,
-    recall: Option<f64>,
-    f1: Option<f64>,
-}
-
 impl Command for Arguments {
-    type Report = Scores;
+    type Report = Shown<Score>;
 
-    fn run(&self, context: &Context) -> Result<Scores> {
+    fn run(&self, context: &Context) -> Result<Self::Report> {
         context.files([&self.found, &self.labels])?;
-        let found: Found = serde_json::from_slice(&read(&self.found)?)
-            .with_context(|| self.found.display().to_string())?;
-        let labels = labels(&self.labels)?;
+        let found: Found = ga_files::read(&self.found, |bytes| serde_json::from_slice(bytes))?;
+        let labels = ga_files::read(&self.labels, labels)?;
         let scored = score(&found.cuts, &labels, self.tolerance);
-        Ok(Scores {
-            correct: scored.correct,
-            extra: scored.extra,
-            missed: scored.missed,
-            precision: scored.precision(),
-            recall: scored.recall(),
-            f1: scored.f1(),
-        })
-    }
-}
-
-impl frame::Report for Scores {
-    fn text(&self) -> String {
-        let shown = |value: Option<f64>| value.map_or("none".into(), |value| format!("{value:.4}"));
-        format!(
+        let number = |value: Option<f64>| value.map_or("none".into(), |v| format!("{v:.4}"));
+        let text = format!(
             "{} correct, {} extra, {} missed\nprecision {}, recall {}, F1 {}\n",
-            self.correct,
-            self.extra,
-            self.missed,
-            shown(self.precision),
-            shown(self.recall),
-            shown(self.f1)
-        )
+            scored.correct,
+            scored.extra,
+            scored.missed,
+            number(scored.precision()),
+            number(scored.recall()),
+            number(scored.f1())
+        );
+        Ok(Shown::new(scored, text))
     }
-}
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))
-}
-
-/// The numbers of the first column.
-fn labels(path: &Path) -> Result<Vec<usize>> {
-    let table = Table::parse(&read(path)?).with_context(|| path.display().to_string())?;
-    let labels = (0..table.len()).map(|row| {
-        let label = table.text(row, 0);
-        label.parse().with_context(|| {
-            let (file, line) = (path.display(), table.line(row));
-            format!("{file}: line {line}: {label:?} is not a frame number")
-        })
-    });
-    labels.collect()
 }

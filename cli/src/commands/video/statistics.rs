@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use anyhow::{Error, Result};
-use ga_video::keyframe::Options;
+use ga_video::keyframe::analyse;
 use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
-use super::input::{Blocks, analyse};
-use crate::frame::{self, Command, Context};
+use super::shots::ShotOptions;
+use crate::frame::{Command, Context, Shown};
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
 ///
@@ -21,109 +21,81 @@ pub(super) struct Arguments {
     /// The videos.
     #[arg(value_name = "FILE", required = true)]
     videos: Vec<PathBuf>,
-    /// How frames are divided into blocks.
-    #[arg(long, value_enum, default_value_t = Blocks::Five)]
-    layout: Blocks,
-    /// The least number of frames of a shot.
-    #[arg(long, value_name = "FRAMES", default_value_t = 1)]
-    min_shot: usize,
+    #[command(flatten)]
+    shots: ShotOptions,
 }
 
 #[derive(Serialize)]
 pub(super) struct Table {
     clips: Vec<Row>,
     total: Row,
-    /// Why videos are missing.
-    #[serde(skip)]
-    failure: Option<Error>,
 }
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Row {
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<PathBuf>,
     frames: usize,
-    shots: usize,
-    #[serde(rename = "static")]
-    still: usize,
-    dynamic: usize,
-    static_proportion: Option<f64>,
+    #[serde(flatten)]
+    statistics: Statistics,
 }
 
 impl Row {
-    fn new(file: Option<PathBuf>, frames: usize, statistics: Statistics) -> Self {
-        Self {
-            file,
-            frames,
-            shots: statistics.shots(),
-            still: statistics.static_shots,
-            dynamic: statistics.dynamic_shots,
-            static_proportion: statistics.static_proportion(),
-        }
-    }
-
     fn line(&self) -> String {
         let name = match &self.file {
             Some(file) => file.display().to_string(),
             None => "total".into(),
         };
-        let proportion = self.static_proportion;
+        let found = self.statistics;
+        let proportion = found.static_proportion();
         let proportion = proportion.map_or("none".into(), |part| format!("{:.2} %", 100.0 * part));
         format!(
             "{name}: {} frames, {} shots, {} static, {} dynamic, static proportion {proportion}\n",
-            self.frames, self.shots, self.still, self.dynamic
+            self.frames,
+            found.shots(),
+            found.static_shots,
+            found.dynamic_shots
         )
     }
 }
 
 impl Command for Arguments {
-    type Report = Table;
+    type Report = Shown<Table>;
 
-    fn run(&self, context: &Context) -> Result<Table> {
+    fn run(&self, context: &Context) -> Result<Self::Report> {
         context.files(&self.videos)?;
-        let options = Options {
-            layout: self.layout.into(),
-            minimum_shot: self.min_shot,
-            ..Options::default()
-        };
         let progress = context.progress(self.videos.len() as u64);
-        let (mut clips, mut frames, mut total) = (Vec::new(), 0, Statistics::default());
+        let (mut clips, mut total) = (Vec::new(), Row::default());
         let mut failure = None;
         for path in &self.videos {
             progress.step("analysing");
-            let analysed = match analyse(path, options, None, &progress) {
+            let analysed = analyse(path, self.shots.options(), None, |done, of| {
+                progress.at(done as u64, of as u64);
+            });
+            let analysed = match analysed {
                 Ok(analysed) => analysed,
-                Err(error) if clips.is_empty() => return Err(error),
+                Err(error) if clips.is_empty() => return Err(error.into()),
                 Err(error) => {
                     failure = Some(error);
                     break;
                 }
             };
-            let statistics = Statistics::of(&analysed.analysis.shots);
-            let count = analysed.analysis.frames.len();
-            clips.push(Row::new(Some(path.clone()), count, statistics));
-            frames += count;
-            total = total + statistics;
+            let row = Row {
+                file: Some(path.clone()),
+                frames: analysed.analysis.frames.len(),
+                statistics: Statistics::of(&analysed.analysis.shots),
+            };
+            total.frames += row.frames;
+            total.statistics = total.statistics + row.statistics;
+            clips.push(row);
             failure = analysed.failure;
             if failure.is_some() {
                 break;
             }
         }
-        Ok(Table {
-            clips,
-            total: Row::new(None, frames, total),
-            failure,
-        })
-    }
-}
-
-impl frame::Report for Table {
-    fn text(&self) -> String {
-        let lines = self.clips.iter().chain([&self.total]).map(Row::line);
-        lines.collect()
-    }
-
-    fn failure(&mut self) -> Option<Error> {
-        self.failure.take()
+        let text = clips.iter().chain([&total]).map(Row::line).collect();
+        let mut shown = Shown::new(Table { clips, total }, text);
+        shown.failure = failure.map(Error::from);
+        Ok(shown)
     }
 }

@@ -1,4 +1,5 @@
-//! Reports: pages of HTML that need no other file, and charts in SVG for them.
+//! Reports: pages of HTML that need no other file, and charts in SVG for them. [`chart`] is for those
+//! that are drawn with the crate `plotters`.
 //!
 //! ```
 //! use ga_draw::document::{Anchor, Page, Svg};
@@ -12,8 +13,9 @@
 //! assert!(page.into_html().starts_with("<!DOCTYPE html>"));
 //! ```
 
+pub mod chart;
 mod page;
 mod svg;
 
-pub use page::{Cell, Page, Tint};
+pub use page::{Cell, Page, Tint, percent};
 pub use svg::{Anchor, Svg, ticks};

@@ -179,6 +179,16 @@ impl Page {
     }
 }
 
+/// A part as per cent, without the digits that only rounding makes.
+///
+/// ```
+/// assert_eq!(ga_draw::document::percent(0.57), 57.0);
+/// ```
+#[must_use]
+pub fn percent(part: f64) -> f64 {
+    (part * 1e8).round() / 1e6
+}
+
 /// A cell of a table.
 #[derive(Clone, Debug)]
 pub struct Cell {

@@ -3,6 +3,7 @@
 //! [`contact_sheet`] draws every frame with one camera direction and one scale, chosen so that the
 //! whole figure with its shadow is in every picture, and puts the pictures under each other in rows
 //! with captions. A [`Frame`] is the mesh at one moment: plain positions, however they were found.
+//! [`captioned_sheet`] puts pictures of any origin side by side.
 //!
 //! ```
 //! use ga_render::sheet::{Frame, Kind, Options, contact_sheet};
@@ -29,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod captioned;
 mod error;
 mod frame;
 mod framing;
@@ -41,6 +43,7 @@ use ga_image::plane::Plane;
 use rayon::prelude::*;
 
 use crate::{Appearance, Ground, Object, Rendering, Scene, Style, View, render};
+pub use captioned::{Captioned, captioned_sheet};
 pub use error::SheetError;
 pub use frame::{Frame, Kind};
 pub use sequence::{Sequence, Shooting};

@@ -3,10 +3,11 @@
 //! A [`Plan`] says what is to be done with a video: it is made by reading the video once, or up to
 //! three times where one eye is late or views are exchanged, since the other differences are those
 //! of views that belong together. [`Plan::apply`] reads the video again and hands over its views
-//! without the differences.
+//! without the differences, [`Plan::write`] writes them to a file.
 
 mod correction;
 mod delay;
+mod output;
 mod pairs;
 mod steady;
 

@@ -1,19 +1,24 @@
 //! Whether raters agree.
 
+use serde::Serialize;
+
 use super::super::correlation::ranks;
 use super::Ratings;
 
 /// How far raters agree.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// Krippendorff's α for the differences of ratings (level interval).
+    #[serde(rename = "krippendorff_alpha_interval")]
     pub alpha_interval: Option<f64>,
     /// Krippendorff's α for the order of ratings (level ordinal).
+    #[serde(rename = "krippendorff_alpha_ordinal")]
     pub alpha_ordinal: Option<f64>,
     /// Kendall's coefficient of concordance W with his correction for ties, over the raters who
     /// answered all questions: 1 where all put the questions in the same order, about 0 for random
     /// orders. `None` for fewer than two such raters or questions, or where all ratings of each
     /// rater are equal.
+    #[serde(rename = "kendall_w")]
     pub concordance: Option<f64>,
 }
 

@@ -1,5 +1,7 @@
 //! Mean opinion scores.
 
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::super::OpinionError;
@@ -20,8 +22,29 @@ pub struct MeanOpinion {
     pub half_width: Option<f64>,
 }
 
+impl MeanOpinion {
+    /// The ends of the confidence interval of the mean; `None` for one rating.
+    #[must_use]
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        self.half_width
+            .map(|half| [self.mean - half, self.mean + half])
+    }
+}
+
+impl Serialize for MeanOpinion {
+    /// The ends of the interval stand for its width.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_struct("MeanOpinion", 4)?;
+        object.serialize_field("mean_opinion_score", &self.mean)?;
+        object.serialize_field("interval", &self.interval())?;
+        object.serialize_field("standard_deviation", &self.deviation)?;
+        object.serialize_field("ratings", &self.ratings)?;
+        object.end()
+    }
+}
+
 /// How the opinions of two groups differ.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct GroupDifference {
     /// The first group's mean minus the second's.
     pub difference: f64,

@@ -1,10 +1,16 @@
 //! Tables of ratings: raters, who may belong to groups, and questions.
 
 mod agreement;
+mod classes;
+mod evaluation;
 mod mean_opinion;
+mod page;
+mod plot;
 mod screening;
+mod table;
 
 pub use agreement::{Agreement, Level};
+pub use evaluation::{Evaluation, GroupComparison, QuestionEvaluation, ScreenedRater};
 pub use mean_opinion::{GroupDifference, MeanOpinion};
 pub use screening::Screening;
 

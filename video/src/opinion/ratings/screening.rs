@@ -1,11 +1,13 @@
 //! Raters who answer unlike all others.
 
+use serde::Serialize;
+
 use super::super::correlation::pearson;
 use super::Ratings;
 use super::mean_opinion::mean_and_variance;
 
 /// How one rater's answers lie among all answers (ITU-R BT.500, screening of observers).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Screening {
     /// How many of the rater's ratings lie above the limit for the question, P.
     pub above: usize,
@@ -18,6 +20,7 @@ pub struct Screening {
     pub correlation: Option<f64>,
     /// Whether the rater should be left out: `(P + Q) / N > 0.05` and `|P − Q| / (P + Q) < 0.3`.
     /// Who answers always too high, or always too low, is kept.
+    #[serde(rename = "rejected")]
     pub is_rejected: bool,
 }
 

@@ -7,7 +7,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::rows::{Method, Row};
-use crate::chart::{COLOURS, FINE, shown_small};
+use ga_draw::document::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the bars above, and the width of all charts below them with the height of each.
 const BARS: (u32, u32) = (520, 22);

@@ -1,20 +1,15 @@
 //! Stereoscopic video without the defects that were measured in it.
 
-use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_files::Staged;
-use ga_image::y4m::{Film, Writer};
-use ga_video::comfort::align::Plan;
-use ga_video::stereo::{Layout, StereoSource, joined};
-use ga_video::{Frame, Samples};
+use ga_video::comfort::align::{CommonDelay, Plan};
+use ga_video::stereo::Layout;
 use serde::Serialize;
 
-use super::input;
 use super::input::LayoutName;
 use crate::format::Format;
-use crate::frame::{self, Command, Context};
+use crate::frame::{Command, Context, Shown};
 use crate::output;
 use crate::shell::quoted;
 
@@ -60,74 +55,59 @@ pub(in crate::commands::video) struct Arguments {
 }
 
 impl Command for Arguments {
-    type Report = Report;
+    type Report = Shown<Report>;
 
-    fn run(&self, context: &Context) -> Result<Report> {
-        align(self, context)
-    }
-}
-
-fn align(arguments: &Arguments, context: &Context) -> Result<Report> {
-    let out = arguments.out.as_path();
-    let right = arguments.right.as_deref();
-    let videos = [Some(arguments.video.as_path()), right]
-        .into_iter()
-        .flatten();
-    for video in videos.clone() {
-        ensure!(
-            video.as_os_str() != "-",
-            "the video is read twice, which standard input does not allow: write it to a file first"
-        );
-    }
-    context.files(videos)?.write("--out", out, &[Format::Y4m])?;
-    let name = match (arguments.layout, right) {
-        (None, None) => Some(LayoutName::SideBySide),
-        (name, _) => name,
-    };
-    let layout = input::layout(name, right)?;
-    let open = || input::open(&arguments.video, right, layout);
-    let mut source = open()?;
-    let progress = context.progress(1);
-    let count = source.properties().frame_count;
-    let show = |frame: usize| {
-        let frame = frame as u64 + 1;
-        if frame.is_multiple_of(8) {
-            progress.at(frame, count.map_or(2 * frame, |count| count as u64));
+    fn run(&self, context: &Context) -> Result<Self::Report> {
+        let (out, right) = (self.out.as_path(), self.right.as_deref());
+        let videos = [self.video.as_path()].into_iter().chain(right);
+        for video in videos.clone() {
+            ensure!(
+                video.as_os_str() != "-",
+                "the video is read twice, which standard input does not allow: write it to a file \
+                 first"
+            );
         }
-    };
-    progress.step("measuring");
-    let plan = Plan::of(open, input::halves(layout), 2, |reading, frame| {
-        if reading > 0 && frame == 0 {
-            progress.step("measuring again");
-        }
-        show(frame);
-    })?;
-    progress.step("aligning");
-    let halves = input::halves(layout).unwrap_or(Layout::SideBySide);
-    let mut staged = Staged::default();
-    output::stage_with(&mut staged, out, |file| {
-        let written = write(&plan, &mut source, halves, file, show);
-        written.with_context(|| format!("cannot write {}", out.display()))
-    })?;
-    staged.finish()?;
-    let delay = *plan.delay();
-    let is_file = Format::Y4m.fits(out);
-    Ok(Report {
-        out: out.display().to_string(),
-        frames: plan.frames(),
-        exchanged_frames: plan.exchanged_frames(),
-        delay_frames: if delay.agreeing > 0 { delay.frames } else { 0 },
-        delay_remaining_frames: (delay.agreeing > 0).then_some(delay.rest_frames),
-        frames_with_delay: delay.measured,
-        frames_with_this_delay: delay.agreeing,
-        next: is_file.then(|| {
-            let layout = match halves {
-                Layout::SideBySide => "side-by-side",
-                Layout::TopBottom => "top-bottom",
+        context.files(videos)?.write("--out", out, &[Format::Y4m])?;
+        let layout = match (self.layout, right) {
+            (None, None) => LayoutName::SideBySide,
+            (name, _) => LayoutName::of(name, right)?,
+        };
+        let open = || layout.open(&self.video, right);
+        let mut source = open()?;
+        let progress = context.progress(1);
+        let count = source.properties().frame_count;
+        let show = |frame: usize| {
+            let frame = frame as u64 + 1;
+            if frame.is_multiple_of(8) {
+                progress.at(frame, count.map_or(2 * frame, |count| count as u64));
+            }
+        };
+        progress.step("measuring");
+        let plan = Plan::of(open, layout.halves(), 2, |reading, frame| {
+            if reading > 0 && frame == 0 {
+                progress.step("measuring again");
+            }
+            show(frame);
+        })?;
+        progress.step("aligning");
+        let halves = layout.halves().unwrap_or(Layout::SideBySide);
+        let report = Report::new(out.display().to_string(), &plan);
+        let text = report.text();
+        let mut shown = Shown::new(report, text);
+        output::stage_with(&mut shown.files, out, |file| {
+            let written = plan.write(&mut source, halves, file, show);
+            written.with_context(|| format!("cannot write {}", out.display()))
+        })?;
+        shown.next = Format::Y4m.fits(out).then(|| {
+            let name = match halves {
+                Layout::SideBySide => LayoutName::SideBySide,
+                Layout::TopBottom => LayoutName::TopBottom,
             };
-            format!("nullcone video comfort {} --layout {layout}", quoted(out))
-        }),
-    })
+            let (out, layout) = (quoted(out), name.word());
+            format!("nullcone video comfort {out} --layout {layout}")
+        });
+        Ok(shown)
+    }
 }
 
 /// What was done.
@@ -144,13 +124,25 @@ pub(in crate::commands::video) struct Report {
     /// How many frames show a delay, and how many show the one that was removed.
     frames_with_delay: usize,
     frames_with_this_delay: usize,
-    #[serde(skip)]
-    next: Option<String>,
 }
 
-impl frame::Report for Report {
-    fn next(&self) -> Option<String> {
-        self.next.clone()
+impl Report {
+    fn new(out: String, plan: &Plan) -> Self {
+        let CommonDelay {
+            frames,
+            rest_frames,
+            measured,
+            agreeing,
+        } = *plan.delay();
+        Self {
+            out,
+            frames: plan.frames(),
+            exchanged_frames: plan.exchanged_frames(),
+            delay_frames: frames,
+            delay_remaining_frames: (agreeing > 0).then_some(rest_frames),
+            frames_with_delay: measured,
+            frames_with_this_delay: agreeing,
+        }
     }
 
     fn text(&self) -> String {
@@ -181,51 +173,4 @@ impl frame::Report for Report {
             self.out, self.frames, self.exchanged_frames
         )
     }
-}
-
-/// Writes all frames.
-fn write(
-    plan: &Plan,
-    source: &mut StereoSource,
-    layout: Layout,
-    file: &mut dyn Write,
-    mut show: impl FnMut(usize),
-) -> Result<()> {
-    let properties = *source.properties();
-    let (frames, last_seconds) = plan.source_frames();
-    let film = Film {
-        frames_per_second: properties.rate(frames, last_seconds),
-        sampling: properties.sampling,
-        colours: properties.colours,
-    };
-    let mut size = properties.size;
-    match layout {
-        Layout::SideBySide => size[0] *= 2,
-        Layout::TopBottom => size[1] *= 2,
-    }
-    let mut buffered = BufWriter::new(file);
-    let mut writer = Writer::new(&mut buffered, size, properties.bit_depth, film)?;
-    let mut written = 0;
-    plan.apply(source, |views| {
-        write_frame(&mut writer, views, layout)?;
-        show(written);
-        written += 1;
-        Ok::<(), anyhow::Error>(())
-    })?;
-    Ok(buffered.flush()?)
-}
-
-fn write_frame(writer: &mut Writer<impl Write>, views: [&Frame; 2], layout: Layout) -> Result<()> {
-    let whole = joined(views.map(|view| &view.samples), layout)?;
-    match &whole {
-        Samples::Eight(planes) => {
-            let [cb, cr] = &planes.differences;
-            writer.write([&planes.luma, cb, cr])?;
-        }
-        Samples::Ten(planes) => {
-            let [cb, cr] = &planes.differences;
-            writer.write([&planes.luma, cb, cr])?;
-        }
-    }
-    Ok(())
 }

@@ -2,25 +2,21 @@
 
 pub(super) mod align;
 mod input;
-mod line;
 mod table;
 
 use std::path::PathBuf;
 
 use anyhow::{Error, Result, bail, ensure};
-use clap::ValueEnum;
 use ga_video::comfort::monitor::{Options, observe};
 use ga_video::comfort::report::{self, About, Report};
 use ga_video::comfort::{FrameMeasures, Level, Observer, Record, Summary, Viewing};
 use ga_video::{Frame, Properties};
-use serde::Serialize;
 
 use crate::format::Format;
-use crate::frame::{self, Check, Command, Context, Progress, Verdict};
+use crate::frame::{Check, Command, Context, Progress, Shown, Verdict};
 use crate::output;
 use crate::shell::quoted;
 use crate::standard_output;
-use ga_draw::document::Page;
 use input::LayoutName;
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
@@ -89,98 +85,95 @@ pub(in crate::commands::video) struct Arguments {
 }
 
 impl Command for Arguments {
-    type Report = Found;
+    type Report = Shown<()>;
 
     fn is_check(&self) -> bool {
         self.check.check
     }
 
-    fn run(&self, context: &Context) -> Result<Found> {
-        measure(self, context)
-    }
-}
-
-fn measure(arguments: &Arguments, context: &Context) -> Result<Found> {
-    ensure!(
-        (1..=2).contains(&arguments.threads),
-        "--threads {}: it must be 1 or 2",
-        arguments.threads
-    );
-    arguments.check_out(context)?;
-    let viewing = Viewing::of_screen(arguments.screen_inches, arguments.distance_metres)?;
-    let layout = input::layout(arguments.layout, arguments.right.as_deref())?;
-    let mut source = input::open(&arguments.video, arguments.right.as_deref(), layout)?;
-    let properties = *source.properties();
-    let options = Options {
-        viewing,
-        layout: input::halves(layout),
-        threads: arguments.threads,
-    };
-    let progress = context.progress(1);
-    progress.step("analysing");
-    let lines = match (context.is_json(), arguments.csv) {
-        (true, _) => Lines::Json,
-        (_, true) => Lines::Csv,
-        (false, false) => Lines::None,
-    };
-    let about = arguments.about(properties, viewing, layout);
-    let align = about.align.clone();
-    let with_page = arguments.out.is_some() || context.report().is_some();
-    let mut watcher = Watcher {
-        lines,
-        progress: &progress,
-        count: properties.frame_count.map(|count| count as u64),
-        summary: Summary::default(),
-        printed: match lines {
-            Lines::Csv => output::print(&line::csv_header()),
-            Lines::Json | Lines::None => Ok(()),
-        },
-        can_align: false,
-        viewing,
-        report: with_page.then(|| Report::new(about)),
-    };
-    let result = observe(&mut source, options, &mut watcher);
-    let Watcher {
-        summary,
-        printed,
-        can_align,
-        report,
-        ..
-    } = watcher;
-    drop(progress);
-    printed?;
-    if summary.frames == 0 {
-        result?;
-        bail!("{}: the video has no frames", arguments.video.display());
-    }
-    let page = match &report {
-        Some(report) => {
+    fn run(&self, context: &Context) -> Result<Self::Report> {
+        ensure!(
+            (1..=2).contains(&self.threads),
+            "--threads {}: it must be 1 or 2",
+            self.threads
+        );
+        self.check_out(context)?;
+        let viewing = Viewing::of_screen(self.screen_inches, self.distance_metres)?;
+        let layout = LayoutName::of(self.layout, self.right.as_deref())?;
+        let mut source = layout.open(&self.video, self.right.as_deref())?;
+        let properties = *source.properties();
+        let options = Options {
+            viewing,
+            layout: layout.halves(),
+            threads: self.threads,
+        };
+        let progress = context.progress(1);
+        progress.step("analysing");
+        let lines = match (context.is_json(), self.csv) {
+            (true, _) => Lines::Json,
+            (_, true) => Lines::Csv,
+            (false, false) => Lines::None,
+        };
+        let about = self.about(properties, viewing, layout);
+        let align = about.align.clone();
+        let with_page = self.out.is_some() || context.report().is_some();
+        let mut watcher = Watcher {
+            lines,
+            progress: &progress,
+            count: properties.frame_count.map(|count| count as u64),
+            summary: Summary::default(),
+            printed: match lines {
+                Lines::Csv => output::print(&Record::csv_header()),
+                Lines::Json | Lines::None => Ok(()),
+            },
+            can_align: false,
+            viewing,
+            report: with_page.then(|| Report::new(about)),
+        };
+        let result = observe(&mut source, options, &mut watcher);
+        let Watcher {
+            summary,
+            printed,
+            can_align,
+            report,
+            ..
+        } = watcher;
+        drop(progress);
+        printed?;
+        if summary.frames == 0 {
+            result?;
+            bail!("{}: the video has no frames", self.video.display());
+        }
+        let verdict = verdict(&summary);
+        let text = match lines {
+            Lines::Csv => String::new(),
+            Lines::Json | Lines::None => {
+                let table = table::text(&summary, &viewing);
+                format!("{table}\nthe result is {}\n", verdict.word())
+            }
+        };
+        let mut shown = Shown::new((), text);
+        shown.is_printed_as_json = true;
+        shown.verdict = Some(verdict);
+        shown.next = align.filter(|_| can_align && lines == Lines::None);
+        if let Some(report) = &report {
             // What was analysed before an error is reported.
             let failure = result.as_ref().err().map(ToString::to_string);
-            Some(report.page(&summary, failure.as_deref())?)
+            shown.page = Some(report.page(&summary, failure.as_deref())?);
         }
-        None => None,
-    };
-    let mut files = Vec::new();
-    if let (Some(path), Some(page)) = (&arguments.out, &page) {
-        files.push((path, page.clone().into_html().into_bytes()));
+        if let (Some(path), Some(page)) = (&self.out, &shown.page) {
+            let html = page.clone().into_html();
+            output::stage(&mut shown.files, path, html.as_bytes())?;
+        }
+        if let Some(path) = self.summary.as_ref().filter(|_| result.is_ok()) {
+            let mut object = summary.json(&viewing);
+            object["verdict"] = serde_json::to_value(verdict)?;
+            let text = serde_json::to_string_pretty(&object)? + "\n";
+            output::stage(&mut shown.files, path, text.as_bytes())?;
+        }
+        shown.failure = result.err().map(Error::from);
+        Ok(shown)
     }
-    let verdict = verdict(&summary);
-    if let Some(path) = arguments.summary.as_ref().filter(|_| result.is_ok()) {
-        let mut object = table::json(&summary, &viewing);
-        object["verdict"] = serde_json::to_value(verdict)?;
-        let text = serde_json::to_string_pretty(&object)? + "\n";
-        files.push((path, text.into_bytes()));
-    }
-    output::write_together(files)?;
-    Ok(Found {
-        lines,
-        text: table::text(&summary, &viewing),
-        verdict,
-        next: align.filter(|_| can_align),
-        page,
-        failure: result.err().map(Error::from),
-    })
 }
 
 /// How the program judges what a video is to its viewers.
@@ -198,54 +191,6 @@ enum Lines {
     None,
     Json,
     Csv,
-}
-
-/// What is said at the end.
-#[derive(Serialize)]
-pub(in crate::commands::video) struct Found {
-    #[serde(skip)]
-    lines: Lines,
-    #[serde(skip)]
-    text: String,
-    #[serde(skip)]
-    verdict: Verdict,
-    #[serde(skip)]
-    next: Option<String>,
-    #[serde(skip)]
-    page: Option<Page>,
-    #[serde(skip)]
-    failure: Option<Error>,
-}
-
-impl frame::Report for Found {
-    fn text(&self) -> String {
-        match self.lines {
-            Lines::Csv => String::new(),
-            Lines::Json | Lines::None => {
-                format!("{}\nthe result is {}\n", self.text, self.verdict.word())
-            }
-        }
-    }
-
-    fn is_printed_as_json(&self) -> bool {
-        true
-    }
-
-    fn verdict(&self) -> Option<Verdict> {
-        Some(self.verdict)
-    }
-
-    fn next(&self) -> Option<String> {
-        self.next.clone().filter(|_| self.lines == Lines::None)
-    }
-
-    fn page(&self) -> Option<Page> {
-        self.page.clone()
-    }
-
-    fn failure(&mut self) -> Option<Error> {
-        self.failure.take()
-    }
 }
 
 impl Arguments {
@@ -271,14 +216,13 @@ impl Arguments {
         });
         let names: Vec<String> = names.collect();
         let quoted: Vec<String> = paths().map(quoted).collect();
-        let layout = layout.to_possible_value();
-        let layout = layout.map_or_else(String::new, |value| value.get_name().to_owned());
         About {
             title: names.join(" and "),
             align: (!paths().any(is_stream)).then(|| {
                 format!(
-                    "nullcone video align {} --layout {layout} --out aligned.y4m",
-                    quoted.join(" ")
+                    "nullcone video align {} --layout {} --out aligned.y4m",
+                    quoted.join(" "),
+                    layout.word()
                 )
             }),
             properties,
@@ -316,13 +260,11 @@ impl Observer for Watcher<'_> {
         }
         if self.printed.is_ok() {
             let text = match self.lines {
-                Lines::Json => Some(line::json(&record)),
-                Lines::Csv => Some(Ok(line::csv(&record))),
-                Lines::None => None,
+                Lines::Json => format!("{}\n", record.json()),
+                Lines::Csv => record.csv(),
+                Lines::None => String::new(),
             };
-            if let Some(text) = text {
-                self.printed = text.and_then(|text| output::print(&text));
-            }
+            self.printed = output::print(&text);
         }
         self.can_align |= report::can_align(&record, &self.viewing);
         if let Some(report) = &mut self.report {

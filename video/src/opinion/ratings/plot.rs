@@ -1,15 +1,16 @@
 //! Ratings as a picture, in the shape of Cui's fig. 11: opinions with intervals for each question,
 //! and how many people gave which rating.
 
-use anyhow::Result;
-use ga_video::opinion::ratings::Ratings;
+use ga_draw::document::chart::{
+    self, Area, COLOURS, ChartError, FINE, Mark, draw_legend, font, shortened,
+};
+use ga_draw::document::percent;
 use plotters::prelude::*;
 use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::classes::{classes, scale};
-use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shortened, shown_small};
-use crate::output::percent;
+use super::{Evaluation, Ratings};
 
 /// The size of the picture as it is shown, without the names of the questions.
 const SIZE: (u32, u32) = (900, 600);
@@ -24,24 +25,22 @@ const HALF_BAR: f64 = 0.32;
 const QUESTION: usize = 22;
 const GROUP: usize = 18;
 
-pub(super) fn svg(ratings: &Ratings, confidence: f64) -> Result<String> {
-    let names = Names::new(ratings);
-    let size = (SIZE.0, SIZE.1 + 2 * names.height);
-    let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, (size.0 * FINE, size.1 * FINE));
-        let root = root.into_drawing_area();
-        root.fill(&WHITE)?;
-        let (above, below) = root.split_vertically(size.1 * FINE / 2);
-        draw_opinions(&above, ratings, &names, confidence)?;
-        draw_counts(&below, ratings, &names)?;
-        root.present()?;
+impl Evaluation {
+    /// The opinions and the counts of ratings as SVG.
+    ///
+    /// # Errors
+    ///
+    /// Those of the drawing.
+    pub fn svg(&self) -> Result<String, ChartError> {
+        let ratings = &self.ratings;
+        let names = Names::new(ratings);
+        let size = (SIZE.0, SIZE.1 + 2 * names.height);
+        chart::svg(size, |area| {
+            let (above, below) = area.split_vertically(size.1 * FINE / 2);
+            draw_opinions(&above, ratings, &names, self.confidence)?;
+            draw_counts(&below, ratings, &names)
+        })
     }
-    Ok(shown_small(&text, size))
-}
-
-fn font<'a>(size: u32) -> FontDesc<'a> {
-    ("sans-serif", size * FINE).into_font()
 }
 
 /// The names of the questions as they are shown under their places.
@@ -95,7 +94,7 @@ type Context<'a> = ChartContext<
 >;
 
 impl Chart<'_> {
-    fn draw<'a>(&self, area: &Area<'a>, names: &Names) -> Result<Context<'a>> {
+    fn draw<'a>(&self, area: &Area<'a>, names: &Names) -> Result<Context<'a>, ChartError> {
         let count = names.names.len();
         let [low, high] = self.range;
         let mut chart = ChartBuilder::on(area)
@@ -131,7 +130,12 @@ impl Chart<'_> {
 }
 
 /// A dot with its interval for each question and group.
-fn draw_opinions(area: &Area<'_>, ratings: &Ratings, names: &Names, confidence: f64) -> Result<()> {
+fn draw_opinions(
+    area: &Area<'_>,
+    ratings: &Ratings,
+    names: &Names,
+    confidence: f64,
+) -> Result<(), ChartError> {
     let scale = scale(ratings);
     let (least, greatest) = (scale[0], scale[scale.len() - 1]);
     let margin = 0.08 * (greatest - least).max(1.0);
@@ -182,7 +186,7 @@ fn draw_opinions(area: &Area<'_>, ratings: &Ratings, names: &Names, confidence: 
 }
 
 /// A bar for each question, with a part for each rating, or each class of ratings.
-fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<()> {
+fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<(), ChartError> {
     let classes = classes(&scale(ratings));
     let count = ratings.questions().len();
     let people = ratings.raters().len();

@@ -1,6 +1,6 @@
 //! Ratings that are counted together.
 
-use ga_video::opinion::ratings::Ratings;
+use super::Ratings;
 
 /// The most ratings that are told apart; of more, classes are counted.
 const MOST: usize = 9;

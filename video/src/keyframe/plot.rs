@@ -1,61 +1,54 @@
 //! The curves of a video as an SVG picture, in the shape of Cui's fig. 6.
 
-use anyhow::Result;
-use ga_video::keyframe::Analysis;
-use plotters::coord::Shift;
+use ga_draw::document::chart::{self, Area, COLOURS, ChartError, FINE, font};
 use plotters::prelude::*;
 
-use crate::chart::{COLOURS, FINE, shown_small};
+use super::analysis::Analysis;
 
 /// The size of the picture as it is shown.
 const SIZE: (u32, u32) = (1000, 680);
 const LIGHT: RGBColor = RGBColor(225, 225, 225);
 const SHADE: RGBColor = RGBColor(240, 228, 200);
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Above, the difference of each frame from the one before it, with the threshold of cuts and the
-/// cuts; below, their mutual information. Dissolves and fades are shaded.
-pub(super) fn svg(analysis: &Analysis, title: &str) -> Result<String> {
-    let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
-        let root = root.into_drawing_area();
-        root.fill(&WHITE)?;
-        let (above, below) = root.split_vertically(SIZE.1 / 2 * FINE);
+impl Analysis {
+    /// The curves as SVG: above, the difference of each frame from the one before it, with the
+    /// threshold of cuts and the cuts; below, their mutual information. Dissolves and fades are
+    /// shaded.
+    ///
+    /// # Errors
+    ///
+    /// Those of the drawing.
+    pub fn svg(&self, title: &str) -> Result<String, ChartError> {
+        let frames = &self.frames;
         let series = |value: &dyn Fn(usize) -> Option<f64>| -> Vec<(f64, f64)> {
-            let frames = 0..analysis.frames.len();
-            frames
+            (0..frames.len())
                 .filter_map(|index| Some((index as f64, value(index)?)))
                 .collect()
         };
-        let frames = &analysis.frames;
         let change = series(&|index| Some(f64::from(frames[index].change)));
         let background = series(&|index| Some(f64::from(frames[index].background)));
-        let threshold = series(&|index| Some(f64::from(analysis.thresholds[index])));
-        let name = format!("(a) {title}: difference of R from the frame before");
-        panel(
-            &above,
-            (name.as_str(), "difference / contrast"),
-            analysis,
-            &[
-                ("after camera motion", 0, change),
-                ("background at rest", 4, background),
-                ("threshold of cuts", 1, threshold),
-            ],
-        )?;
+        let threshold = series(&|index| Some(f64::from(self.thresholds[index])));
         let information = series(&|index| frames[index].mutual_information_bits);
-        panel(
-            &below,
-            ("(b) mutual information with the frame before", "bits"),
-            analysis,
-            &[("mutual information", 2, information)],
-        )?;
-        root.present()?;
+        let name = format!("(a) {title}: difference of R from the frame before");
+        let differences = [
+            ("after camera motion", 0, change),
+            ("background at rest", 4, background),
+            ("threshold of cuts", 1, threshold),
+        ];
+        chart::svg(SIZE, |area| {
+            let (above, below) = area.split_vertically(SIZE.1 / 2 * FINE);
+            panel(&above, (&name, "difference / contrast"), self, &differences)?;
+            panel(
+                &below,
+                ("(b) mutual information with the frame before", "bits"),
+                self,
+                &[("mutual information", 2, information)],
+            )
+        })
     }
-    Ok(shown_small(&text, SIZE))
 }
 
+/// A name, the number of a colour, and places.
 type Series = (&'static str, usize, Vec<(f64, f64)>);
 
 fn panel(
@@ -63,7 +56,7 @@ fn panel(
     (caption, unit): (&str, &str),
     analysis: &Analysis,
     series: &[Series],
-) -> Result<()> {
+) -> Result<(), ChartError> {
     let values = series
         .iter()
         .flat_map(|(_, _, line)| line)
@@ -71,7 +64,7 @@ fn panel(
     let top = 1.08 * values.fold(0.1, f64::max);
     let end = analysis.frames.len().max(2) as f64;
     let mut chart = ChartBuilder::on(area)
-        .caption(caption, ("sans-serif", 16 * FINE))
+        .caption(caption, font(16))
         .margin(12 * FINE)
         .x_label_area_size(40 * FINE)
         .y_label_area_size(64 * FINE)
@@ -89,8 +82,8 @@ fn panel(
         .configure_mesh()
         .x_desc("frame")
         .y_desc(unit)
-        .axis_desc_style(("sans-serif", 14 * FINE))
-        .label_style(("sans-serif", 12 * FINE))
+        .axis_desc_style(font(14))
+        .label_style(font(12))
         .light_line_style(WHITE.mix(0.0))
         .bold_line_style(LIGHT.stroke_width(FINE))
         .axis_style(BLACK.stroke_width(FINE))
@@ -112,7 +105,7 @@ fn panel(
     chart
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)
-        .label_font(("sans-serif", 12 * FINE))
+        .label_font(font(12))
         .legend_area_size(26 * FINE)
         .margin(6 * FINE)
         .background_style(WHITE.mix(0.85))

@@ -1,16 +1,18 @@
 //! The measures of all frames as a table.
 
 use ga_files::table::{Cell, Separator, row};
-use ga_video::quality::{FrameQuality, MEASURES};
 
-/// A row for each frame. A measure that a frame does not have is empty.
-pub(super) fn csv(frames: &[FrameQuality]) -> String {
+use super::measure::MEASURES;
+use super::video::FrameQuality;
+
+/// Comma-separated values: `frame`, `time_seconds` and the keys of [`MEASURES`], then a row for
+/// each frame. A measure that a frame does not have is empty.
+#[must_use]
+pub fn csv(frames: &[FrameQuality]) -> String {
     let keys = MEASURES.iter().map(|measure| measure.key);
     let names = ["frame", "time_seconds"].into_iter().chain(keys);
-    let mut text = row(
-        names.map(|name| Cell::Text(name.to_owned())),
-        Separator::Comma,
-    );
+    let names = names.map(|name| Cell::Text(name.to_owned()));
+    let mut text = row(names, Separator::Comma);
     for frame in frames {
         let values = MEASURES.iter().map(|measure| (measure.value)(frame));
         let place = [frame.index as f64, frame.time_seconds].map(Some);

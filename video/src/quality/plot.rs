@@ -1,12 +1,10 @@
 //! The measures over time as an SVG picture: decibels above, indices below.
 
-use std::path::Path;
-
-use anyhow::Result;
-use ga_video::quality::{FrameQuality, MEASURES, Measure, Scale};
+use ga_draw::document::chart::{self, Area, COLOURS, ChartError, FINE, Mark, draw_legend, font};
 use plotters::prelude::*;
 
-use crate::chart::{Area, COLOURS, FINE, Mark, draw_legend, shown_small};
+use super::measure::{MEASURES, Measure, Scale};
+use super::video::FrameQuality;
 
 /// The size of the picture as it is shown, and the width of the legend.
 const SIZE: (u32, u32) = (1000, 640);
@@ -18,28 +16,30 @@ fn finite(measure: &Measure, frame: &FrameQuality) -> Option<f64> {
     (measure.value)(frame).filter(|value| value.is_finite())
 }
 
-/// Lines over time. They are interrupted at frames in which nothing differs.
-pub(super) fn svg(frames: &[FrameQuality], distorted: &Path) -> Result<String> {
-    let name = distorted.file_name().unwrap_or(distorted.as_os_str());
-    let title = format!("Quality of {} over time", name.to_string_lossy());
-    let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, (SIZE.0 * FINE, SIZE.1 * FINE));
-        let root = root.into_drawing_area();
-        root.fill(&WHITE)?;
-        let font = ("sans-serif", 18 * FINE).into_font();
-        root.draw(&Text::new(title, (fine(16), fine(14)), font))?;
-        let (_, charts) = root.split_vertically(TITLE * FINE);
+/// A chart of the measures over time as SVG: decibels above, indices below. Lines are interrupted at
+/// frames in which nothing differs. `name` is that of the video.
+///
+/// # Errors
+///
+/// Those of the drawing.
+pub fn svg(frames: &[FrameQuality], name: &str) -> Result<String, ChartError> {
+    let title = format!("Quality of {name} over time");
+    chart::svg(SIZE, |area| {
+        area.draw(&Text::new(title, (fine(16), fine(14)), font(18)))?;
+        let (_, charts) = area.split_vertically(TITLE * FINE);
         let (above, below) = charts.split_vertically((SIZE.1 - TITLE) / 2 * FINE);
         draw(&above, "decibels", Scale::Decibels, frames)?;
-        draw(&below, "index", Scale::Index, frames)?;
-        root.present()?;
-    }
-    Ok(shown_small(&text, SIZE))
+        draw(&below, "index", Scale::Index, frames)
+    })
 }
 
 /// The measures of luma on a scale.
-fn draw(area: &Area<'_>, unit: &str, scale: Scale, frames: &[FrameQuality]) -> Result<()> {
+fn draw(
+    area: &Area<'_>,
+    unit: &str,
+    scale: Scale,
+    frames: &[FrameQuality],
+) -> Result<(), ChartError> {
     let measures: Vec<Measure> = MEASURES
         .into_iter()
         .filter(|measure| measure.of_luma && measure.scale == scale)

@@ -1,0 +1,83 @@
+//! `nullcone quality ratings`: what people say about a video.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use ga_video::opinion::ratings::{Evaluation, MeanOpinion, Ratings};
+
+use crate::format::Format;
+use crate::frame::{Command, Context, Shown};
+
+/// Evaluate a table of ratings: mean opinion scores with intervals, groups, agreement, screening.
+///
+/// TABLE.csv has a line of names, a row for each rater and a column for each question. A column
+/// rater has the raters' names; a column group, such as expert and lay, is compared by the test of
+/// Welch. A rating may be missing. Raters who answer without order are found by the rule of ITU-R
+/// BT.500; with --screen they are left out.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The ratings.
+    #[arg(value_name = "TABLE.csv")]
+    table: PathBuf,
+    /// The confidence of the intervals.
+    #[arg(long, value_name = "PART", default_value_t = 0.95)]
+    confidence: f64,
+    /// Leave out the raters who are rejected by the screening.
+    #[arg(long)]
+    screen: bool,
+    /// Write a picture of the opinions and of how many people gave which rating.
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+}
+
+impl Command for Arguments {
+    type Report = Shown<Evaluation>;
+
+    fn run(&self, context: &Context) -> Result<Self::Report> {
+        let mut files = context.files([&self.table])?;
+        files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
+        let ratings = ga_files::read(&self.table, Ratings::from_table)?;
+        let found = ratings.evaluate(self.confidence, self.screen)?;
+        let (text, source) = (text(&found), self.table.display().to_string());
+        Shown::new(found, text).with_plot(
+            self.plot.as_ref(),
+            context,
+            Evaluation::svg,
+            |found, svg| found.page(&source, svg),
+        )
+    }
+}
+
+fn text(found: &Evaluation) -> String {
+    let opinion = |opinion: &MeanOpinion| match opinion.interval() {
+        Some([low, high]) => format!("{:.2} ({low:.2} to {high:.2})", opinion.mean),
+        None => format!("{:.2}", opinion.mean),
+    };
+    let mut text = format!("{} raters\n", found.raters);
+    for question in &found.questions {
+        text += &format!("{}: {}", question.question, opinion(&question.opinion));
+        for (group, found) in &question.groups {
+            text += &format!("; {group} {}", opinion(found));
+        }
+        for pair in &question.differences {
+            if let Some(p) = pair.found.p_value {
+                text += &format!("; {} against {}: p = {p:.3}", pair.first, pair.second);
+            }
+        }
+        text.push('\n');
+    }
+    let number =
+        |value: Option<f64>| value.map_or("none".to_owned(), |value| format!("{value:.3}"));
+    text += &format!(
+        "agreement: Krippendorff's alpha {} (interval), {} (ordinal), Kendall's W {}\n",
+        number(found.agreement.alpha_interval),
+        number(found.agreement.alpha_ordinal),
+        number(found.agreement.concordance)
+    );
+    let rejected = match found.rejected.as_slice() {
+        [] => "none".to_owned(),
+        names => names.join(", "),
+    };
+    let done = if found.screened { "left out" } else { "found" };
+    text + &format!("raters without order {done} (ITU-R BT.500): {rejected}\n")
+}
