@@ -19,7 +19,7 @@
 //!
 //! The numbers of the file are single precision, and everything is computed in double precision.
 //!
-//! A [`character`] is what the skins of a document move: a mesh, a skeleton and weights.
+//! [`character()`] is what the skins of a document move: a mesh, a skeleton and weights.
 //!
 //! # Written files
 //!
@@ -45,7 +45,7 @@ mod player;
 mod rigged;
 mod sampler;
 
-pub use character::{Character, character};
+pub use character::character;
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};

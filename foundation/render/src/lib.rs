@@ -14,6 +14,8 @@
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
 //! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a
 //! side |
+//! | [`Viewpoint`] | the same as text, and the views of a turntable |
+//! | [`view_file`] | views as cameras of files |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
 //!
 //! Hidden surfaces are removed by a depth buffer with several samples for each pixel. A triangle is
@@ -67,6 +69,8 @@ mod surface;
 pub mod text;
 pub mod texture;
 mod view;
+pub mod view_file;
+mod viewpoint;
 mod world;
 
 use ga_image::colour::SrgbEncoder;
@@ -83,6 +87,7 @@ pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};
 pub use view::{View, ViewDirection};
+pub use viewpoint::{Viewpoint, ViewpointError};
 
 /// A picture and the depths in it.
 #[derive(Clone, Debug)]

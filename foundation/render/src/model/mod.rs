@@ -1,6 +1,7 @@
 //! Models from files as they are drawn: triangles, materials and textures in memory.
 //!
-//! [`Model::from_mesh`] takes a mesh with its materials. A [`Model`] owns what a [`Scene`] borrows:
+//! [`Model::from_mesh`] takes a mesh with its materials. A [`Model`] owns what a [`Scene`] borrows;
+//! [`Model::with_scene`] makes one with ground and edges.
 //!
 //! ```
 //! use ga_render::model::Model;
@@ -17,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod drawing;
 mod from_mesh;
 mod textures;
 
@@ -26,6 +28,7 @@ use crate::{
 };
 use ga_image::colour::LinearColour;
 
+pub use drawing::Options;
 pub use textures::{Meaning, TextureFileError, load_texture};
 
 /// A model in memory, ready to be drawn.
