@@ -70,7 +70,7 @@ pub enum CharacterError {
     Mesh(#[from] MeshError),
     /// The painted skin has no pixels.
     #[error("the painted skin has no pixels: {0}")]
-    Paint(#[from] TextureError),
+    Paint(Box<TextureError>),
     /// A contact sheet or a film cannot be drawn.
     #[error("cannot draw the {what}: {source}")]
     Draw {
@@ -99,11 +99,11 @@ pub enum CharacterError {
         /// `left` or `right`.
         camera: &'static str,
         /// What is wrong.
-        source: ObservationError,
+        source: Box<ObservationError>,
     },
     /// The joints cannot be triangulated.
     #[error(transparent)]
-    Triangulation(#[from] RigError),
+    Triangulation(Box<RigError>),
     /// The positions that were found cannot be compared with the true ones.
     #[error(transparent)]
     Comparison(#[from] BodyError),

@@ -2,11 +2,12 @@
 
 use ga_anim::skeleton::{Skeleton, SkeletonError};
 use ga_render::sheet::{Layout, Options, Subject};
-use ga_render::texture::{Mipmap, Sampler, TextureError, Wrap};
+use ga_render::texture::{Mipmap, Sampler, Wrap};
 use ga_render::{
     Appearance, Attribute, Light, Lighting, MaterialChoice, Object, Style, ViewDirection,
 };
 
+use crate::error::CharacterError;
 use crate::figure::Figure;
 use crate::gltf::ROUGHNESS;
 use crate::storyboard::Storyboard;
@@ -22,7 +23,7 @@ const ABOVE: f64 = 0.2;
 pub(crate) fn with_subject<T>(
     figure: &Figure,
     draw: impl FnOnce(Subject) -> T,
-) -> Result<T, TextureError> {
+) -> Result<T, CharacterError> {
     let mesh = &figure.character.mesh;
     let triangles = mesh.triangles();
     let painted = figure.paint.as_ref().zip(mesh.texture_coordinates());
@@ -33,7 +34,8 @@ pub(crate) fn with_subject<T>(
         wrap: [Wrap::ClampToEdge; 2],
         ..Sampler::default()
     };
-    let map = Mipmap::colour(paint, sampler)?;
+    let map = Mipmap::colour(paint, sampler);
+    let map = map.map_err(|error| CharacterError::Paint(Box::new(error)))?;
     let materials = [Appearance {
         base_colour_map: Some(&map),
         roughness: ROUGHNESS,

@@ -105,11 +105,17 @@ impl Found {
         noise: f64,
         seed: u64,
     ) -> Result<Self, CharacterError> {
-        let failed = |camera| move |source| CharacterError::Observation { camera, source };
+        let failed = |camera| {
+            move |error| CharacterError::Observation {
+                camera,
+                source: Box::new(error),
+            }
+        };
         let left = observe(&rig.left, joints, noise, seed).map_err(failed("left"))?;
         // Noise of its own for each camera.
         let right = observe(&rig.right, joints, noise, !seed).map_err(failed("right"))?;
-        let seen = rig.triangulate_all(&left, &right)?;
+        let seen = rig.triangulate_all(&left, &right);
+        let seen = seen.map_err(|error| CharacterError::Triangulation(Box::new(error)))?;
         let places: Vec<Point<f64>> = seen.iter().map(|seen| seen.position).collect();
         let errors = joints.iter().zip(&places).map(|(a, b)| a.distance(*b));
         let is_inside = |pixel: &[f64; 2]| {
