@@ -187,10 +187,7 @@ impl Command for Arguments {
                 Light::Lit => Shading::Lit,
                 Light::Unlit => Shading::Unlit,
             },
-            self_shadow: 0.8,
-            ambient_occlusion: 0.7,
-            depth_contrast: 0.0,
-            ..Style::default()
+            ..Style::model()
         };
         if let Some(background) = &arguments.background {
             style.background = [parse_colour(background)?; 2];
