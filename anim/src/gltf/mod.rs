@@ -19,7 +19,7 @@
 //!
 //! The numbers of the file are single precision, and everything is computed in double precision.
 //!
-//! [`character()`] is what the skins of a document move: a mesh, a skeleton and weights.
+//! A [`character`] is what the skins of a document move: a mesh, a skeleton and weights.
 //!
 //! # Written files
 //!

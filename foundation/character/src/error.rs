@@ -119,3 +119,28 @@ fn shortened(names: &[String]) -> String {
         more => format!("{shown} and {more} more"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lists_of_names_are_cut() {
+        let names = |count: u8| (b'a'..b'a' + count).map(|c| (c as char).to_string());
+        let message = |count| {
+            let error = CharacterError::NoGroup {
+                path: PathBuf::from("man.obj"),
+                group: "hat".into(),
+                groups: names(count).collect(),
+            };
+            error.to_string()
+        };
+        let begin = "man.obj has no group \"hat\"; its groups are: ";
+        assert_eq!(message(2), format!("{begin}a, b"));
+        assert_eq!(message(8), format!("{begin}a, b, c, d, e, f, g, h"));
+        assert_eq!(
+            message(11),
+            format!("{begin}a, b, c, d, e, f, g, h and 3 more")
+        );
+    }
+}

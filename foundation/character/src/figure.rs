@@ -68,3 +68,24 @@ impl Figure {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use ga_mannequin::Human;
+
+    use super::*;
+
+    #[test]
+    fn names_stand_for_joints() {
+        let figure = Figure::new("mannequin", Human::new().into());
+        let all = figure.joints_named("all").unwrap();
+        assert_eq!(all, (0..21).collect::<Vec<_>>());
+        let [head] = figure.joints_named("Head").unwrap()[..] else {
+            panic!("one joint")
+        };
+        assert_eq!(figure.character.skeleton.joints()[head].name, "Head");
+        let error = figure.joints_named("Tail").unwrap_err();
+        assert!(matches!(error, CharacterError::NoJoint { name, .. } if name == "Tail"));
+    }
+}
