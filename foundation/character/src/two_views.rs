@@ -70,7 +70,7 @@ impl TwoViews {
     ///
     /// # Errors
     ///
-    /// [`CharacterError::Skeleton`] for a clip of another skeleton, and [`CharacterError::NoPlace`],
+    /// [`CharacterError::Skeleton`] for a clip of another skeleton; [`CharacterError::NoPlace`],
     /// [`CharacterError::Observation`] and [`CharacterError::Triangulation`] for motions that no
     /// two cameras see, such as one in a single point.
     pub fn new(character: &Character, clip: &Clip, seed: u64) -> Result<Self, CharacterError> {

@@ -1,8 +1,8 @@
 //! Views as the cameras of files, and pictures with their cameras.
 //!
 //! [`from_camera`] and [`to_camera`] lead from a [`NamedCamera`](ga_camera::format::NamedCamera) to
-//! a [`View`](crate::View) and back; [`ViewFiles`] are pictures in one folder with the file of their
-//! cameras.
+//! a [`View`](crate::View) and back; [`ViewFiles`] are pictures in one folder with the file of
+//! their cameras.
 //!
 //! ```
 //! use ga_render::{View, view_file};
