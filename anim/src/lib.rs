@@ -17,6 +17,7 @@
 //! | [`clip::compressed`] | recordings in few bytes, with a bound that holds on every frame |
 //! | [`skin`] | moves a mesh, by the mean of matrices or of motors |
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
+//! | [`character`] | mesh, skeleton and weights together, measured in motion |
 //! | [`retarget`] | transfers a recording to another body |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
@@ -71,6 +72,7 @@
 //! ```
 
 pub mod bvh;
+pub mod character;
 pub mod clip;
 pub mod curve;
 mod file_error;

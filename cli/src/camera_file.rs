@@ -1,14 +1,10 @@
-//! The cameras that commands read from files, and cameras of pictures that are drawn.
+//! The cameras that commands read from files.
 
 use std::path::Path;
 
-use anyhow::{Context, Error, Result, bail, ensure};
+use anyhow::{Error, Result, bail, ensure};
 use ga_camera::format::{self, CameraFile, CameraFileError, NamedCamera, Rectified};
 use ga_camera::rig::StereoRig;
-use ga_render::View;
-
-/// The least depth that is drawn where the file of a camera states none, in the unit of the model.
-const NEAR: f64 = 1e-3;
 
 /// Which cameras of a file are taken.
 #[derive(Clone, Debug, clap::Args)]
@@ -130,31 +126,4 @@ impl Rig {
         let mut sides = self.sizes.into_iter().zip(views);
         sides.try_for_each(|(size, view)| check_size(size, found, view, path))
     }
-}
-
-/// What a camera of a file sees, as it is drawn.
-pub(crate) fn to_view(camera: &NamedCamera) -> Result<View> {
-    let (intrinsics, skew) = camera.intrinsics_and_skew();
-    let pinhole = ga_camera::Camera {
-        intrinsics,
-        world_to_camera: camera.world_to_camera()?,
-    };
-    let view = View::pinhole(&pinhole, camera.near.unwrap_or(NEAR))?.with_skew(skew)?;
-    Ok(match camera.far {
-        Some(far) => view.with_far(far)?,
-        None => view,
-    })
-}
-
-/// The camera of a view that is drawn as a picture of a size.
-pub(crate) fn of_view(name: &str, view: &View, size: [u32; 2]) -> Result<NamedCamera> {
-    let camera = view
-        .camera(size[0], size[1])
-        .context("the camera of a picture")?;
-    let mut named = NamedCamera::new(name, camera.intrinsics).with_skew(view.skew());
-    named.size = Some(size.map(|side| side as usize));
-    named.pose = Some(camera.world_to_camera);
-    named.near = Some(view.near());
-    named.far = Some(view.far()).filter(|far| far.is_finite());
-    Ok(named)
 }

@@ -3,34 +3,23 @@
 
 mod buffer_files;
 mod camera_file;
-mod checks;
 mod commands;
 mod examples;
 mod failure;
-mod figure;
-mod figure_file;
 mod file_list;
 mod files;
 mod format;
 mod frame;
 mod interruption;
 mod mesh_file;
-mod model;
 mod motion_file;
 mod output;
-mod overlay;
 mod pipeline;
 mod recording;
 mod report;
 mod rotation;
-mod sheet;
 mod shell;
 mod standard_output;
-mod storyboard;
-mod summary;
-mod two_views;
-mod view;
-mod view_files;
 
 use std::iter;
 use std::process::ExitCode;

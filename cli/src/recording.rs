@@ -1,8 +1,7 @@
 //! The part of a recording that is the motion.
 
 use ga_anim::bvh::Bvh;
-
-use crate::checks::distance;
+use ga_runtime::vga3::Vector;
 
 /// From a calibration pose a joint moves more than this many times as far as between any two later
 /// frames.
@@ -18,7 +17,8 @@ pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
             motion.joint_positions(frame)?,
         );
         let ways = before.into_iter().zip(after);
-        Some(ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max))
+        let ways = ways.map(|(a, b)| Vector::from(a).distance(b.into()));
+        Some(ways.fold(0.0, f64::max))
     });
     let Some(first) = steps.next() else {
         return false;

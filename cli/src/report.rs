@@ -1,12 +1,16 @@
-//! `report.json`: the input, the results and their quality. Equal input gives equal bytes.
+//! `report.json`, and what is printed of it at the end. Equal input gives equal bytes of the file.
 
+use std::fmt::Write as _;
+
+use ga_character::TwoViews;
+use ga_character::model::File;
+use ga_character::report::{AnimationReport, FigureReport};
 use serde::Serialize;
 
-use crate::checks::Checks;
-use crate::output::File;
-use crate::two_views::TwoViews;
+use crate::frame::{self, Warning};
 
-#[derive(Clone, Debug, Serialize)]
+/// What is known of a motion that was written.
+#[derive(Debug, Serialize)]
 pub(crate) struct Report {
     pub(crate) tool: Tool,
     pub(crate) command: &'static str,
@@ -14,13 +18,14 @@ pub(crate) struct Report {
     pub(crate) figure: FigureReport,
     pub(crate) animation: AnimationReport,
     pub(crate) two_views: TwoViews,
-    pub(crate) files: Vec<FileReport>,
+    /// The files that are written beside this one.
+    pub(crate) files: Vec<File>,
 }
 
-#[derive(Clone, Debug, Serialize)]
+#[derive(Debug, Serialize)]
 pub(crate) struct Tool {
-    pub(crate) name: &'static str,
-    pub(crate) version: &'static str,
+    name: &'static str,
+    version: &'static str,
 }
 
 impl Tool {
@@ -31,7 +36,7 @@ impl Tool {
 }
 
 /// The input.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Debug, Serialize)]
 pub(crate) struct Input {
     /// File names without their folders, or what the program made itself.
     pub(crate) mesh: String,
@@ -41,7 +46,7 @@ pub(crate) struct Input {
 }
 
 /// The motion of the input.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Debug, Serialize)]
 pub(crate) struct MotionInput {
     pub(crate) name: String,
     pub(crate) joints: usize,
@@ -58,55 +63,127 @@ pub(crate) struct MotionInput {
     pub(crate) metres_per_unit: f64,
 }
 
-/// The figure that moves.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct FigureReport {
-    pub(crate) name: String,
-    /// The group of the input mesh that it is; `null` for the whole.
-    pub(crate) group: Option<String>,
-    /// How long one unit of the input mesh is.
-    pub(crate) metres_per_unit: f64,
-    pub(crate) height_metres: f64,
-    pub(crate) vertices: usize,
-    pub(crate) faces: usize,
-    pub(crate) triangles: usize,
-    pub(crate) joints: usize,
-    /// The greatest number of joints that move one vertex.
-    pub(crate) influences_max: usize,
+/// A motion that was written, and where.
+#[derive(Debug, Serialize)]
+pub(crate) struct Performed {
+    #[serde(flatten)]
+    pub(crate) report: Report,
+    pub(crate) written: Vec<Written>,
+    pub(crate) seconds: f64,
+    /// What is unusual about the input.
+    #[serde(skip)]
+    pub(crate) warnings: Vec<Warning>,
 }
 
-/// The animation that was written.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct AnimationReport {
-    pub(crate) name: String,
-    pub(crate) frames: usize,
-    pub(crate) frames_per_second: f64,
-    pub(crate) duration_seconds: f64,
-    pub(crate) checks: Checks,
-    /// The greatest distance of a joint of an in-between on the sheet from its recorded position at
-    /// that time; `null` where the motion consists of key frames only.
-    pub(crate) in_between_deviation_max_metres: Option<f64>,
-}
-
-/// A file that was written beside this one.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct FileReport {
-    pub(crate) name: &'static str,
+/// A file that was written.
+#[derive(Debug, Serialize)]
+pub(crate) struct Written {
+    pub(crate) file: String,
     pub(crate) bytes: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) vertices: Option<usize>,
-    /// Width and height.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) pixels: Option<[u32; 2]>,
 }
 
-impl FileReport {
-    pub(crate) fn new(file: &File, vertices: Option<usize>, pixels: Option<[u32; 2]>) -> Self {
-        Self {
-            name: file.name,
-            bytes: file.contents.len(),
-            vertices,
-            pixels,
+impl frame::Report for Performed {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = self.write_to(&mut text);
+        text
+    }
+}
+
+impl Performed {
+    fn write_to(&self, text: &mut String) -> std::fmt::Result {
+        self.report.write_to(text)?;
+        for (index, Written { file, bytes }) in self.written.iter().enumerate() {
+            let label = if index == 0 { "wrote" } else { "" };
+            writeln!(text, "{label:10} {file}, {}", size(*bytes))?;
         }
+        writeln!(text, "took       {:.1} s", self.seconds)
+    }
+}
+
+impl Report {
+    /// The input, and what was measured.
+    fn write_to(&self, text: &mut String) -> std::fmt::Result {
+        let Self {
+            figure,
+            animation,
+            two_views: views,
+            ..
+        } = self;
+        let (motion, checks) = (&self.input.motion, &animation.checks);
+        let group = figure.group.as_ref();
+        writeln!(
+            text,
+            "figure     {}{}: {:.3} m tall, {} vertices, {} triangles, {} joints, up to {} influences",
+            figure.name,
+            group
+                .map(|group| format!(", group {group}"))
+                .unwrap_or_default(),
+            figure.height_metres,
+            figure.vertices,
+            figure.triangles,
+            figure.joints,
+            figure.influences_max,
+        )?;
+        writeln!(
+            text,
+            "motion     {}: frames {} to {} of {}, {:.2} s, as {} frames at {:.2} Hz",
+            motion.name,
+            motion.first_frame,
+            motion.last_frame,
+            motion.frames,
+            animation.duration_seconds,
+            animation.frames,
+            animation.frames_per_second,
+        )?;
+        if motion.calibration_frame_left_out {
+            *text += "           frame 0 is a calibration pose and left out; --from 0 keeps it\n";
+        }
+        if !motion.joints_without_counterpart.is_empty() {
+            let joints = motion.joints_without_counterpart.join(", ");
+            writeln!(
+                text,
+                "           not in the motion, so moved by their parents: {joints}"
+            )?;
+        }
+        writeln!(
+            text,
+            "body       bones keep their length to {:.1e} m; lowest point {:+.1} to {:+.1} cm; \
+             trunk {:.0}° from upright on average, {:.0}° at most",
+            checks.bone_length_deviation_max_metres,
+            100.0 * checks.lowest_vertex_min_metres,
+            100.0 * checks.lowest_vertex_max_metres,
+            checks.trunk_from_upright_mean_degrees,
+            checks.trunk_from_upright_max_degrees,
+        )?;
+        writeln!(
+            text,
+            "skinning   linear and motor blend differ by {:.2} mm on average, {:.1} mm at most",
+            1000.0 * checks.linear_to_motor_blend_mean_metres,
+            1000.0 * checks.linear_to_motor_blend_max_metres,
+        )?;
+        writeln!(
+            text,
+            "two views  cameras {:.2} m apart find the joints to {:.1e} m without noise, \
+             {:.1} mm with 1 px of noise (MPJPE, seed {})",
+            views.baseline_metres,
+            views.noise_free.mean_per_joint_position_error_metres,
+            1000.0 * views.one_pixel_noise.mean_per_joint_position_error_metres,
+            views.seed,
+        )
+    }
+}
+
+/// A size in bytes as a person reads it.
+fn size(bytes: usize) -> String {
+    match bytes as f64 {
+        few if few < 1e3 => format!("{bytes} bytes"),
+        some if some < 1e6 => format!("{:.0} kB", some / 1e3),
+        many => format!("{:.1} MB", many / 1e6),
     }
 }

@@ -1,25 +1,14 @@
 use std::collections::HashSet;
 
-use ga_mesh::Mesh;
 use ga_mesh::gltf::{Document, Node};
 use ga_runtime::vga3::Vector;
 
 use super::{Placement, Player};
+use crate::character::Character;
 use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
 use crate::skin::Method;
 use crate::weights::SkinWeights;
-
-/// A body that moves: a mesh at rest, its joints, and how they move its vertices.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Character {
-    /// The mesh at rest, in the world.
-    pub mesh: Mesh,
-    /// The joints at rest, in the world.
-    pub skeleton: Skeleton,
-    /// The joints that move each vertex.
-    pub weights: SkinWeights,
-}
 
 /// The character of a document: all meshes that its skins move, as its nodes stand without an
 /// animation, with the joints of all skins in one skeleton.

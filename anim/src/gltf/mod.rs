@@ -45,7 +45,7 @@ mod player;
 mod rigged;
 mod sampler;
 
-pub use character::{Character, character};
+pub use character::character;
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};

@@ -4,6 +4,7 @@
 
 mod binding;
 mod bvh;
+mod character;
 mod clip;
 mod compressed;
 mod curve;

@@ -81,8 +81,7 @@ impl JointViews {
                     }
                 }
             };
-            let stem = path.file_stem().unwrap_or(path.as_os_str());
-            let mut name = stem.to_string_lossy().into_owned();
+            let mut name = ga_files::stem(path);
             if views.iter().any(|(other, _)| *other == name) {
                 name = path.display().to_string();
             }
@@ -101,10 +100,7 @@ fn file(path: &Path, bytes: &[u8]) -> Result<Contents, JointsError> {
     Ok(match kind(bytes)? {
         Kind::Views => Contents::AllViews(JointViews::decode(bytes)?),
         Kind::Coco => Contents::View(coco::decode(bytes)?),
-        Kind::OpenPose => {
-            let name = path.file_name().unwrap_or(path.as_os_str());
-            Contents::View(openpose::decode(&[(name.to_string_lossy(), bytes)])?)
-        }
+        Kind::OpenPose => Contents::View(openpose::decode(&[(ga_files::name(path), bytes)])?),
     })
 }
 

@@ -5,19 +5,16 @@ use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail, ensure};
 use ga_anim::bvh::Bvh;
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::retarget::{FootLocking, JointMap, Retarget, Soles};
+use ga_character::{Animation, Figure, Storyboard};
 
-use crate::checks::distance;
-use crate::figure::Figure;
-use crate::figure_file;
 use crate::frame::{Command, Context};
 use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::recording::begins_with_calibration;
-use crate::report::{Input, MotionInput};
-use crate::storyboard::{self, Numbering, Storyboard};
-use crate::summary::Performed;
+use crate::report::{Input, MotionInput, Performed};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -135,29 +132,24 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     arguments.output.check(context.files(arguments.inputs())?)?;
     let progress = context.progress(pipeline::STEPS + 3);
     progress.step("reading the figure");
-    let (figure, group) = figure(arguments)?;
-    let figure = smoothed(figure, arguments.smooth_weights)?;
+    let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
     let mut warnings = Vec::new();
     let motion = motion_file::read(&arguments.motion, &mut warnings)?;
     progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
-    let retargeted = retarget(arguments, &figure, &motion, range)?;
+    let retargeted = retarget(arguments, &figure.character, &motion, range)?;
     let clip = retargeted
         .clip
         .resampled(arguments.fps)
         .with_context(|| format!("--fps {}", arguments.fps))?;
 
-    let numbering = Numbering {
-        first: range.from,
-        per_frame: 1,
-    };
-    let spans = storyboard::spans_of_recording(&retargeted.clip);
-    let storyboard = Storyboard::new(&retargeted.clip, &spans, numbering);
-    let motion_name = file_name(&arguments.motion);
+    let storyboard = Storyboard::of_recording(&retargeted.clip, range.from);
+    let deviation = storyboard.deviation(&figure.character, &retargeted.clip)?;
+    let motion_name = ga_files::name(&arguments.motion);
     let figure_file = |part: &Option<PathBuf>| {
         let path = arguments.character.as_ref().or(part.as_ref());
-        path.map(|path| file_name(path)).unwrap_or_default()
+        path.map(|path| ga_files::name(path)).unwrap_or_default()
     };
     let input = Input {
         mesh: figure_file(&arguments.mesh),
@@ -178,20 +170,23 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let performance = Performance {
         command: "animate",
         input,
-        in_between_deviation: Some(deviation(&figure, &retargeted.clip, &storyboard)?),
-        storyboard,
-        title: format!(
-            "{motion_name}, frames {} to {}: keys and 3 in-betweens after each by screw motion",
-            range.from, range.to
-        ),
         figure,
-        group,
-        metres_per_unit: arguments.metres_per_unit(),
-        clip,
-        clip_name: figure_file::stem(&arguments.motion),
+        animation: Animation {
+            name: ga_files::stem(&arguments.motion),
+            clip,
+            storyboard,
+            title: format!(
+                "{motion_name}, frames {} to {}: keys and 3 in-betweens after each by screw motion",
+                range.from, range.to
+            ),
+            in_between_deviation: Some(deviation),
+        },
     };
-    let performed = perform(&performance, &arguments.output, &progress, begin)?;
-    Ok(performed.with_warnings(warnings))
+    let performed = perform(performance, &arguments.output, &progress, begin)?;
+    Ok(Performed {
+        warnings,
+        ..performed
+    })
 }
 
 fn check_numbers(arguments: &Arguments) -> Result<()> {
@@ -216,38 +211,22 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// The figure in metres, and the group of the mesh that it is.
-fn figure(arguments: &Arguments) -> Result<(Figure, Option<String>)> {
+/// The figure in metres.
+fn figure(arguments: &Arguments) -> Result<Figure> {
     let unit = arguments.metres_per_unit();
-    match arguments {
+    Ok(match arguments {
         Arguments {
             character: Some(path),
             ..
-        } => Ok((figure_file::from_gltf(path, unit)?, None)),
+        } => Figure::read_gltf(path, unit)?,
         Arguments {
             mesh: Some(mesh),
             rig: Some(rig),
             weights: Some(weights),
             group,
             ..
-        } => figure_file::from_obj(mesh, rig, weights, group.as_deref(), unit),
+        } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit)?,
         _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
-    }
-}
-
-/// The figure with weights that change over more edges.
-fn smoothed(figure: Figure, times: usize) -> Result<Figure> {
-    // Passes add the influences of neighbours, of which the far ones hardly count.
-    const INFLUENCES: usize = 8;
-    if times == 0 {
-        return Ok(figure);
-    }
-    let triangles = figure.mesh.triangles();
-    let weights = figure.weights.smoothed(&triangles, times, 0.5);
-    let weights = weights.context("the weights cannot be smoothed")?;
-    Ok(Figure {
-        weights: weights.strongest(INFLUENCES),
-        ..figure
     })
 }
 
@@ -288,7 +267,7 @@ struct Retargeted {
 
 fn retarget(
     arguments: &Arguments,
-    figure: &Figure,
+    character: &Character,
     motion: &Bvh,
     range: Range,
 ) -> Result<Retargeted> {
@@ -299,8 +278,12 @@ fn retarget(
             arguments.rig().unwrap_or(Path::new("the figure")).display()
         )
     };
-    let soles = Soles::of_mesh(figure.mesh.positions(), &figure.weights).with_context(onto)?;
-    let skeleton = &figure.skeleton;
+    let Character {
+        mesh,
+        skeleton,
+        weights,
+    } = character;
+    let soles = Soles::of_mesh(mesh.positions(), weights).with_context(onto)?;
     let map = match &arguments.map {
         Some(path) => ga_files::read(path, |bytes| JointMap::decode(bytes, motion, skeleton))?,
         None => JointMap::by_names(motion, skeleton),
@@ -319,23 +302,4 @@ fn retarget(
         unmatched: retarget.unmatched().map(ToOwned::to_owned).collect(),
         scale: retarget.scale(),
     })
-}
-
-/// The greatest distance of a joint at any moment of the storyboard from its recorded position at
-/// that time.
-fn deviation(figure: &Figure, recorded: &Clip, storyboard: &Storyboard) -> Result<f64> {
-    let mut greatest = 0.0f64;
-    for moment in &storyboard.moments {
-        let found = figure.joints(&moment.pose)?;
-        let truth = figure.joints(&recorded.sample(moment.time))?;
-        let distances = found.into_iter().zip(truth).map(|(a, b)| distance(a, b));
-        greatest = distances.fold(greatest, f64::max);
-    }
-    Ok(greatest)
-}
-
-/// The name of a file without its folders, which differ from machine to machine.
-fn file_name(path: &Path) -> String {
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    name.to_string_lossy().into_owned()
 }

@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::format::json;
+use ga_draw::Colour;
 use ga_image::colour::LinearColour;
-use ga_image::file::FormatError;
-use ga_image::plane::Plane;
-use ga_image::{png, y4m};
+use ga_image::{frames, png, y4m};
 use ga_mesh::gltf;
-use ga_render::model::Model;
-use ga_render::{Buffers, Ground, Polyline, Scene, Shading, Style, Visibility, render};
+use ga_render::model::{self, Model};
+use ga_render::view_file::{self, ViewFiles};
+use ga_render::{Buffers, Shading, Style, View, Viewpoint, ViewpointError, render};
 use serde::Serialize;
 
 use crate::buffer_files;
@@ -20,9 +20,7 @@ use crate::camera_file;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
-use crate::output::{self, File};
-use crate::view::{View, bounds, camera_path};
-use crate::view_files::{self, ViewFiles};
+use crate::output;
 
 /// Draw a model.
 ///
@@ -121,12 +119,12 @@ enum Light {
 
 const DEFAULT_SIZE: [u32; 2] = [1280, 720];
 
-/// The width of the model's polylines and the diameter of its points, in pixels.
-const LINE_WIDTH: f64 = 2.0;
-const POINT_DIAMETER: f64 = 5.0;
-
 /// The most pictures of a turntable.
 const MOST_PICTURES: u32 = 1000;
+
+/// The most pixels of all pictures together. A film of this number takes 1.5 GiB of memory while it
+/// is made.
+const MOST_PIXELS: u64 = 1 << 30;
 
 /// What is printed.
 #[derive(Serialize)]
@@ -157,12 +155,9 @@ impl Command for Arguments {
             arguments.turntable
         );
         let format = check_files(arguments, context)?;
-        let view = View::parse(&arguments.camera, arguments.view.as_deref())?;
-        let size = match &arguments.size {
-            Some(size) => Some(parse_size(size)?),
-            None => None,
-        };
-        let [width, height] = match (view.size(), size) {
+        let (viewpoint, own_size) = viewpoint(&arguments.camera, arguments.view.as_deref())?;
+        let asked_size = arguments.size.as_deref().map(parse_size).transpose()?;
+        let [width, height] = match (own_size, asked_size) {
             (Some(own), Some(asked)) if own != asked => bail!(
                 "--size {}x{}: the camera {} is for {}x{}",
                 asked[0],
@@ -171,13 +166,19 @@ impl Command for Arguments {
                 own[0],
                 own[1]
             ),
-            (None, None) if matches!(view, View::File { .. }) => bail!(
+            (None, None) if matches!(viewpoint, Viewpoint::View(_)) => bail!(
                 "{}: the file does not say how large its pictures are: --size WxH is needed",
                 arguments.camera
             ),
             (own, asked) => own.or(asked).unwrap_or(DEFAULT_SIZE),
         };
-        check_pixels(arguments.turntable, [width, height])?;
+        let count = arguments.turntable;
+        let pixels = (u64::from(width) * u64::from(height)).saturating_mul(count.into());
+        ensure!(
+            count == 1 || pixels <= MOST_PIXELS,
+            "--turntable {count}: with {width}x{height} these are {pixels} pixels, more than \
+             {MOST_PIXELS}"
+        );
         let mut style = Style {
             width,
             height,
@@ -186,10 +187,7 @@ impl Command for Arguments {
                 Light::Lit => Shading::Lit,
                 Light::Unlit => Shading::Unlit,
             },
-            self_shadow: 0.8,
-            ambient_occlusion: 0.7,
-            depth_contrast: 0.0,
-            ..Style::default()
+            ..Style::model()
         };
         if let Some(background) = &arguments.background {
             style.background = [parse_colour(background)?; 2];
@@ -202,16 +200,17 @@ impl Command for Arguments {
             path.display()
         );
         let named = || path.display().to_string();
-        let cameras = view
-            .cameras(&model, style.aspect(), arguments.turntable)
-            .with_context(named)?;
-        let drawing = draw(&model, &cameras, &style, arguments, format).with_context(named)?;
-        let files = drawing.write(arguments)?;
+        let views = viewpoint.turntable(&model, style.aspect(), count);
+        let views = views.with_context(named)?;
+        let drawing = draw(&model, &views, &style, arguments, format).with_context(named)?;
+        let files = drawing.files.iter();
+        let files = files.map(|(path, _)| path.display().to_string()).collect();
+        output::write_together(drawing.files)?;
         Ok(Report {
             out: out.display().to_string(),
             width_px: width,
             height_px: height,
-            pictures: arguments.turntable,
+            pictures: count,
             triangles: model.triangle_count(),
             seconds: drawing.time.as_secs_f64(),
             files,
@@ -257,16 +256,6 @@ fn read(path: &Path) -> Result<(Model, Vec<Warning>)> {
     Ok((model, warnings))
 }
 
-/// The files of a picture or film and of buffers.
-struct Drawing {
-    film: Vec<u8>,
-    buffers: Vec<File>,
-    /// The files of `--views` and `--camera-out`.
-    cameras: Vec<(PathBuf, Vec<u8>)>,
-    /// How long drawing the pictures took.
-    time: Duration,
-}
-
 /// Fails where a file cannot be written; else the format of the picture or film.
 fn check_files(arguments: &Arguments, context: &Context) -> Result<Format> {
     let camera = camera_path(&arguments.camera);
@@ -276,7 +265,7 @@ fn check_files(arguments: &Arguments, context: &Context) -> Result<Format> {
         files.write_folder("--buffers", folder, buffer_files::NAMES)?;
     }
     if let Some(folder) = &arguments.views {
-        files.write_folder("--views", folder, view_files::names(arguments.turntable))?;
+        files.write_folder("--views", folder, view_file::names(arguments.turntable))?;
     }
     files.write_if_given(
         "--camera-out",
@@ -286,143 +275,92 @@ fn check_files(arguments: &Arguments, context: &Context) -> Result<Format> {
     Ok(format)
 }
 
-/// The bytes of a file with these pictures, of which one at a time is in memory.
-fn encode(
-    format: Format,
-    mut pictures: impl ExactSizeIterator<Item = Plane<[u8; 3]>>,
-) -> Result<Vec<u8>, FormatError> {
-    match format {
-        Format::Y4m => y4m::encode(pictures, y4m::Film::default()),
-        _ if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),
-        _ => png::encode_animation(pictures, png::Animation::default()),
+/// The path of a file of cameras, where the text is the name of one. Names of viewpoints mean them
+/// whatever lies in the folder.
+fn camera_path(text: &str) -> Option<&Path> {
+    let Err(ViewpointError::Unknown(_)) = text.parse::<Viewpoint>() else {
+        return None;
+    };
+    let path = Path::new(text.trim());
+    let is_known = Format::of(path, &[Format::Json, Format::Yaml, Format::Text]).is_some();
+    (is_known || path.exists()).then_some(path)
+}
+
+/// What `--camera` asks for, and columns and rows of the pictures of a camera of a file.
+fn viewpoint(text: &str, name: Option<&str>) -> Result<(Viewpoint, Option<[u32; 2]>)> {
+    if let Some(path) = camera_path(text) {
+        let camera = camera_file::read_one(path, name)?;
+        let view = view_file::from_camera(&camera).with_context(|| path.display().to_string())?;
+        let size = camera.size.map(|size| size.map(|side| side as u32));
+        return Ok((Viewpoint::View(view), size));
     }
+    ensure!(
+        name.is_none(),
+        "--view chooses a camera of a file, and --camera {text} is none"
+    );
+    match text.parse() {
+        Ok(viewpoint) => Ok((viewpoint, None)),
+        Err(ViewpointError::Unknown(_)) => bail!(
+            "--camera {text}: not front, side, top, three-quarter, the file of a camera, or of the \
+             form \"eye X,Y,Z target X,Y,Z fov DEGREES\""
+        ),
+        Err(error) => Err(error).context("--camera"),
+    }
+}
+
+/// The files that are made: paths and contents, the picture or film first.
+struct Drawing {
+    files: Vec<(PathBuf, Vec<u8>)>,
+    /// How long drawing the pictures took.
+    time: Duration,
 }
 
 fn draw(
     model: &Model,
-    cameras: &[ga_render::View],
+    views: &[View],
     style: &Style,
     arguments: &Arguments,
     format: Format,
 ) -> Result<Drawing> {
-    let materials = model.materials();
-    let edges = if arguments.wireframe {
-        model.edges()
-    } else {
-        Vec::new()
+    let options = model::Options {
+        edges: arguments.wireframe,
+        ground: arguments.ground,
     };
-    let mut lines = model.lines(LINE_WIDTH);
-    lines.extend(edges.iter().map(|ends| Polyline {
-        points: ends,
-        colour: LinearColour::from_srgb([30, 40, 60]),
-        width: 1.0,
-        visibility: Visibility::Hidden,
-    }));
-    let dots = model.dots(POINT_DIAMETER);
-    let scene = Scene {
-        lines: &lines,
-        dots: &dots,
-        ground: arguments.ground.then(|| ground(model)),
-        ..model.scene(&materials)
-    };
+    let size = [style.width, style.height];
     let mut time = Duration::ZERO;
-    let mut failure: Option<anyhow::Error> = None;
-    let mut views = arguments.views.as_deref().map(ViewFiles::new);
-    let pictures = cameras.iter().map(|camera| {
-        let begin = Instant::now();
-        // An encoder asks for pictures, not for errors: those after an error have no pixels.
-        let picture = match failure {
-            None => render(&scene, camera, style)
-                .map_err(|error| failure = Some(error.into()))
-                .ok(),
-            Some(_) => None,
-        };
-        time += begin.elapsed();
-        let picture = picture.map(|picture| picture.colour).unwrap_or_default();
-        if let (Some(views), None) = (&mut views, &failure) {
-            failure = views.add(&picture, camera).err();
+    let mut pictures_with_views = arguments.views.as_deref().map(ViewFiles::new);
+    model.with_scene(options, |scene| {
+        let pictures = views.iter().map(|view| {
+            let begin = Instant::now();
+            let picture = render(scene, view, style)?.colour;
+            time += begin.elapsed();
+            if let Some(files) = &mut pictures_with_views {
+                files.add(&picture, view)?;
+            }
+            anyhow::Ok(picture)
+        });
+        let film = frames::encode(pictures, |pictures| match format {
+            Format::Y4m => y4m::encode(pictures, y4m::Film::default()),
+            _ if pictures.len() == 1 => png::encode(&pictures.next().unwrap_or_default()),
+            _ => png::encode_animation(pictures, png::Animation::default()),
+        });
+        let mut files = vec![(arguments.out.clone(), film??)];
+        if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
+            let buffers = Buffers::new(scene, first, style.width, style.height)?;
+            let encoded = buffer_files::encode(&buffers)?;
+            files.extend(
+                encoded
+                    .into_iter()
+                    .map(|file| (folder.join(file.name), file.contents)),
+            );
         }
-        picture
-    });
-    let film = encode(format, pictures);
-    if let Some(error) = failure {
-        return Err(error);
-    }
-    let buffers = match (&arguments.buffers, cameras) {
-        (Some(_), [camera, ..]) => {
-            let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
-            buffer_files::encode(&buffers)?
+        files.extend(pictures_with_views.map_or(Ok(Vec::new()), ViewFiles::finish)?);
+        if let (Some(path), [first, ..]) = (&arguments.camera_out, views) {
+            let camera = view_file::to_camera("camera", first, size)?;
+            files.push((path.clone(), json::encode(&camera)?.into_bytes()));
         }
-        _ => Vec::new(),
-    };
-    let mut files = views.map_or(Ok(Vec::new()), ViewFiles::finish)?;
-    if let (Some(path), [camera, ..]) = (&arguments.camera_out, cameras) {
-        let camera = camera_file::of_view("camera", camera, [style.width, style.height])?;
-        files.push((path.clone(), json::encode(&camera)?.into_bytes()));
-    }
-    Ok(Drawing {
-        film: film?,
-        buffers,
-        cameras: files,
-        time,
+        Ok(Drawing { files, time })
     })
-}
-
-impl Drawing {
-    /// Writes all files or none, and says their names.
-    fn write(&self, arguments: &Arguments) -> Result<Vec<String>> {
-        let mut files = vec![(arguments.out.clone(), &self.film)];
-        if let Some(folder) = &arguments.buffers {
-            let buffers = self.buffers.iter();
-            files.extend(buffers.map(|file| (folder.join(file.name), &file.contents)));
-        }
-        let cameras = self.cameras.iter();
-        files.extend(cameras.map(|(path, contents)| (path.clone(), contents)));
-        let names = files.iter().map(|(path, _)| path.display().to_string());
-        let names = names.collect();
-        output::write_together(files)?;
-        Ok(names)
-    }
-}
-
-/// The most pixels of all pictures together. A film of this number takes 1.5 GiB of memory while it
-/// is made.
-const MOST_PIXELS: u64 = 1 << 30;
-
-/// A film whose pictures have too many pixels together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "--turntable {pictures}: with {}x{} these are {} pixels, more than {MOST_PIXELS}",
-    size[0],
-    size[1],
-    pixels(*.pictures, *.size)
-)]
-struct TooManyPixels {
-    pictures: u32,
-    size: [u32; 2],
-}
-
-fn pixels(pictures: u32, [width, height]: [u32; 2]) -> u64 {
-    let one = u64::from(width) * u64::from(height);
-    one.saturating_mul(u64::from(pictures))
-}
-
-fn check_pixels(pictures: u32, size: [u32; 2]) -> Result<(), TooManyPixels> {
-    if pictures > 1 && pixels(pictures, size) > MOST_PIXELS {
-        return Err(TooManyPixels { pictures, size });
-    }
-    Ok(())
-}
-
-/// Level ground under the model, with a grid of about a fifth of its size.
-fn ground(model: &Model) -> Ground {
-    let [low, high] = bounds(model);
-    let sides = high - low;
-    let size = sides.e1.max(sides.e2).max(sides.e3);
-    Ground {
-        height: low.e2,
-        grid: (size / 5.0).max(f64::MIN_POSITIVE),
-    }
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2]> {
@@ -437,11 +375,9 @@ fn parse_size(text: &str) -> Result<[u32; 2]> {
 
 fn parse_colour(text: &str) -> Result<LinearColour> {
     let digits = text.strip_prefix('#').unwrap_or(text);
-    let code = Some(digits)
-        .filter(|digits| digits.len() == 6 && digits.chars().all(|c| c.is_ascii_hexdigit()))
-        .and_then(|digits| u32::from_str_radix(digits, 16).ok());
-    let [_, red, green, blue] = code
-        .with_context(|| format!("--background {text}: not six hexadecimal digits"))?
-        .to_be_bytes();
-    Ok(LinearColour::from_srgb([red, green, blue]))
+    let colour: Colour = format!("#{digits}")
+        .parse()
+        .ok()
+        .with_context(|| format!("--background {text}: not six hexadecimal digits"))?;
+    Ok(LinearColour::from_srgb(colour.0))
 }

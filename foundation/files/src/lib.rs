@@ -8,10 +8,12 @@
 //! - [`write_all`] writes several files into a folder, all of them or none.
 //! - [`check`] says before the work whether a file can be written, and [`is_stream`] whether its
 //!   bytes go to a device or a pipe.
+//! - [`name`] and [`stem`] are the name of a file without its folders.
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
+mod name;
 mod read;
 pub mod table;
 mod target;
@@ -20,6 +22,7 @@ mod write;
 mod write_all;
 
 pub use error::WriteError;
+pub use name::{name, stem};
 pub use read::{ReadError, read};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
 pub use temporary::remove_temporaries;

@@ -4,6 +4,7 @@
 //! - [`picture`]: pictures whose kind of pixel is known only at run time.
 //! - [`file`](mod@file): reading and writing pictures of any known format; [`png`], [`jpeg`],
 //!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers.
+//! - [`frames`]: films whose pictures may fail to be made.
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
 //! - [`filter`]: Gaussian blur and gradients; [`pyramid`]: halved sizes; [`resample`]: other sizes;
@@ -38,6 +39,7 @@ pub mod file;
 pub mod filter;
 mod format;
 mod format_error;
+pub mod frames;
 pub mod grey;
 mod header;
 pub mod interpolation;

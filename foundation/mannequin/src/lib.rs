@@ -33,6 +33,7 @@ mod vector;
 mod walk;
 mod weights;
 
+use ga_anim::character::Character;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::weights::SkinWeights;
 use ga_mesh::{Faces, Mesh, Position};
@@ -94,6 +95,16 @@ impl Human {
             mesh: skin::coordinates::with_texture_coordinates(mesh),
             skeleton,
             weights,
+        }
+    }
+}
+
+impl From<Human> for Character {
+    fn from(human: Human) -> Self {
+        Self {
+            mesh: human.mesh,
+            skeleton: human.skeleton,
+            weights: human.weights,
         }
     }
 }

@@ -31,7 +31,7 @@ use crate::{RenderError, Scene, Vector, View};
 /// ```
 pub struct Buffers<'a> {
     world: World<'a>,
-    camera: View,
+    view: View,
     samples: Samples,
 }
 
@@ -68,17 +68,17 @@ impl<'a> Buffers<'a> {
     /// [`RenderError::Style`] for a size that is zero or beyond 16,384.
     pub fn new(
         scene: &'a Scene<'a>,
-        camera: &View,
+        view: &View,
         width: u32,
         height: u32,
     ) -> Result<Self, RenderError> {
         check_size([width, height], 1)?;
         check(scene)?;
-        let world = World::new(scene, camera)?;
-        let samples = Samples::draw(&world, camera, [width, height], 1, Pass::All);
+        let world = World::new(scene, view)?;
+        let samples = Samples::draw(&world, view, [width, height], 1, Pass::All);
         Ok(Self {
             world,
-            camera: *camera,
+            view: *view,
             samples,
         })
     }
@@ -106,15 +106,15 @@ impl<'a> Buffers<'a> {
         let face = self.world.face(triangle);
         let lens = &self.samples.lens;
         let ray = lens.ray(column as f64 + 0.5, row as f64 + 0.5);
-        let fragment = Fragment::new(face, ray, &self.camera, lens, 1.0)?;
-        let offset = fragment.point - Vector::from(self.camera.eye());
+        let fragment = Fragment::new(face, ray, &self.view, lens, 1.0)?;
+        let offset = fragment.point - Vector::from(self.view.eye());
         Some(SurfacePoint {
             object: face.object,
             triangle: face.triangle,
             material: face.placed.object.material.of(face.triangle),
             barycentric: fragment.weights(),
             position: fragment.point.coordinates(),
-            depth: offset.dot(self.camera.forward().into()),
+            depth: offset.dot(self.view.forward().into()),
             distance: offset.length(),
             normal: fragment.smooth.coordinates(),
             texture_coordinates: fragment.texture_coordinates(),

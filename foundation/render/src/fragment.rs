@@ -51,12 +51,12 @@ impl<'w> Fragment<'w> {
     pub(crate) fn new(
         face: Face<'w>,
         ray: Vector,
-        camera: &View,
+        view: &View,
         lens: &Lens,
         pixel: f64,
     ) -> Option<Self> {
-        let view = face.view();
-        let volumes_here = volumes(ray, view);
+        let triangle = face.in_frame();
+        let volumes_here = volumes(ray, triangle);
         let weights = weights(volumes_here);
         let flat = face.area_vector().normalized()?;
         let smooth = face
@@ -66,7 +66,7 @@ impl<'w> Fragment<'w> {
         let place = |corners: [[f64; 2]; 3]| {
             let coordinates = blend(corners, weights);
             let steps = lens.ray_steps().map(|step| {
-                let change = volumes(step * pixel, view);
+                let change = volumes(step * pixel, triangle);
                 let total: f64 = (0..3).map(|i| volumes_here[i] + change[i]).sum();
                 [0, 1].map(|c| {
                     let moved = (0..3).map(|i| change[i] * (corners[i][c] - coordinates[c]));
@@ -78,7 +78,7 @@ impl<'w> Fragment<'w> {
         let sets = [CoordinateSet::First, CoordinateSet::Second];
         Some(Self {
             point: weighted(face.corners(), weights),
-            towards_viewer: camera.world_direction(-ray).normalized()?,
+            towards_viewer: view.world_direction(-ray).normalized()?,
             flat,
             smooth,
             places: sets.map(|set| face.texture_coordinates(set).map(place)),

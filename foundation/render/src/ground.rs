@@ -14,10 +14,10 @@ pub struct Ground {
 impl Ground {
     /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where
     /// it does not.
-    pub(crate) fn depth(&self, camera: &View, ray: Vector) -> f64 {
-        let fall = camera.world_direction(ray).e2;
-        let depth = (self.height - camera.eye()[1]) / fall;
-        if depth >= camera.near() && depth <= camera.far() {
+    pub(crate) fn depth(&self, view: &View, ray: Vector) -> f64 {
+        let fall = view.world_direction(ray).e2;
+        let depth = (self.height - view.eye()[1]) / fall;
+        if depth >= view.near() && depth <= view.far() {
             depth
         } else {
             f64::INFINITY

@@ -39,7 +39,7 @@ const BAND: usize = 48;
 
 impl Layers {
     /// Draws the transparent triangles where no surface of `samples` lies in front of them.
-    pub(crate) fn draw(world: &World, camera: &View, style: &Style, samples: &Samples) -> Self {
+    pub(crate) fn draw(world: &World, view: &View, style: &Style, samples: &Samples) -> Self {
         let transparent = transparent(world);
         if transparent.is_empty() {
             return Self {
@@ -48,7 +48,7 @@ impl Layers {
             };
         }
         let size = [samples.width, samples.height];
-        let drawing = Drawing::new(world, camera, samples.lens, size, Pass::All);
+        let drawing = Drawing::new(world, view, samples.lens, size, Pass::All);
         let rows: Vec<Range<usize>> = transparent
             .par_iter()
             .map(|&number| drawing.rows(&world.face(number), samples.height))
@@ -130,7 +130,7 @@ fn add(
         return;
     }
     let cut = Cut::new(world, &face);
-    let view = face.view();
+    let corners = face.in_frame();
     let pixels = samples.width / factor;
     drawing.cover(&face, rows, |index, inverse_depth| {
         if inverse_depth < samples.inverse_depth[index] {
@@ -140,7 +140,7 @@ fn add(
         let ray = samples.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
         if cut
             .as_ref()
-            .is_some_and(|cut| !cut.shows(barycentric(ray, view)))
+            .is_some_and(|cut| !cut.shows(barycentric(ray, corners)))
         {
             return;
         }

@@ -19,11 +19,11 @@ pub(crate) struct Lens {
 const GUARD: f64 = 3.5;
 
 impl Lens {
-    pub(crate) fn new(camera: &View, width: u32, height: u32) -> Self {
+    pub(crate) fn new(view: &View, width: u32, height: u32) -> Self {
         let size = [f64::from(width), f64::from(height)];
         // Offsets here count upwards, those of a camera downwards.
-        let skew = -camera.skew();
-        match camera.projection() {
+        let skew = -view.skew();
+        match view.projection() {
             Projection::FieldOfView { tangent } => Self {
                 focal: [size[1] / (2.0 * tangent); 2],
                 skew,
@@ -102,7 +102,7 @@ impl View {
             e1: x,
             e2: y,
             e3: depth,
-        } = self.view(point.into());
+        } = self.in_frame(point.into());
         (depth >= self.near() && depth <= self.far()).then(|| {
             let [column, row] = Lens::new(self, width, height).project([x, y], 1.0 / depth);
             [column, row, depth]

@@ -14,6 +14,8 @@
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
 //! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a
 //! side |
+//! | [`Viewpoint`] | the same as text, and the views of a turntable |
+//! | [`view_file`] | views as cameras of files |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
 //!
 //! Hidden surfaces are removed by a depth buffer with several samples for each pixel. A triangle is
@@ -28,10 +30,10 @@
 //! let triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 //! let scene = Scene::new(&positions, &triangles);
 //! let style = Style { width: 60, height: 80, ..Style::default() };
-//! let camera = View::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
-//! let picture = render(&scene, &camera, &style)?;
+//! let view = View::fit(positions, ViewDirection::default(), 0.5, style.aspect(), 0.1)?;
+//! let picture = render(&scene, &view, &style)?;
 //! assert_eq!([picture.colour.width(), picture.colour.height()], [60, 80]);
-//! let [column, row, depth] = camera.project([0.3, 0.3, 0.3], 60, 80).unwrap();
+//! let [column, row, depth] = view.project([0.3, 0.3, 0.3], 60, 80).unwrap();
 //! assert!(picture.depth.get(column as u32, row as u32).unwrap() < depth);
 //! # Ok::<(), ga_render::RenderError>(())
 //! ```
@@ -67,6 +69,8 @@ mod surface;
 pub mod text;
 pub mod texture;
 mod view;
+pub mod view_file;
+mod viewpoint;
 mod world;
 
 use ga_image::colour::SrgbEncoder;
@@ -83,6 +87,7 @@ pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};
 pub use view::{View, ViewDirection};
+pub use viewpoint::{Viewpoint, ViewpointError};
 
 /// A picture and the depths in it.
 #[derive(Clone, Debug)]
@@ -102,17 +107,17 @@ pub struct Rendering {
 /// # Errors
 ///
 /// [`RenderError`] for numbers that are not finite, indices out of range, and unusable styles.
-pub fn render(scene: &Scene, camera: &View, style: &Style) -> Result<Rendering, RenderError> {
+pub fn render(scene: &Scene, view: &View, style: &Style) -> Result<Rendering, RenderError> {
     style.check()?;
     check::check(scene)?;
-    let world = world::World::new(scene, camera)?;
+    let world = world::World::new(scene, view)?;
     let size = [style.width, style.height];
-    let samples = surface::Samples::draw(&world, camera, size, style.supersampling, Pass::Opaque);
-    let layers = layers::Layers::draw(&world, camera, style, &samples);
+    let samples = surface::Samples::draw(&world, view, size, style.supersampling, Pass::Opaque);
+    let layers = layers::Layers::draw(&world, view, style, &samples);
     let (mut light, depth) =
-        resolve::resolve(&world, scene.ground, camera, style, &samples, &layers)?;
+        resolve::resolve(&world, scene.ground, view, style, &samples, &layers)?;
     depth_contrast::darken_behind_edges(&mut light, &depth, world.extent(), style.depth_contrast);
-    stroke::draw(&mut light, scene, &world, camera, style, &samples);
+    stroke::draw(&mut light, scene, &world, view, style, &samples);
 
     let encoder = SrgbEncoder::new();
     let codes = light.iter().map(|&colour| encoder.encode(colour)).collect();

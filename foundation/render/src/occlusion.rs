@@ -147,7 +147,7 @@ fn seen(
     }
     let ray = samples.lens.ray(at[0] as f64 + 0.5, at[1] as f64 + 0.5);
     let triangle = samples.triangle[at[1] * samples.width + at[0]];
-    let [a, b, c] = world.face(triangle).view();
+    let [a, b, c] = world.face(triangle).in_frame();
     let normal = (b - a).cross(c - a).normalized()?;
     Some(Seen {
         place: ray * (1.0 / f64::from(nearest)),

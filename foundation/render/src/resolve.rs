@@ -28,27 +28,23 @@ const MOST: usize = 8;
 pub(crate) fn resolve(
     world: &World,
     ground: Option<Ground>,
-    camera: &View,
+    view: &View,
     style: &Style,
     samples: &Samples,
     layers: &Layers,
 ) -> Result<(Vec<LinearColour>, DepthMap), RenderError> {
-    let lighting = WorldLighting::new(
-        &style.lighting,
-        camera.forward().into(),
-        camera.right().into(),
-    )
-    .ok_or(RenderError::Style("a light has no direction"))?;
+    let lighting = WorldLighting::new(&style.lighting, view.forward().into(), view.right().into())
+        .ok_or(RenderError::Style("a light has no direction"))?;
     let lit = style.shading == Shading::Lit;
     let factor = style.supersampling as usize;
     let resolver = Resolver {
         world,
-        camera,
+        view,
         style,
         samples,
         layers,
         plain: style.material(),
-        ground: ground.map(|ground| ground_shading(world, ground, camera, style, &lighting)),
+        ground: ground.map(|ground| ground_shading(world, ground, view, style, &lighting)),
         shadows: (lit && style.self_shadow > 0.0)
             .then(|| ShadowMap::new(world, lighting.towards_key()))
             .flatten(),
@@ -74,7 +70,7 @@ pub(crate) fn resolve(
 
 struct Resolver<'a> {
     world: &'a World<'a>,
-    camera: &'a View,
+    view: &'a View,
     style: &'a Style,
     samples: &'a Samples,
     layers: &'a Layers,
@@ -203,7 +199,7 @@ impl Resolver<'_> {
     fn is_below_ground(&self, x: usize, y: usize, inverse_depth: f32) -> bool {
         self.ground.as_ref().is_some_and(|shading| {
             let ray = self.samples.lens.ray(x as f64 + 0.5, y as f64 + 0.5);
-            shading.ground.depth(self.camera, ray) < 1.0 / f64::from(inverse_depth)
+            shading.ground.depth(self.view, ray) < 1.0 / f64::from(inverse_depth)
         })
     }
 
@@ -212,7 +208,7 @@ impl Resolver<'_> {
         let face = self.world.face(triangle);
         let material = self.world.material(&face).unwrap_or(&self.plain);
         let n = f64::from(self.style.supersampling);
-        let Some(fragment) = Fragment::new(face, ray, self.camera, &self.samples.lens, n) else {
+        let Some(fragment) = Fragment::new(face, ray, self.view, &self.samples.lens, n) else {
             return (material.base_colour, material.opacity);
         };
         let look = fragment.look(material);
@@ -248,12 +244,12 @@ impl Resolver<'_> {
             return behind;
         };
         let ray = self.samples.lens.ray(x, y);
-        let depth = shading.ground.depth(self.camera, ray);
+        let depth = shading.ground.depth(self.view, ray);
         if depth.is_infinite() {
             return behind;
         }
-        let direction = self.camera.world_direction(ray);
-        let point = Vector::from(self.camera.eye()) + direction * depth;
+        let direction = self.view.world_direction(ray);
+        let point = Vector::from(self.view.eye()) + direction * depth;
         // A pixel's patch of ground is longer than wide by one over the sine of the ray's slope.
         let sine = direction.e2.abs() / direction.length();
         let pixel = depth * n / self.samples.lens.magnification();
@@ -264,7 +260,7 @@ impl Resolver<'_> {
 fn ground_shading<'a>(
     world: &World,
     ground: Ground,
-    camera: &View,
+    view: &View,
     style: &'a Style,
     lighting: &WorldLighting,
 ) -> GroundShading<'a> {
@@ -276,7 +272,7 @@ fn ground_shading<'a>(
         || shadow(lighting.towards_key(), KEY_TANGENT),
         || shadow(Vector::Y, SKY_TANGENT),
     );
-    let eye = Vector::from(camera.eye());
+    let eye = Vector::from(view.eye());
     let centre = world.centre().unwrap_or(eye);
     GroundShading {
         ground,

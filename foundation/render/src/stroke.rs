@@ -27,7 +27,7 @@ pub(crate) fn draw(
     light: &mut [LinearColour],
     scene: &Scene,
     world: &World,
-    camera: &View,
+    view: &View,
     style: &Style,
     samples: &Samples,
 ) {
@@ -35,7 +35,7 @@ pub(crate) fn draw(
         world,
         samples,
         ground: scene.ground,
-        camera,
+        view,
         factor: f64::from(style.supersampling),
     };
     let strokes = strokes(scene, style, &surfaces);
@@ -70,15 +70,15 @@ struct Stroke {
 fn strokes(scene: &Scene, style: &Style, surfaces: &Surfaces) -> Vec<Stroke> {
     let Surfaces {
         samples,
-        camera,
+        view,
         factor,
         ..
     } = *surfaces;
     let lens = samples.lens.scaled(1.0 / factor);
-    let depths = [camera.near(), camera.far()];
+    let depths = [view.near(), view.far()];
     let clipper = lens.clipper(depths, style.width as usize, style.height as usize);
     let segment = |ends: [[f64; 3]; 2], width: f64, colour, visibility| {
-        let ends = clipper.clip_segment(ends.map(|p| camera.view(p.into())))?;
+        let ends = clipper.clip_segment(ends.map(|p| view.in_frame(p.into())))?;
         let inverse_depth = ends.map(|end| 1.0 / end.e3);
         let place = |i: usize| lens.project([ends[i].e1, ends[i].e2], inverse_depth[i]);
         Some(Stroke {
@@ -116,7 +116,7 @@ struct Surfaces<'a> {
     world: &'a World<'a>,
     samples: &'a Samples,
     ground: Option<Ground>,
-    camera: &'a View,
+    view: &'a View,
     /// Samples along each side of a pixel.
     factor: f64,
 }
@@ -132,7 +132,7 @@ impl Surfaces<'_> {
         let least = inverse_depth * (1.0 + TOLERANCE);
         let behind_ground = self
             .ground
-            .is_some_and(|ground| 1.0 / ground.depth(self.camera, ray) > least);
+            .is_some_and(|ground| 1.0 / ground.depth(self.view, ray) > least);
         let index = j * self.samples.width + i;
         let triangle = self.samples.triangle[index];
         if triangle == NO_TRIANGLE || f64::from(self.samples.inverse_depth[index]) <= least {
@@ -140,7 +140,7 @@ impl Surfaces<'_> {
         }
         // The sample lies beside the place: on a steep surface, that changes the depth. The plane
         // of the triangle p₁ p₂ p₃ has the inverse depth Σ det(ray, pⱼ, pₖ) / det(p₁, p₂, p₃).
-        let corners = self.world.face(triangle).view();
+        let corners = self.world.face(triangle).in_frame();
         let total: f64 = volumes(ray, corners).iter().sum();
         let exact = total / corners[0].dot(corners[1].cross(corners[2]));
         behind_ground || exact > least

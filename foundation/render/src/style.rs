@@ -102,6 +102,18 @@ impl Default for Style {
 }
 
 impl Style {
+    /// The style of models from files: objects keep light from each other and from themselves, and
+    /// what is behind edges is as light as elsewhere.
+    #[must_use]
+    pub fn model() -> Self {
+        Self {
+            self_shadow: 0.8,
+            ambient_occlusion: 0.7,
+            depth_contrast: 0.0,
+            ..Self::default()
+        }
+    }
+
     /// Width divided by height.
     pub fn aspect(&self) -> f64 {
         f64::from(self.width) / f64::from(self.height)

@@ -42,14 +42,14 @@ impl Samples {
     /// Draws all triangles into a picture of `factor` samples along each side of a pixel.
     pub(crate) fn draw(
         world: &World,
-        camera: &View,
+        view: &View,
         [width, height]: [u32; 2],
         factor: u32,
         pass: Pass,
     ) -> Self {
-        let lens = Lens::new(camera, width, height).scaled(f64::from(factor));
+        let lens = Lens::new(view, width, height).scaled(f64::from(factor));
         let (width, height) = ((width * factor) as usize, (height * factor) as usize);
-        let drawing = Drawing::new(world, camera, lens, [width, height], pass);
+        let drawing = Drawing::new(world, view, lens, [width, height], pass);
         let rows: Vec<Vec<Range<u16>>> = world
             .objects
             .iter()
@@ -105,7 +105,7 @@ impl<'a> Drawing<'a> {
     /// `lens` and size are those of the samples.
     pub(crate) fn new(
         world: &'a World<'a>,
-        camera: &View,
+        view: &View,
         lens: Lens,
         [width, height]: [usize; 2],
         pass: Pass,
@@ -113,7 +113,7 @@ impl<'a> Drawing<'a> {
         Self {
             world,
             lens,
-            clipper: lens.clipper([camera.near(), camera.far()], width, height),
+            clipper: lens.clipper([view.near(), view.far()], width, height),
             width,
             pass,
         }
@@ -143,7 +143,7 @@ impl<'a> Drawing<'a> {
 
     /// The visible part of a triangle on the picture, with the inverse depth of each corner.
     fn polygon(&self, face: &Face) -> Corners {
-        let polygon = self.clipper.clip(face.view());
+        let polygon = self.clipper.clip(face.in_frame());
         let mut corners = Corners::default();
         for &corner in polygon.corners() {
             let inverse = 1.0 / corner.e3;
@@ -171,7 +171,7 @@ impl<'a> Drawing<'a> {
         } else {
             Cut::new(self.world, &face)
         };
-        let view = face.view();
+        let corners = face.in_frame();
         let first = rows.start * self.width;
         self.cover(&face, rows, |sample, inverse| {
             let index = sample - first;
@@ -181,7 +181,7 @@ impl<'a> Drawing<'a> {
             if let Some(cut) = &cut {
                 let (row, column) = (sample / self.width, sample % self.width);
                 let ray = self.lens.ray(column as f64 + 0.5, row as f64 + 0.5);
-                if !cut.shows(barycentric(ray, view)) {
+                if !cut.shows(barycentric(ray, corners)) {
                     return;
                 }
             }

@@ -1,6 +1,8 @@
 //! Pictures on surfaces.
 
+use ga_files::ReadError;
 use ga_image::colour::linear_from_srgb;
+use ga_image::file::FormatError;
 use ga_image::picture::PictureView;
 
 pub use ga_mesh::Wrap;
@@ -50,9 +52,25 @@ pub enum Filter {
     Trilinear,
 }
 
-/// Why pixels do not make a texture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+/// Pixels that do not make a texture, or the picture of a material that cannot be used.
+#[derive(Debug, thiserror::Error)]
 pub enum TextureError {
+    /// The file cannot be read, or is not a picture.
+    #[error("the picture of material {material:?}: {problem}")]
+    File {
+        /// The name of the material.
+        material: String,
+        /// What is wrong; it names the file.
+        problem: ReadError<FormatError>,
+    },
+    /// A picture within the file of the model is not a picture.
+    #[error("the picture of material {material:?}: {problem}")]
+    Embedded {
+        /// The name of the material.
+        material: String,
+        /// What is wrong.
+        problem: FormatError,
+    },
     /// There are no pixels.
     #[error("a texture needs at least one pixel, but this one has {width} × {height}")]
     Empty {
@@ -127,7 +145,7 @@ impl Mipmap {
     ///
     /// # Errors
     ///
-    /// Any [`TextureError`].
+    /// [`TextureError::Empty`] and [`TextureError::Length`].
     pub fn numbers(
         width: usize,
         height: usize,

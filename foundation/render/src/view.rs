@@ -322,9 +322,9 @@ impl View {
     /// use ga_runtime::cga3::{Motor, Rotor};
     ///
     /// let up = [0.0, 1.0, 0.0];
-    /// let camera = View::look_at([0.0, 0.0, 5.0], [0.0; 3], up, 0.8, 0.1)?;
+    /// let view = View::look_at([0.0, 0.0, 5.0], [0.0; 3], up, 0.8, 0.1)?;
     /// let quarter = Rotor::from_axis_angle(up, std::f64::consts::FRAC_PI_2).unwrap();
-    /// let [x, y, z] = camera.moved(Motor::from(quarter)).eye();
+    /// let [x, y, z] = view.moved(Motor::from(quarter)).eye();
     /// assert!((x - 5.0).abs() < 1e-12 && y.abs() < 1e-12 && z.abs() < 1e-12);
     /// # Ok::<(), ga_render::RenderError>(())
     /// ```
@@ -419,7 +419,7 @@ impl View {
     }
 
     /// Right offset, up offset and depth of a point.
-    pub(crate) fn view(&self, point: Vector) -> Vector {
+    pub(crate) fn in_frame(&self, point: Vector) -> Vector {
         let offset = point - self.eye;
         Vector::new(
             offset.dot(self.right),

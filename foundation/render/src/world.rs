@@ -24,7 +24,7 @@ pub(crate) struct Placed<'a> {
     /// Each vertex in the world.
     pub(crate) positions: Vec<Vector>,
     /// Each vertex in the camera's frame: right offset, up offset, depth.
-    pub(crate) view: Vec<Vector>,
+    pub(crate) in_frame: Vec<Vector>,
     /// The smooth normal of each vertex in the object's coordinates, where it is shaded by them.
     smooth: Vec<[f64; 3]>,
     /// The rows of its rotation into the world.
@@ -44,12 +44,12 @@ pub(crate) struct Face<'w> {
 
 impl<'a> World<'a> {
     /// The scene must have been checked.
-    pub(crate) fn new(scene: &'a Scene<'a>, camera: &View) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, view: &View) -> Result<Self, RenderError> {
         let mut first = 0;
         let mut objects = Vec::with_capacity(scene.objects.len());
         for (index, object) in scene.objects.iter().enumerate() {
             let positions = place(object).ok_or(RenderError::Transform { object: index })?;
-            let view = positions.par_iter().map(|&p| camera.view(p)).collect();
+            let in_frame = positions.par_iter().map(|&p| view.in_frame(p)).collect();
             let smooth = match object.normals {
                 Normals::Smooth => vertex_normals(object.positions, object.triangles),
                 Normals::Flat | Normals::Given(_) => Vec::new(),
@@ -58,7 +58,7 @@ impl<'a> World<'a> {
                 object,
                 first,
                 positions,
-                view,
+                in_frame,
                 smooth,
                 rotation: object.transform.rotor().to_matrix().map(Vector::from),
             });
@@ -123,8 +123,8 @@ impl<'a> World<'a> {
 
 impl Face<'_> {
     /// The corners in the camera's frame.
-    pub(crate) fn view(&self) -> [Vector; 3] {
-        self.vertices.map(|v| self.placed.view[v as usize])
+    pub(crate) fn in_frame(&self) -> [Vector; 3] {
+        self.vertices.map(|v| self.placed.in_frame[v as usize])
     }
 
     /// The corners in the world.
@@ -167,7 +167,7 @@ impl Face<'_> {
     /// Whether the eye lies on the side of the triangle's orientation.
     pub(crate) fn faces_eye(&self) -> bool {
         // Right, up and forward are a left-handed frame.
-        let [a, b, c] = self.view();
+        let [a, b, c] = self.in_frame();
         a.dot(b.cross(c)) > 0.0
     }
 

@@ -16,7 +16,6 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::input::{Kind, MotionArguments};
-use crate::figure_file::stem;
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
 use crate::motion_file;
@@ -311,7 +310,7 @@ fn write(
     progress: &Progress,
 ) -> Result<()> {
     let out = &arguments.out;
-    let name = stem(Path::new(&arguments.motion.file()));
+    let name = ga_files::stem(Path::new(&arguments.motion.file()));
     let unit = arguments.target_metres_per_unit.unwrap_or(1.0);
     let shown = || format!("{} cannot be written", out.display());
     match format {

@@ -6,8 +6,8 @@ use ga_mesh::bake::{FinePoint, corner_colours, corner_coordinates};
 use ga_mesh::obj::Warning;
 use ga_mesh::{Image, Material, Mesh, Texture};
 
-use crate::model::{Meaning, TextureFileError, load_texture};
-use crate::texture::Mipmap;
+use crate::model::{Meaning, load_texture};
+use crate::texture::{Mipmap, TextureError};
 
 /// A picture, and where it is taken at the corners of each triangle.
 type Picture = (Mipmap, Vec<[[f64; 2]; 3]>);
@@ -34,11 +34,8 @@ impl MeshColours {
     /// alone, with a warning. Relative paths of pictures begin in `folder`.
     ///
     /// # Errors
-    /// [`TextureFileError`] where a picture exists and cannot be read.
-    pub fn new(
-        mesh: &Mesh,
-        folder: Option<&Path>,
-    ) -> Result<(Self, Vec<Warning>), TextureFileError> {
+    /// [`TextureError`] where a picture exists and cannot be read.
+    pub fn new(mesh: &Mesh, folder: Option<&Path>) -> Result<(Self, Vec<Warning>), TextureError> {
         let mut warnings = Vec::new();
         if let Some(colours) = corner_colours(mesh) {
             return Ok((Self(Colours::Vertices(colours)), warnings));
@@ -104,7 +101,7 @@ fn picture(
     placed: &Texture,
     folder: Option<&Path>,
     warnings: &mut Vec<Warning>,
-) -> Result<Option<Picture>, TextureFileError> {
+) -> Result<Option<Picture>, TextureError> {
     let Some(coordinates) = corner_coordinates(mesh, placed.set as usize) else {
         return Ok(None);
     };

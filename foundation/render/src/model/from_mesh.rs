@@ -6,8 +6,9 @@ use std::path::Path;
 use ga_image::colour::LinearColour;
 use ga_mesh::{CornerAttribute, Mesh, tangents};
 
-use super::textures::{Loader, TextureFileError};
+use super::textures::Loader;
 use super::{Corners, Line, Model, Part};
+use crate::texture::TextureError;
 
 impl Model {
     /// A mesh as it is drawn. The files of its pictures are looked for in `folder`, or left out
@@ -29,9 +30,9 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`TextureFileError`] for a picture that exists and cannot be read. A picture that does not
+    /// [`TextureError`] for a picture that exists and cannot be read. A picture that does not
     /// exist is left out, with a warning.
-    pub fn from_mesh(mesh: &Mesh, folder: Option<&Path>) -> Result<Self, TextureFileError> {
+    pub fn from_mesh(mesh: &Mesh, folder: Option<&Path>) -> Result<Self, TextureError> {
         let mut model = Self::default();
         let mut loader = Loader::new(&mut model, folder);
         let mut surfaces = Vec::with_capacity(mesh.materials().len());

@@ -1,6 +1,7 @@
 //! Models from files as they are drawn: triangles, materials and textures in memory.
 //!
-//! [`Model::from_mesh`] takes a mesh with its materials. A [`Model`] owns what a [`Scene`] borrows:
+//! [`Model::from_mesh`] takes a mesh with its materials. A [`Model`] owns what a [`Scene`] borrows;
+//! [`Model::with_scene`] makes one with ground and edges.
 //!
 //! ```
 //! use ga_render::model::Model;
@@ -9,14 +10,15 @@
 //! let mesh = ga_mesh::obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
 //! let model = Model::from_mesh(&mesh, None)?;
 //! let style = Style::default();
-//! let view = ViewDirection::default();
-//! let camera = View::fit(model.points(), view, 0.5, style.aspect(), 0.1)?;
+//! let side = ViewDirection::default();
+//! let view = View::fit(model.points(), side, 0.5, style.aspect(), 0.1)?;
 //! let materials = model.materials();
-//! let picture = render(&model.scene(&materials), &camera, &style)?;
+//! let picture = render(&model.scene(&materials), &view, &style)?;
 //! assert!(picture.depth.range().is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod drawing;
 mod from_mesh;
 mod textures;
 
@@ -26,7 +28,8 @@ use crate::{
 };
 use ga_image::colour::LinearColour;
 
-pub use textures::{Meaning, TextureFileError, load_texture};
+pub use drawing::Options;
+pub use textures::{Meaning, load_texture};
 
 /// A model in memory, ready to be drawn.
 #[derive(Clone, Debug, Default)]

@@ -3,44 +3,13 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use ga_files::ReadError;
 use ga_image::colour::LinearColour;
-use ga_image::file::FormatError;
 use ga_mesh::obj::Warning;
 use ga_mesh::{AlphaMode, Filter as MeshFilter, Image, Texture};
 
 use super::{Model, Surface};
 use crate::texture::{Filter, Mipmap, Sampler, TextureError};
 use crate::{Appearance, CoordinateSet, Placement, Placements};
-
-/// A picture of a material that cannot be used.
-#[derive(Debug, thiserror::Error)]
-pub enum TextureFileError {
-    /// The file cannot be read, or is not a picture.
-    #[error("the picture of material {material:?}: {problem}")]
-    File {
-        /// The name of the material.
-        material: String,
-        /// What is wrong; it names the file.
-        problem: ReadError<FormatError>,
-    },
-    /// A picture within the file of the model is not a picture.
-    #[error("the picture of material {material:?}: {problem}")]
-    Embedded {
-        /// The name of the material.
-        material: String,
-        /// What is wrong.
-        problem: FormatError,
-    },
-    /// The picture has no pixels.
-    #[error("the picture of material {material:?}: {problem}")]
-    Texture {
-        /// The name of the material.
-        material: String,
-        /// What is wrong.
-        problem: TextureError,
-    },
-}
 
 /// What the numbers of a picture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -64,18 +33,18 @@ pub enum Meaning {
 /// let wood = ga_mesh::Texture::file("wood.png");
 /// let folder = std::env::temp_dir().join("a folder without pictures");
 /// assert_eq!(load_texture("floor", &wood, Meaning::Colour, Some(&folder))?, None);
-/// # Ok::<(), ga_render::model::TextureFileError>(())
+/// # Ok::<(), ga_render::texture::TextureError>(())
 /// ```
 ///
 /// # Errors
 ///
-/// [`TextureFileError`] for a picture that exists and cannot be read.
+/// [`TextureError`] for a picture that exists and cannot be read.
 pub fn load_texture(
     material: &str,
     reference: &Texture,
     meaning: Meaning,
     folder: Option<&Path>,
-) -> Result<Option<Mipmap>, TextureFileError> {
+) -> Result<Option<Mipmap>, TextureError> {
     let material = || material.to_owned();
     let picture = match &reference.image {
         Image::File(path) => {
@@ -83,13 +52,13 @@ pub fn load_texture(
             let Some(file) = file.filter(|file| file.exists()) else {
                 return Ok(None);
             };
-            ga_image::file::read(file).map_err(|problem| TextureFileError::File {
+            ga_image::file::read(file).map_err(|problem| TextureError::File {
                 material: material(),
                 problem,
             })?
         }
         Image::Embedded { bytes, .. } => {
-            ga_image::file::decode(bytes).map_err(|problem| TextureFileError::Embedded {
+            ga_image::file::decode(bytes).map_err(|problem| TextureError::Embedded {
                 material: material(),
                 problem,
             })?
@@ -100,11 +69,7 @@ pub fn load_texture(
         Meaning::Colour => Mipmap::colour(&pixels, sampler(reference)),
         Meaning::Data => Mipmap::data(&pixels, sampler(reference)),
     };
-    let texture = texture.map_err(|problem| TextureFileError::Texture {
-        material: material(),
-        problem,
-    })?;
-    Ok(Some(texture))
+    texture.map(Some)
 }
 
 /// Loads each picture once for each way in which it is read.
@@ -128,7 +93,7 @@ impl<'a> Loader<'a> {
     pub(super) fn surface(
         &mut self,
         material: &ga_mesh::Material,
-    ) -> Result<Surface, TextureFileError> {
+    ) -> Result<Surface, TextureError> {
         let name = &material.name;
         let used = [
             ("base colour", &material.base_colour_texture),
@@ -191,7 +156,7 @@ impl<'a> Loader<'a> {
         material: &str,
         reference: &Texture,
         meaning: Meaning,
-    ) -> Result<Option<usize>, TextureFileError> {
+    ) -> Result<Option<usize>, TextureError> {
         let key = match &reference.image {
             Image::File(path) => path.clone(),
             // Textures of one image share its bytes.

@@ -8,7 +8,7 @@ use crate::{Ground, RenderError, Vector, View};
 
 /// The cameras of the frames, and the ground they all see.
 pub(super) struct Stage {
-    pub(super) cameras: Vec<View>,
+    pub(super) views: Vec<View>,
     pub(super) ground: Ground,
 }
 
@@ -93,7 +93,7 @@ impl Stage {
             .clone()
             .filter_map(|p| shadow_of(p, ground, towards_light?))
             .flatten();
-        let camera = View::fit(
+        let view = View::fit(
             seen.chain(shadows),
             options.view,
             FIELD_OF_VIEW,
@@ -101,9 +101,9 @@ impl Stage {
             MARGIN,
         )?;
         Ok(Self {
-            cameras: frames
+            views: frames
                 .iter()
-                .map(|frame| camera.moved_by(frame.middle))
+                .map(|frame| view.moved_by(frame.middle))
                 .collect(),
             ground: Ground {
                 height: ground,

@@ -73,7 +73,7 @@ impl<'a> Subject<'a> {
         &self,
         frame: &Frame,
         ground: Ground,
-        camera: &View,
+        view: &View,
         style: &Style,
     ) -> Result<Rendering, SheetError> {
         let scene = Scene {
@@ -87,7 +87,7 @@ impl<'a> Subject<'a> {
             ground: Some(ground),
             ..Scene::default()
         };
-        render(&scene, camera, style).map_err(|source| SheetError::Frame {
+        render(&scene, view, style).map_err(|source| SheetError::Frame {
             number: frame.number,
             source,
         })
@@ -143,8 +143,8 @@ pub fn contact_sheet_of(
         .par_iter()
         .enumerate()
         .map(|(index, frame)| {
-            let camera = &stage.cameras[index];
-            subject.picture(frame, stage.ground, camera, &options.style)
+            let view = &stage.views[index];
+            subject.picture(frame, stage.ground, view, &options.style)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let depth_range = pictures

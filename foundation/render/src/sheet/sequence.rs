@@ -83,8 +83,8 @@ impl Shooting<'_> {
     /// [`SheetError::Frame`] for a frame that cannot be drawn, [`SheetError::NoFrames`] for an
     /// index beyond the frames.
     pub fn picture(&self, index: usize, frame: &Frame) -> Result<Rendering, SheetError> {
-        let camera = self.stage.cameras.get(index).ok_or(SheetError::NoFrames)?;
+        let view = self.stage.views.get(index).ok_or(SheetError::NoFrames)?;
         self.subject
-            .picture(frame, self.stage.ground, camera, &self.style)
+            .picture(frame, self.stage.ground, view, &self.style)
     }
 }

@@ -14,6 +14,7 @@ mod sheet;
 mod strokes;
 mod transparent;
 mod view;
+mod viewpoint;
 
 use ga_image::plane::Plane;
 use ga_render::{Style, View};

@@ -18,13 +18,13 @@ use ga_body::agreement::Agreement;
 use ga_body::format::{DetectorOptions, JointViews};
 use ga_body::{BodyFit, BodyModel, FittedPose, Observation};
 use ga_camera::Camera;
+use ga_character::Figure;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
 
-use crate::figure::Figure;
 use crate::format::Format;
 use crate::frame::{Command, Context, Progress};
-use crate::{model, output};
+use crate::output;
 use arguments::MANNEQUIN;
 use matched::Matched;
 use report::Report;
@@ -137,20 +137,12 @@ fn read_character(path: &Path) -> Result<Rigged> {
 
 /// The person that the program makes itself, as one from a file.
 fn mannequin() -> Result<Rigged> {
-    let Human {
-        mesh,
-        skeleton,
-        weights,
-    } = Human::new();
-    let rest = Clip::new(1.0, vec![Pose::rest(skeleton.len())])?;
-    let figure = Figure {
-        name: MANNEQUIN.to_owned(),
-        mesh,
-        skeleton,
-        weights,
-        paint: None,
-    };
-    let document = gltf::decode(&model::glb(&figure, &rest, MANNEQUIN, None)?)?;
+    let figure = Figure::new(MANNEQUIN, Human::new().into());
+    let rest = Pose::rest(figure.character.skeleton.len());
+    let rest = Clip::new(1.0, vec![rest])?;
+    let document = gltf::decode(&ga_character::gltf::encode(
+        &figure, &rest, MANNEQUIN, None,
+    )?)?;
     Ok(Rigged::new(&document)?)
 }
 

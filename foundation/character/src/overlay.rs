@@ -1,26 +1,11 @@
 //! What is drawn over the figure: its bones, and the paths of joints.
 
-use anyhow::{Result, bail};
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
+use ga_anim::skeleton::SkeletonError;
 use ga_image::colour::LinearColour;
 use ga_render::{Polyline, Visibility};
-
-use crate::figure::Figure;
-
-/// What is drawn over the pictures of the figure.
-#[derive(Clone, Debug, clap::Args)]
-pub(crate) struct OverlayArguments {
-    /// Draw the bones over the skin.
-    #[arg(long)]
-    pub(crate) bones: bool,
-    /// Draw the paths of these joints during the last second over the picture; `all` for every
-    /// joint.
-    ///
-    /// Example: --trails LeftHand,RightFoot
-    #[arg(long, value_name = "JOINT,…", value_delimiter = ',')]
-    pub(crate) trails: Vec<String>,
-}
 
 /// How long ago the older end of a path is, in seconds.
 const WINDOW: f64 = 1.0;
@@ -45,21 +30,28 @@ const COLOURS: [[u8; 3]; 6] = [
 const FADING: f64 = 0.6;
 
 /// What is to be drawn over the pictures of a motion.
-pub(crate) struct Overlay<'a> {
-    figure: &'a Figure,
-    clip: &'a Clip,
-    bones: bool,
-    /// The joints whose paths are drawn.
-    joints: Vec<usize>,
+#[derive(Clone, Debug)]
+pub struct Overlay<'a> {
+    /// The character that moves.
+    pub character: &'a Character,
+    /// Its motion.
+    pub clip: &'a Clip,
+    /// Whether the bones are drawn.
+    pub bones: bool,
+    /// The joints whose paths during the last second are drawn, each in a colour of its own.
+    pub joints: Vec<usize>,
 }
 
 /// The overlay of one moment.
-pub(crate) struct Marks {
-    pub(crate) bones: Vec<[[f64; 3]; 2]>,
+#[derive(Clone, Debug)]
+pub struct Marks {
+    /// Head and tail of each bone, where bones are drawn.
+    pub bones: Vec<[[f64; 3]; 2]>,
     pieces: Vec<Piece>,
 }
 
 /// A piece of a path.
+#[derive(Clone, Copy, Debug)]
 struct Piece {
     ends: [[f64; 3]; 2],
     colour: LinearColour,
@@ -67,54 +59,27 @@ struct Piece {
     width: f64,
 }
 
-impl<'a> Overlay<'a> {
-    /// Fails for a joint that the figure does not have.
-    pub(crate) fn new(
-        figure: &'a Figure,
-        clip: &'a Clip,
-        arguments: &OverlayArguments,
-    ) -> Result<Self> {
-        let mut joints = Vec::new();
-        for name in &arguments.trails {
-            match figure.skeleton.index(name) {
-                Some(joint) => joints.push(joint),
-                None if name == "all" => joints.extend(0..figure.skeleton.len()),
-                None => {
-                    let all = figure.skeleton.joints().iter();
-                    let names: Vec<&str> = all.map(|joint| joint.name.as_str()).collect();
-                    bail!(
-                        "--trails {name}: the figure has no such joint; its joints are: {}",
-                        names.join(", ")
-                    );
-                }
-            }
-        }
-        Ok(Self {
-            figure,
-            clip,
-            bones: arguments.bones,
-            joints,
-        })
-    }
-
+impl Overlay<'_> {
     /// What is drawn over the picture of a pose at a time in seconds.
-    pub(crate) fn marks(&self, time: f64, pose: &Pose) -> Result<Marks> {
-        let skeleton = &self.figure.skeleton;
-        let bones = if self.bones {
-            pose.bones(skeleton)?
-        } else {
-            Vec::new()
+    ///
+    /// # Errors
+    ///
+    /// [`SkeletonError`] for a pose of another skeleton.
+    pub fn marks(&self, time: f64, pose: &Pose) -> Result<Marks, SkeletonError> {
+        let bones = match self.bones {
+            true => pose.bones(&self.character.skeleton)?,
+            false => Vec::new(),
         };
         let mut pieces = Vec::new();
         if !self.joints.is_empty() {
-            let mut newer = self.figure.joints(pose)?;
+            let mut newer = self.character.joints(pose)?;
             for piece in 0..PIECES {
                 let age = (piece + 1) as f64 / PIECES as f64;
                 let before = time - age * WINDOW;
                 if before < 0.0 {
                     break;
                 }
-                let older = self.figure.joints(&self.clip.sample(before))?;
+                let older = self.character.joints(&self.clip.sample(before))?;
                 for (number, &joint) in self.joints.iter().enumerate() {
                     let colour = LinearColour::from_srgb(COLOURS[number % COLOURS.len()]);
                     pieces.push(Piece {
@@ -133,8 +98,9 @@ impl<'a> Overlay<'a> {
 }
 
 impl Marks {
-    /// The paths on a picture of this height.
-    pub(crate) fn lines(&self, height: u32) -> Vec<Polyline<'_>> {
+    /// The paths on a picture of this height in pixels.
+    #[must_use]
+    pub fn lines(&self, height: u32) -> Vec<Polyline<'_>> {
         let lines = self.pieces.iter().map(|piece| Polyline {
             points: &piece.ends,
             colour: piece.colour,

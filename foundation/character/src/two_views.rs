@@ -1,15 +1,16 @@
 //! The joints of the moving figure, observed by two cameras and triangulated from their pictures.
 
-use anyhow::{Context, Result};
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_body::pose_error::mean_per_joint_position_error;
 use ga_camera::observation::observe;
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::Point;
+use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
-use crate::figure::Figure;
+use crate::error::CharacterError;
 
 /// A full-HD camera that sees 62° across.
 const PICTURE: [f64; 2] = [1920.0, 1080.0];
@@ -22,50 +23,65 @@ const ANGLE_DEGREES: f64 = 30.0;
 const ROOM: f64 = 1.1;
 
 /// What two cameras saw, and how accurately the joints were triangulated.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct TwoViews {
-    pub(crate) picture_pixels: [f64; 2],
-    pub(crate) focal_length_pixels: f64,
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TwoViews {
+    /// Width and height of the pictures.
+    pub picture_pixels: [f64; 2],
+    /// The focal length of both cameras.
+    pub focal_length_pixels: f64,
     /// How far the cameras are from each other.
-    pub(crate) baseline_metres: f64,
-    /// Where they stand, and what both look at.
-    pub(crate) left_camera_metres: [f64; 3],
-    pub(crate) right_camera_metres: [f64; 3],
-    pub(crate) target_metres: [f64; 3],
+    pub baseline_metres: f64,
+    /// Where the left camera stands.
+    pub left_camera_metres: [f64; 3],
+    /// Where the right camera stands.
+    pub right_camera_metres: [f64; 3],
+    /// What both look at.
+    pub target_metres: [f64; 3],
     /// The angle between their optical axes.
-    pub(crate) angle_degrees: f64,
+    pub angle_degrees: f64,
     /// Joints in all frames together.
-    pub(crate) joints_seen: usize,
-    pub(crate) noise_free: Found,
-    pub(crate) one_pixel_noise: Found,
+    pub joints_seen: usize,
+    /// What was found from exact pixels.
+    pub noise_free: Found,
+    /// What was found from pixels with a standard deviation of 1 pixel in both directions.
+    pub one_pixel_noise: Found,
     /// What the noise was made from.
-    pub(crate) seed: u64,
+    pub seed: u64,
 }
 
 /// How accurately the joints were triangulated.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct Found {
-    /// The mean distance from a joint to where it was found (MPJPE), and the greatest.
-    pub(crate) mean_per_joint_position_error_metres: f64,
-    pub(crate) joint_position_error_max_metres: f64,
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Found {
+    /// The mean distance from a joint to where it was found (MPJPE).
+    pub mean_per_joint_position_error_metres: f64,
+    /// The greatest distance from a joint to where it was found.
+    pub joint_position_error_max_metres: f64,
     /// The greatest distance between the two rays of a joint.
-    pub(crate) ray_gap_max_metres: f64,
-    /// Whether every joint was found in front of both cameras, and seen inside both pictures.
-    pub(crate) all_in_front_of_both_cameras: bool,
-    pub(crate) all_inside_both_pictures: bool,
+    pub ray_gap_max_metres: f64,
+    /// Whether every joint was found in front of both cameras.
+    pub all_in_front_of_both_cameras: bool,
+    /// Whether every joint was seen inside both pictures.
+    pub all_inside_both_pictures: bool,
 }
 
 impl TwoViews {
     /// Sees the joints of every frame, exactly and with a standard deviation of 1 pixel in both
-    /// directions, and triangulates them.
-    pub(crate) fn new(figure: &Figure, clip: &Clip, seed: u64) -> Result<Self> {
+    /// directions, and triangulates them. Equal seeds give equal noise.
+    ///
+    /// # Errors
+    ///
+    /// [`CharacterError::Skeleton`] for a clip of another skeleton; [`CharacterError::NoPlace`],
+    /// [`CharacterError::Observation`] and [`CharacterError::Triangulation`] for motions that no
+    /// two cameras see, such as one in a single point.
+    pub fn new(character: &Character, clip: &Clip, seed: u64) -> Result<Self, CharacterError> {
         let mut joints: Vec<Point<f64>> = Vec::new();
         for pose in clip.frames() {
-            joints.extend(figure.joints(pose)?.into_iter().map(Point::from));
+            joints.extend(character.joints(pose)?.into_iter().map(Point::from));
         }
-        let target = middle(&joints);
-        let rig = rig(&joints, target)
-            .context("no place was found from which two cameras see the figure")?;
+        let places = joints.iter().map(|joint| Vector::from(*joint));
+        let [low, high] = ga_mesh::bounds(places).unwrap_or_default();
+        let target = ((low + high) * 0.5).coordinates();
+        let rig = rig(&joints, target).ok_or(CharacterError::NoPlace)?;
         Ok(Self {
             picture_pixels: PICTURE,
             focal_length_pixels: FOCAL_LENGTH,
@@ -83,11 +99,23 @@ impl TwoViews {
 }
 
 impl Found {
-    fn new(rig: &StereoRig, joints: &[Point<f64>], noise: f64, seed: u64) -> Result<Self> {
-        let left = observe(&rig.left, joints, noise, seed).context("left camera")?;
+    fn new(
+        rig: &StereoRig,
+        joints: &[Point<f64>],
+        noise: f64,
+        seed: u64,
+    ) -> Result<Self, CharacterError> {
+        let failed = |camera| {
+            move |error| CharacterError::Observation {
+                camera,
+                source: Box::new(error),
+            }
+        };
+        let left = observe(&rig.left, joints, noise, seed).map_err(failed("left"))?;
         // Noise of its own for each camera.
-        let right = observe(&rig.right, joints, noise, !seed).context("right camera")?;
-        let seen = rig.triangulate_all(&left, &right)?;
+        let right = observe(&rig.right, joints, noise, !seed).map_err(failed("right"))?;
+        let seen = rig.triangulate_all(&left, &right);
+        let seen = seen.map_err(|error| CharacterError::Triangulation(Box::new(error)))?;
         let places: Vec<Point<f64>> = seen.iter().map(|seen| seen.position).collect();
         let errors = joints.iter().zip(&places).map(|(a, b)| a.distance(*b));
         let is_inside = |pixel: &[f64; 2]| {
@@ -104,15 +132,6 @@ impl Found {
             all_inside_both_pictures: left.iter().chain(&right).all(is_inside),
         })
     }
-}
-
-/// The middle of the bounding box of some points.
-fn middle(points: &[Point<f64>]) -> [f64; 3] {
-    std::array::from_fn(|axis| {
-        let coordinates = points.iter().map(|point| point.coordinates()[axis]);
-        let low = coordinates.clone().fold(f64::INFINITY, f64::min);
-        0.5 * (low + coordinates.fold(f64::NEG_INFINITY, f64::max))
-    })
 }
 
 /// Two cameras that look at the middle from one height and one distance. A ball round the middle

@@ -1,80 +1,50 @@
-//! The figure as files: OBJ at rest, binary glTF with its motion.
+//! The figure with its motion as binary glTF.
 
 use std::collections::HashMap;
 
-use anyhow::{Context, Result};
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::gltf;
 use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
-use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, TextureElement, TextureInfo, encode};
+use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, TextureElement, TextureInfo};
 use ga_mesh::normals::vertex_normals;
-use ga_mesh::{Filter, Minification, Wrap, obj};
+use ga_mesh::{Filter, Mesh, Minification, Wrap};
 
+use crate::error::CharacterError;
 use crate::figure::Figure;
-use crate::output::File;
 
-pub(crate) const OBJ: &str = "model.obj";
-pub(crate) const MTL: &str = "model.mtl";
-pub(crate) const SKIN: &str = "skin.png";
-const GLB: &str = "model.glb";
+/// The name of the painted skin's material.
+pub(crate) const MATERIAL: &str = "skin";
 
-/// The names of all files of a model.
-pub(crate) const NAMES: [&str; 4] = [OBJ, GLB, MTL, SKIN];
-
-/// The mesh at rest, in metres, and the mesh with skeleton, skin weights and one animation; then
-/// the material and the picture that the first refers to, if the figure is painted.
-pub(crate) fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>> {
-    let painted = figure.paint.as_ref();
-    let png = painted
-        .map(ga_image::png::encode)
-        .transpose()
-        .context("the painted skin cannot be encoded")?;
-    let contents = glb(figure, clip, clip_name, png.as_deref())?;
-    let glb = File {
-        name: GLB,
-        contents,
-    };
-    let file = |name, contents| File { name, contents };
-    let Some(png) = png else {
-        let text = obj::encode(&figure.mesh);
-        return Ok(vec![file(OBJ, text.into_bytes()), glb]);
-    };
-    let material = ga_mesh::Material {
-        roughness: ROUGHNESS,
-        base_colour_texture: Some(ga_mesh::Texture::file(SKIN)),
-        ..ga_mesh::Material::named(MATERIAL)
-    };
-    let faces = vec![Some(0); figure.mesh.faces().len()];
-    let mesh = figure.mesh.clone().with_materials(vec![material], faces)?;
-    let mut written = obj::encode_files(&mesh, "model").into_iter();
-    let mut next = || written.next().map(|(_, contents)| contents);
-    let (obj, mtl) = next().zip(next()).context("the material is not written")?;
-    Ok(vec![file(OBJ, obj), glb, file(MTL, mtl), file(SKIN, png)])
-}
-
-/// The name of the painted skin's material, and its roughness.
-const MATERIAL: &str = "skin";
+/// The roughness of a painted skin.
 pub(crate) const ROUGHNESS: f64 = 0.8;
 
-/// The mesh with skeleton, skin weights and one animation as binary glTF, painted with a PNG.
-pub(crate) fn glb(
+/// The mesh with skeleton, skin weights and one animation as binary glTF, painted with a PNG where
+/// one is given.
+///
+/// # Errors
+///
+/// [`CharacterError::Skeleton`] for a clip of another skeleton, and [`CharacterError::Gltf`] where
+/// numbers do not fit the format.
+pub fn encode(
     figure: &Figure,
     clip: &Clip,
     clip_name: &str,
     png: Option<&[u8]>,
-) -> Result<Vec<u8>> {
-    let positions: Vec<[f64; 3]> = figure.mesh.coordinates().collect();
-    let normals = vertex_normals(&positions, &figure.mesh.triangles());
-    let weights = gltf::vertex_weights(&figure.weights);
-    let split = Split::new(figure);
-    let at = |vertex: &u32| *vertex as usize;
-    let positions: Vec<_> = split.vertices.iter().map(|v| positions[at(v)]).collect();
-    let normals: Vec<_> = split.vertices.iter().map(|v| normals[at(v)]).collect();
-    let weights: Vec<_> = split
-        .vertices
-        .iter()
-        .map(|v| weights[at(v)].clone())
-        .collect();
+) -> Result<Vec<u8>, CharacterError> {
+    let Character {
+        mesh,
+        skeleton,
+        weights,
+    } = &figure.character;
+    let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
+    let normals = vertex_normals(&positions, &mesh.triangles());
+    let weights = gltf::vertex_weights(weights);
+    let split = Split::new(mesh, png.is_some());
+    let vertices = || split.vertices.iter().map(|&vertex| vertex as usize);
+    let positions: Vec<_> = vertices().map(|vertex| positions[vertex]).collect();
+    let normals: Vec<_> = vertices().map(|vertex| normals[vertex]).collect();
+    let weights: Vec<_> = vertices().map(|vertex| weights[vertex].clone()).collect();
     let material = match png {
         Some(_) => Dielectric {
             name: MATERIAL,
@@ -83,7 +53,7 @@ pub(crate) fn glb(
         },
         None => Dielectric::default(),
     };
-    let animation = gltf::animation(clip_name, &figure.skeleton, clip)?;
+    let animation = gltf::animation(clip_name, skeleton, clip)?;
     let model = Model {
         name: &figure.name,
         positions: &positions,
@@ -91,16 +61,16 @@ pub(crate) fn glb(
         triangles: &split.triangles,
         material,
         skin: Some(Skin {
-            joints: &gltf::joint_nodes(&figure.skeleton),
+            joints: &gltf::joint_nodes(skeleton),
             weights: &weights,
         }),
         animations: &[animation],
     };
-    let mut document = to_document(&model).context("the model cannot be written as glTF")?;
+    let mut document = to_document(&model)?;
     if let Some(png) = png {
         paint(&mut document, &split.coordinates, png);
     }
-    encode(&document).context("the model cannot be written as glTF")
+    Ok(ga_mesh::gltf::encode(&document)?)
 }
 
 /// Gives the mesh of a document texture coordinates and its material the picture.
@@ -146,21 +116,19 @@ fn paint(document: &mut Document, coordinates: &[[f64; 2]], png: &[u8]) {
     }
 }
 
-/// The vertices of a figure as glTF numbers them: one that has several texture coordinates is
+/// The vertices of a mesh as glTF numbers them: one that has several texture coordinates is
 /// there several times.
 struct Split {
     /// For each vertex that of the mesh.
     vertices: Vec<u32>,
-    /// Its texture coordinates; empty where the figure is not painted.
+    /// Its texture coordinates; empty where the mesh is not painted.
     coordinates: Vec<[f64; 2]>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Split {
-    fn new(figure: &Figure) -> Self {
-        let mesh = &figure.mesh;
-        let painted = figure.paint.is_some();
-        let Some(coordinates) = mesh.texture_coordinates().filter(|_| painted) else {
+    fn new(mesh: &Mesh, is_painted: bool) -> Self {
+        let Some(coordinates) = mesh.texture_coordinates().filter(|_| is_painted) else {
             return Self {
                 vertices: (0..mesh.vertex_count() as u32).collect(),
                 coordinates: Vec::new(),

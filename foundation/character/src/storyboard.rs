@@ -1,48 +1,80 @@
 //! The moments of a motion that are shown: key frames, and three in-betweens from each to the next.
 
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
+use ga_anim::skeleton::SkeletonError;
 use ga_render::sheet::Kind;
+use ga_runtime::vga3::Vector;
 
 /// Rows of the sheet of a recording, each from one key frame to the next.
 const ROWS: usize = 4;
 
 /// Steps from a key frame to the next, one more than there are in-betweens.
-pub(crate) const STEPS: usize = 4;
+pub const STEPS: usize = 4;
 
 /// The usual time between the key poses of a walk in seconds, also used between recorded frames
 /// taken as keys.
 const KEY_INTERVAL: f64 = 0.135;
 
 /// A moment to be shown.
-pub(crate) struct Moment {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
     /// The number that stands in its caption.
-    pub(crate) number: usize,
+    pub number: usize,
     /// Seconds from the beginning of the clip.
-    pub(crate) time: f64,
-    pub(crate) kind: Kind,
-    pub(crate) pose: Pose,
+    pub time: f64,
+    /// Whether it is a frame of the clip or between two of them.
+    pub kind: Kind,
+    /// The pose at that moment.
+    pub pose: Pose,
 }
 
 /// The moments in rows of `columns`.
-pub(crate) struct Storyboard {
-    pub(crate) moments: Vec<Moment>,
-    pub(crate) columns: usize,
+#[derive(Clone, Debug, PartialEq)]
+pub struct Storyboard {
+    /// Row by row.
+    pub moments: Vec<Moment>,
+    /// How many moments a row has.
+    pub columns: usize,
 }
 
 /// How the captions number the frames of a clip.
 #[derive(Clone, Copy)]
-pub(crate) struct Numbering {
+struct Numbering {
     /// The number of the clip's first frame.
-    pub(crate) first: usize,
+    first: usize,
     /// What is counted from one frame of the clip to the next.
-    pub(crate) per_frame: usize,
+    per_frame: usize,
 }
 
 impl Storyboard {
+    /// The first rows of a clip whose frames are all key frames, at most this many. In-betweens are
+    /// counted as frames: the second key frame has the number [`STEPS`].
+    #[must_use]
+    pub fn of_keys(clip: &Clip, rows: usize) -> Self {
+        let numbering = Numbering {
+            first: 0,
+            per_frame: STEPS,
+        };
+        Self::new(clip, &spans_of_keys(clip, rows), numbering)
+    }
+
+    /// Four rows of a recording whose first frame has this number, fewer of one with few frames:
+    /// one after the other where they fill it, else evenly spread over it. Their length is a
+    /// multiple of four frames where it can be, so that in-betweens fall on recorded frames.
+    #[must_use]
+    pub fn of_recording(clip: &Clip, first: usize) -> Self {
+        let numbering = Numbering {
+            first,
+            per_frame: 1,
+        };
+        Self::new(clip, &spans_of_recording(clip), numbering)
+    }
+
     /// The rows of a clip for `spans` of its frames, each the first and the last of a row.
     /// In-betweens are found from these two alone, along the screw from one to the other.
-    pub(crate) fn new(clip: &Clip, spans: &[[usize; 2]], numbering: Numbering) -> Self {
+    fn new(clip: &Clip, spans: &[[usize; 2]], numbering: Numbering) -> Self {
         let frames = clip.frames();
         let mut moments = Vec::new();
         let mut columns = 1;
@@ -70,10 +102,28 @@ impl Storyboard {
         }
         Self { moments, columns }
     }
+
+    /// The greatest distance of a joint at any moment from its position in the recording at that
+    /// time.
+    ///
+    /// # Errors
+    ///
+    /// [`SkeletonError`] for a recording of another skeleton.
+    pub fn deviation(&self, character: &Character, recorded: &Clip) -> Result<f64, SkeletonError> {
+        let mut greatest = 0.0f64;
+        for moment in &self.moments {
+            let found = character.joints(&moment.pose)?;
+            let truth = character.joints(&recorded.sample(moment.time))?;
+            let pairs = found.into_iter().zip(truth);
+            let distances = pairs.map(|(a, b)| Vector::from(a).distance(b.into()));
+            greatest = distances.fold(greatest, f64::max);
+        }
+        Ok(greatest)
+    }
 }
 
-/// The first rows of a clip whose frames are all key frames, at most this many.
-pub(crate) fn spans_of_keys(clip: &Clip, rows: usize) -> Vec<[usize; 2]> {
+/// The rows from key frame to key frame, at most this many.
+fn spans_of_keys(clip: &Clip, rows: usize) -> Vec<[usize; 2]> {
     let last = clip.frames().len() - 1;
     match last {
         0 => vec![[0, 0]],
@@ -81,10 +131,8 @@ pub(crate) fn spans_of_keys(clip: &Clip, rows: usize) -> Vec<[usize; 2]> {
     }
 }
 
-/// The rows of a recording, one after the other where they fill it, else evenly spread over it.
-/// Their length is a multiple of four frames where it can be, so that in-betweens fall on recorded
-/// frames.
-pub(crate) fn spans_of_recording(clip: &Clip) -> Vec<[usize; 2]> {
+/// The rows of [`Storyboard::of_recording`].
+fn spans_of_recording(clip: &Clip) -> Vec<[usize; 2]> {
     let last = clip.frames().len() - 1;
     let fours = (KEY_INTERVAL / clip.frame_time() / STEPS as f64).round();
     let long = (fours as usize).clamp(1, last.max(STEPS)) * STEPS;
@@ -146,11 +194,7 @@ mod tests {
     #[test]
     fn in_betweens_are_counted_between_their_keys() {
         let clip = still(5, 10.0);
-        let numbering = Numbering {
-            first: 0,
-            per_frame: 4,
-        };
-        let board = Storyboard::new(&clip, &spans_of_keys(&clip, 3), numbering);
+        let board = Storyboard::of_keys(&clip, 3);
         let numbers: Vec<usize> = board.moments.iter().map(|moment| moment.number).collect();
         assert_eq!(numbers[..10], [0, 1, 2, 3, 4, 4, 5, 6, 7, 8]);
         assert_eq!(numbers.len(), 15);
