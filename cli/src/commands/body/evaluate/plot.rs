@@ -6,7 +6,8 @@ use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::rows::{Method, Row};
+use ga_body::evaluation::{Method, Row};
+
 use crate::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the bars above, and the width of all charts below them with the height of each.
@@ -28,12 +29,12 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// Bars with the 2-D joint errors and the times of all methods at one noise and with the fewest
 /// joints missing, and below them the mean per joint position errors over the noise.
 pub(super) fn svg(rows: &[Row], motion: &Path) -> Result<String> {
-    let least_missing = rows.iter().map(|row| row.missing).fold(1.0, f64::min);
-    let noises = rows.iter().map(|row| row.noise_px);
+    let least_missing = rows.iter().map(|row| row.case.missing).fold(1.0, f64::min);
+    let noises = rows.iter().map(|row| row.case.noise_px);
     let noise = noises.min_by(|a, b| (a - NOISE).abs().total_cmp(&(b - NOISE).abs()));
     let noise = noise.unwrap_or(NOISE);
     let rows: Vec<&Row> = rows.iter().collect();
-    let in_bars = |row: &&Row| row.missing == least_missing && row.noise_px == noise;
+    let in_bars = |row: &&Row| row.case.missing == least_missing && row.case.noise_px == noise;
     let in_bars: Vec<&Row> = rows.iter().copied().filter(in_bars).collect();
 
     let bars = CAPTION + BARS.1 * in_bars.len() as u32 + 16;
@@ -114,7 +115,7 @@ fn draw_bars(
     let room = f64::from((BARS.0 - NAMES - 90) * FINE);
     for (index, row) in rows.iter().enumerate() {
         let top = fine(CAPTION + BARS.1 * index as u32);
-        let name = format!("{}, {}", row.method.name(), counted(row.views));
+        let name = format!("{}, {}", row.method.name(), counted(row.case.views));
         area.draw(&Text::new(name, (fine(16), top + fine(3)), font(13)))?;
         let left = fine(NAMES + 10);
         let right = left + (room * value(row) / most).round() as i32;
@@ -151,18 +152,19 @@ impl Line<'_> {
 fn lines<'a>(rows: &[&'a Row]) -> Vec<Line<'a>> {
     let mut lines: Vec<Line<'a>> = Vec::new();
     for row in rows {
-        let same = |line: &&mut Line| line.method == row.method && line.missing == row.missing;
+        let same = |line: &&mut Line| line.method == row.method && line.missing == row.case.missing;
         match lines.iter_mut().find(same) {
             Some(line) => line.rows.push(row),
             None => lines.push(Line {
                 method: row.method,
-                missing: row.missing,
+                missing: row.case.missing,
                 rows: vec![row],
             }),
         }
     }
     for line in &mut lines {
-        line.rows.sort_by(|a, b| a.noise_px.total_cmp(&b.noise_px));
+        line.rows
+            .sort_by(|a, b| a.case.noise_px.total_cmp(&b.case.noise_px));
     }
     lines.sort_by(|a, b| {
         let by_missing = a.missing.total_cmp(&b.missing);
@@ -179,7 +181,7 @@ fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
     area.draw(&Text::new(title, (fine(16), fine(14)), font(18)))?;
     area.draw(&Text::new(under.to_owned(), (fine(16), fine(38)), font(12)))?;
     let lines = lines(rows);
-    let missing = sorted(rows.iter().map(|row| row.missing));
+    let missing = sorted(rows.iter().map(|row| row.case.missing));
     let shape = |line: &Line| missing.iter().position(|m| *m == line.missing).unwrap_or(0);
     for (index, line) in lines.iter().enumerate() {
         let (column, row) = (index as u32 % LEGEND_COLUMNS, index as u32 / LEGEND_COLUMNS);
@@ -203,7 +205,11 @@ fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
     let charts = charts.split_evenly((views.len().div_ceil(columns.max(1)), columns));
     for (views, chart) in views.into_iter().zip(charts) {
         let of_views = lines.iter().map(|line| {
-            let rows = line.rows.iter().copied().filter(|row| row.views == views);
+            let rows = line
+                .rows
+                .iter()
+                .copied()
+                .filter(|row| row.case.views == views);
             (line.method, shape(line), rows.collect())
         });
         draw_chart(&chart, views, &of_views.collect::<Vec<_>>())?;
@@ -214,7 +220,7 @@ fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
 /// The lines of a number of views: method, mark, and rows.
 fn draw_chart(area: &Area<'_>, views: usize, lines: &[(Method, usize, Vec<&Row>)]) -> Result<()> {
     let rows = || lines.iter().flat_map(|(.., rows)| rows.iter());
-    let noise = rows().map(|row| row.noise_px).fold(0.0, f64::max);
+    let noise = rows().map(|row| row.case.noise_px).fold(0.0, f64::max);
     let error = rows().map(|row| row.mpjpe_mm).fold(0.0, f64::max);
     let (noise, error) = (noise.max(1e-3), error.max(1e-3));
     let font = |size: u32| ("sans-serif", size * FINE);
@@ -241,7 +247,7 @@ fn draw_chart(area: &Area<'_>, views: usize, lines: &[(Method, usize, Vec<&Row>)
         .draw()?;
     for (method, shape, rows) in lines {
         let colour = colour(*method);
-        let points = rows.iter().map(|row| (row.noise_px, row.mpjpe_mm));
+        let points = rows.iter().map(|row| (row.case.noise_px, row.mpjpe_mm));
         chart.draw_series(LineSeries::new(
             points.clone(),
             colour.stroke_width(2 * FINE),
@@ -265,7 +271,7 @@ fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 fn views_of(rows: &[&Row]) -> Vec<usize> {
-    let mut views: Vec<usize> = rows.iter().map(|row| row.views).collect();
+    let mut views: Vec<usize> = rows.iter().map(|row| row.case.views).collect();
     views.sort_unstable();
     views.dedup();
     views
