@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
 
-use crate::format::Format;
+use crate::format::{Format, endings};
 use crate::frame::{Warning, keep_for_failure};
 use crate::standard_output::is_standard_output;
 
@@ -16,6 +16,19 @@ pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
     let warnings = missing_parts(file, warnings);
     keep_for_failure(&warnings);
     Ok((mesh, warnings))
+}
+
+/// The formats of meshes that fit, by their endings.
+pub(crate) fn formats(fits: impl Fn(format::Format) -> bool) -> Vec<Format> {
+    let mut formats = format::Format::ALL.to_vec();
+    formats.retain(|format| fits(*format));
+    formats.sort_by_key(|format| format.endings());
+    formats.into_iter().map(Format::Mesh).collect()
+}
+
+/// The endings of all files that are read, as in `.obj, .ply or .glb`.
+pub(crate) fn read_endings() -> String {
+    endings(&format::Format::ALL.map(Format::Mesh))
 }
 
 /// Warnings of what the file of a mesh refers to that is not there.

@@ -54,7 +54,7 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let (input, out) = (&self.input, &self.output);
-        let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
+        let formats = mesh_file::formats(|_| true);
         let format = context.files([input])?.write("OUT", out, &formats)?;
         let (mesh, mut warnings) = mesh_file::read(input)?;
         let mesh = format::relocated(&mesh, input, out)?;
@@ -71,8 +71,8 @@ impl Command for Arguments {
             }
         }
         output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
-        if format == Format::Obj {
-            let omissions = format::omissions("model.obj", &mesh)?.into_iter();
+        if let Format::Mesh(format) = format {
+            let omissions = format.omissions(&mesh).into_iter();
             warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));
         }
         let files = files.iter().map(|(path, _)| path.display().to_string());
