@@ -1,11 +1,11 @@
 //! `nullcone mesh subdivide`: a smooth surface from a coarse mesh.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Result, anyhow, ensure};
+use anyhow::{Error, Result, ensure};
 use clap::ValueEnum;
 use ga_mesh::format::{self, Options};
-use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, Subdivision, TagText};
+use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, TagText, subdivide};
 use ga_mesh::{Mesh, MeshError};
 use serde::Serialize;
 
@@ -108,18 +108,19 @@ impl Command for Arguments {
 
         let mesh = &format::relocated(&mesh, input, out)?;
         let rules = rules(arguments, mesh);
-        check_size(mesh, rules.scheme, arguments.levels)?;
+        let levels = arguments.levels;
+        let faces = rules.scheme.refined_face_count(mesh.faces(), levels);
+        ensure!(
+            faces <= MOST_FACES,
+            "--levels {levels} would give {faces} faces, more than {MOST_FACES}"
+        );
         let scheme = match rules.scheme {
             Scheme::Loop => "loop",
             Scheme::CatmullClark => "catmull-clark",
         };
-        let mut level = Subdivision::new(mesh, rules, &tags.tags)
-            .map_err(|error| located(error, input, arguments.creases.as_deref(), &tags))?;
         progress.step("subdividing");
-        for _ in 0..arguments.levels {
-            level = level.refined()?;
-        }
-        let fine = level.into_mesh()?;
+        let fine = subdivide(mesh, levels, rules, &tags.tags);
+        let fine = fine.map_err(|error| located(error, arguments, &tags))?;
 
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
@@ -128,7 +129,7 @@ impl Command for Arguments {
         let files = files.iter().map(|(path, _)| path.display().to_string());
         Ok(Report {
             scheme,
-            levels: arguments.levels,
+            levels,
             vertices: fine.vertex_count(),
             faces: fine.faces().len(),
             files: files.collect(),
@@ -155,8 +156,7 @@ fn rules(arguments: &Arguments, mesh: &Mesh) -> Rules {
     let scheme = match arguments.scheme {
         Some(SchemeName::Loop) => Scheme::Loop,
         Some(SchemeName::CatmullClark) => Scheme::CatmullClark,
-        None if mesh.faces().iter().all(|face| face.len() == 3) => Scheme::Loop,
-        None => Scheme::CatmullClark,
+        None => Scheme::of_faces(mesh.faces()),
     };
     Rules {
         boundary: match arguments.boundary {
@@ -171,38 +171,11 @@ fn rules(arguments: &Arguments, mesh: &Mesh) -> Rules {
     }
 }
 
-/// Fails before the work where the result would be too large.
-fn check_size(mesh: &Mesh, scheme: Scheme, levels: u32) -> Result<()> {
-    let faces = match (scheme, levels) {
-        (Scheme::CatmullClark, 1..) => {
-            let corners = mesh.faces().corners().len() as u64;
-            corners.saturating_mul(4_u64.saturating_pow(levels - 1))
-        }
-        _ => (mesh.faces().len() as u64).saturating_mul(4_u64.saturating_pow(levels)),
-    };
-    ensure!(
-        faces <= MOST_FACES,
-        "--levels {levels} would give {faces} faces, more than {MOST_FACES}"
-    );
-    Ok(())
-}
-
 /// An error with the file it comes from, and the line where that is known.
-fn located(
-    error: MeshError,
-    input: &Path,
-    creases: Option<&Path>,
-    tags: &TagText,
-) -> anyhow::Error {
-    let line = match error {
-        MeshError::NoEdge { crease, .. } => tags.crease_lines.get(crease),
-        MeshError::NoVertex { corner, .. } => tags.corner_lines.get(corner),
-        _ => None,
+fn located(error: MeshError, arguments: &Arguments, tags: &TagText) -> Error {
+    let place = match (tags.line_of(&error), &arguments.creases) {
+        (Some(line), Some(path)) => format!("{}: line {line}", path.display()),
+        _ => arguments.input.display().to_string(),
     };
-    match (line, creases) {
-        (Some(line), Some(path)) => {
-            anyhow!(error).context(format!("{}: line {line}", path.display()))
-        }
-        _ => anyhow!(error).context(input.display().to_string()),
-    }
+    Error::new(error).context(place)
 }
