@@ -19,6 +19,7 @@ mod case;
 mod error;
 mod evaluated;
 mod motion;
+mod plot;
 mod rows;
 mod scores;
 mod simulation;

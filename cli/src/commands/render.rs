@@ -12,15 +12,16 @@ use ga_image::plane::Plane;
 use ga_image::{png, y4m};
 use ga_mesh::gltf;
 use ga_render::model::Model;
-use ga_render::{Buffers, Ground, Polyline, Scene, Shading, Style, Visibility, render};
+use ga_render::{
+    Buffers, Ground, Polyline, Scene, Shading, Style, Visibility, buffer_files, render,
+};
 use serde::Serialize;
 
-use crate::buffer_files;
 use crate::camera_file;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
-use crate::output::{self, File};
+use crate::output;
 use crate::view::{View, bounds, camera_path};
 use crate::view_files::{self, ViewFiles};
 
@@ -260,7 +261,7 @@ fn read(path: &Path) -> Result<(Model, Vec<Warning>)> {
 /// The files of a picture or film and of buffers.
 struct Drawing {
     film: Vec<u8>,
-    buffers: Vec<File>,
+    buffers: Vec<(&'static str, Vec<u8>)>,
     /// The files of `--views` and `--camera-out`.
     cameras: Vec<(PathBuf, Vec<u8>)>,
     /// How long drawing the pictures took.
@@ -351,7 +352,7 @@ fn draw(
     let buffers = match (&arguments.buffers, cameras) {
         (Some(_), [camera, ..]) => {
             let buffers = Buffers::new(&scene, camera, style.width, style.height)?;
-            buffer_files::encode(&buffers)?
+            buffer_files::encode(&buffers).context("--buffers")?
         }
         _ => Vec::new(),
     };
@@ -374,7 +375,7 @@ impl Drawing {
         let mut files = vec![(arguments.out.clone(), &self.film)];
         if let Some(folder) = &arguments.buffers {
             let buffers = self.buffers.iter();
-            files.extend(buffers.map(|file| (folder.join(file.name), &file.contents)));
+            files.extend(buffers.map(|(name, contents)| (folder.join(name), contents)));
         }
         let cameras = self.cameras.iter();
         files.extend(cameras.map(|(path, contents)| (path.clone(), contents)));

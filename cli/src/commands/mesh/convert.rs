@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
-use crate::{mesh_file, output};
+use crate::mesh_file::{self, Written};
 
 /// Write a mesh in the format that the ending of the output's name says.
 ///
@@ -42,9 +42,8 @@ pub(crate) struct Arguments {
 /// What is printed.
 #[derive(Serialize)]
 pub(crate) struct Report {
-    vertices: usize,
-    faces: usize,
-    files: Vec<String>,
+    #[serde(flatten)]
+    mesh: Written,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -70,16 +69,13 @@ impl Command for Arguments {
                 refuse_other_contents(path, contents)?;
             }
         }
-        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        let written = mesh_file::write(&mesh, &files)?;
         if let Format::Mesh(format) = format {
             let omissions = format.omissions(&mesh).into_iter();
             warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));
         }
-        let files = files.iter().map(|(path, _)| path.display().to_string());
         Ok(Report {
-            vertices: mesh.vertex_count(),
-            faces: mesh.faces().len(),
-            files: files.collect(),
+            mesh: written,
             warnings,
         })
     }
@@ -87,7 +83,7 @@ impl Command for Arguments {
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let lines = self.files.iter().map(|file| format!("wrote {file}\n"));
+        let lines = self.mesh.files.iter().map(|file| format!("wrote {file}\n"));
         lines.collect()
     }
 

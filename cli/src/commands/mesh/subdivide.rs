@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
-use crate::{mesh_file, output};
+use crate::mesh_file::{self, Written};
 
 /// A result of more faces than this is taken for a mistake.
 const MOST_FACES: u64 = 100_000_000;
@@ -83,9 +83,8 @@ enum CreaseMethodName {
 pub(crate) struct Report {
     scheme: &'static str,
     levels: u32,
-    vertices: usize,
-    faces: usize,
-    files: Vec<String>,
+    #[serde(flatten)]
+    mesh: Written,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -124,15 +123,12 @@ impl Command for Arguments {
 
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
-        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        let written = mesh_file::write(&fine, &files)?;
         drop(progress);
-        let files = files.iter().map(|(path, _)| path.display().to_string());
         Ok(Report {
             scheme,
             levels,
-            vertices: fine.vertex_count(),
-            faces: fine.faces().len(),
-            files: files.collect(),
+            mesh: written,
             warnings,
         })
     }
@@ -140,11 +136,13 @@ impl Command for Arguments {
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let out = self.files.first().map_or("", String::as_str);
-        format!(
-            "wrote {out}: {} vertices, {} faces\n",
-            self.vertices, self.faces
-        )
+        let Written {
+            vertices,
+            faces,
+            files,
+        } = &self.mesh;
+        let out = files.first().map_or("", String::as_str);
+        format!("wrote {out}: {vertices} vertices, {faces} faces\n")
     }
 
     fn warnings(&self) -> Option<&[Warning]> {

@@ -12,6 +12,7 @@
 //! assert!(page.into_html().starts_with("<!DOCTYPE html>"));
 //! ```
 
+pub mod chart;
 mod page;
 mod svg;
 

@@ -1,7 +1,5 @@
 //! `nullcone body evaluate`: how accurately bodies are reconstructed.
 
-mod plot;
-
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
@@ -137,7 +135,8 @@ impl Command for Arguments {
         let evaluation = evaluation.with_context(|| file.clone())?;
         drop(progress);
         if let Some(path) = &self.plot {
-            let svg = plot::svg(&evaluation.rows, &self.motion);
+            let name = self.motion.file_name().unwrap_or(self.motion.as_os_str());
+            let svg = evaluation.plot(&name.to_string_lossy());
             let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
             output::write(path, svg.as_bytes())?;
         }
