@@ -97,5 +97,10 @@ mod tests {
         // 3 and 4; 5 and 5.
         assert_eq!(found.of_frames, [Some(12.5f64.sqrt()), Some(5.0), None]);
         assert_eq!(found.of_views, [Some((59.0f64 / 3.0).sqrt()), Some(4.0)]);
+        let bad: Vec<_> = found.bad_frames().collect();
+        assert_eq!(bad, [(0, 12.5f64.sqrt()), (1, 5.0)]);
+        let (small, seen) = frame(vec![vec![Some(2.9)], vec![Some(3.1)]], 1.0);
+        let found = Agreement::new(&[small], &[seen]);
+        assert_eq!(found.bad_views().collect::<Vec<_>>(), [(1, 3.1)]);
     }
 }

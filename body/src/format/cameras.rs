@@ -52,3 +52,65 @@ fn only_named(cameras: &[NamedCamera], name: &str) -> Option<usize> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_camera::Intrinsics;
+    use ga_runtime::cga3::Motor;
+
+    use super::*;
+    use crate::format::JointView;
+
+    /// Cameras that differ in their focal lengths, of these pictures.
+    fn cameras(pictures: &[&str]) -> Vec<NamedCamera> {
+        let camera = |(index, picture): (usize, &&str)| {
+            let focal_length = 100.0 * (1.0 + index as f64);
+            let intrinsics = Intrinsics::new([focal_length; 2], [0.0; 2]).unwrap();
+            let mut camera = NamedCamera::new("", intrinsics);
+            camera.picture = Some((*picture).into());
+            camera.pose = Some(Motor::default());
+            camera
+        };
+        pictures.iter().enumerate().map(camera).collect()
+    }
+
+    fn matched(views: &[&str], pictures: &[&str]) -> Result<Vec<f64>, JointsError> {
+        let view = |name: &&str| JointView {
+            name: (*name).to_owned(),
+            frames: vec![vec![None]],
+        };
+        let views = views.iter().map(view).collect();
+        let joints = JointViews::new(vec!["Hips".to_owned()], None, views)?;
+        let found = joints.match_cameras(&cameras(pictures))?;
+        Ok(found
+            .iter()
+            .map(|camera| camera.intrinsics.focal()[0])
+            .collect())
+    }
+
+    #[test]
+    fn views_have_the_cameras_of_their_pictures_or_those_in_their_places() {
+        let pictures = ["p/a.png", "p/b.png", "c.png"];
+        assert_eq!(matched(&["c", "a.png"], &pictures).unwrap(), [300.0, 100.0]);
+        assert_eq!(
+            matched(&["x", "y", "z"], &pictures).unwrap(),
+            [100.0, 200.0, 300.0]
+        );
+        let error = |views: &[&str]| matched(views, &pictures).unwrap_err();
+        assert!(matches!(
+            error(&["x", "y"]),
+            JointsError::CameraCount {
+                views: 2,
+                cameras: 3
+            }
+        ));
+        assert!(matches!(error(&["a", "y"]), JointsError::NoPicture { view } if view == "y"));
+        assert!(matches!(
+            error(&["a", "a.png"]),
+            JointsError::SamePicture { .. }
+        ));
+        // A name of two pictures is that of none.
+        let twice = matched(&["a", "b"], &["p/a.png", "q/a.png", "b.png"]).unwrap_err();
+        assert!(matches!(twice, JointsError::NoPicture { view } if view == "a"));
+    }
+}
