@@ -34,8 +34,11 @@ use crate::{BodyError, BodyModel, Observation};
 ///     head: [0.0, y, 0.0],
 ///     tail: [0.0, y + 0.3, 0.0],
 /// };
-/// let arm = [joint("Shoulder", None, 0.0), joint("Elbow", Some(0), 0.3), joint("Wrist", Some(1), 0.6)];
-/// let arm = Rigged::of_skeleton(&Skeleton::new(arm.to_vec())?);
+/// let arm = Rigged::of_skeleton(&Skeleton::new(vec![
+///     joint("Shoulder", None, 0.0),
+///     joint("Elbow", Some(0), 0.3),
+///     joint("Wrist", Some(1), 0.6),
+/// ])?);
 /// // 4 m in front of a camera, and upright.
 /// let joints = JointViews::decode(br#"{"version": 1, "joints": ["Shoulder", "Elbow", "Wrist"],
 ///     "views": [{"name": "front", "frames": [[[0, 0], [0, -75], [0, -150]]]}]}"#)?;
@@ -184,7 +187,8 @@ impl<'a> CharacterFit<'a> {
     /// these, `done` is told how many frames of how many are fitted.
     ///
     /// # Errors
-    /// Those of [`BodyFit::clip`], [`BodyError::FrameRate`] among them; where a frame cannot be fitted by itself, [`BodyError::Frame`].
+    /// Those of [`BodyFit::clip`], [`BodyError::FrameRate`] among them; where a frame cannot be
+    /// fitted by itself, [`BodyError::Frame`].
     pub fn fit(
         self,
         frames_per_second: f64,

@@ -11,8 +11,8 @@
 //! Scores are means over frames, in metres and in pixels. The joints that were not found are left
 //! out, so scores of methods that find other joints are to be read with the part that each found.
 //!
-//! An [`Evaluation`] compares three [methods](Method) on a recorded [`Motion`], for each [`Case`] of
-//! noise, number of cameras and missing joints. Its tables and its plot have the shapes of Cui's
+//! An [`Evaluation`] compares three [methods](Method) on a recorded [`Motion`], for each [`Case`]
+//! of noise, number of cameras and missing joints. Its tables and its plot have the shapes of Cui's
 //! tables 2 and 3 and figs 9 and 10.
 
 mod case;
