@@ -1,6 +1,7 @@
 //! How far fitted poses are from their pixels, in the standard deviations of these.
 
 pub use crate::likelihood::OUTLIER;
+use crate::mean_square::MeanSquare;
 use crate::{FittedPose, Observation};
 
 /// The root mean squares of distances from pixels, each in the standard deviation of its pixel, so
@@ -18,44 +19,43 @@ impl Agreement {
     #[must_use]
     pub fn new(fitted: &[FittedPose], observations: &[Observation]) -> Self {
         let views = fitted.first().map_or(0, |fit| fit.residuals_px.len());
-        let mut of_views = vec![Sum::default(); views];
+        let mut of_views = vec![MeanSquare::default(); views];
         let of_frames = fitted.iter().zip(observations).map(|(fit, observation)| {
-            let mut of_frame = Sum::default();
+            let mut of_frame = MeanSquare::default();
             let seen = fit.residuals_px.iter().zip(&observation.views);
             for ((residuals, pixels), of_view) in seen.zip(&mut of_views) {
                 for (residual, pixel) in residuals.iter().zip(pixels) {
                     if let (Some(residual), Some(pixel)) = (residual, pixel) {
-                        let square = (residual / pixel.deviation).powi(2);
-                        of_frame.add(square);
-                        of_view.add(square);
+                        let deviations = residual / pixel.deviation;
+                        of_frame.add(deviations);
+                        of_view.add(deviations);
                     }
                 }
             }
-            of_frame.root_mean_square()
+            of_frame.root()
         });
         let of_frames = of_frames.collect();
         Self {
-            of_views: of_views.iter().map(Sum::root_mean_square).collect(),
+            of_views: of_views.iter().map(MeanSquare::root).collect(),
             of_frames,
         }
     }
-}
 
-#[derive(Clone, Default)]
-struct Sum {
-    squares: f64,
-    count: usize,
-}
-
-impl Sum {
-    fn add(&mut self, square: f64) {
-        self.squares += square;
-        self.count += 1;
+    /// The numbers of the views that are fitted badly, and how far they are from their pixels: more
+    /// than [`OUTLIER`] standard deviations.
+    pub fn bad_views(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        bad(&self.of_views)
     }
 
-    fn root_mean_square(&self) -> Option<f64> {
-        (self.count > 0).then(|| (self.squares / self.count as f64).sqrt())
+    /// The same of frames.
+    pub fn bad_frames(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        bad(&self.of_frames)
     }
+}
+
+fn bad(values: &[Option<f64>]) -> impl Iterator<Item = (usize, f64)> + '_ {
+    let numbered = values.iter().enumerate();
+    numbered.filter_map(|(index, value)| Some((index, value.filter(|value| *value > OUTLIER)?)))
 }
 
 #[cfg(test)]
@@ -97,5 +97,10 @@ mod tests {
         // 3 and 4; 5 and 5.
         assert_eq!(found.of_frames, [Some(12.5f64.sqrt()), Some(5.0), None]);
         assert_eq!(found.of_views, [Some((59.0f64 / 3.0).sqrt()), Some(4.0)]);
+        let bad: Vec<_> = found.bad_frames().collect();
+        assert_eq!(bad, [(0, 12.5f64.sqrt()), (1, 5.0)]);
+        let (small, seen) = frame(vec![vec![Some(2.9)], vec![Some(3.1)]], 1.0);
+        let found = Agreement::new(&[small], &[seen]);
+        assert_eq!(found.bad_views().collect::<Vec<_>>(), [(1, 3.1)]);
     }
 }

@@ -1,5 +1,6 @@
 //! Why no pose can be fitted.
 
+use ga_anim::MotionFileError;
 use ga_anim::kinematics::KinematicsError;
 use ga_anim::skeleton::SkeletonError;
 use ga_camera::CameraError;
@@ -110,6 +111,9 @@ pub enum BodyError {
     /// The lengths found do not form a skeleton.
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),
+    /// The lengths found do not fit the character.
+    #[error(transparent)]
+    Character(#[from] MotionFileError),
     /// There are other numbers of points and of marks.
     #[error("{found} marks for the {expected} points of the body")]
     Marks {

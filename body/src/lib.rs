@@ -7,6 +7,7 @@
 //! | [`Observation`] | for each view the pixels of these points, as far as they were seen |
 //! | [`BodyFit`] | the expected pose of a frame by itself, the most likely poses of a clip |
 //! | [`FittedPose`] | motors, points and what remains in the pictures |
+//! | [`character`] | a character in the poses of a person in views |
 //! | [`marked`] | bodies with coloured dots on their skin, in pictures |
 //! | [`marker`] | painted discs that say which point they are |
 //! | [`format`](mod@format) | files of joints in pictures: COCO's, OpenPose's and our own |
@@ -71,6 +72,7 @@
 pub mod agreement;
 mod branched;
 mod chain;
+pub mod character;
 mod clip;
 mod descent;
 mod error;
@@ -83,6 +85,7 @@ mod lengths;
 mod likelihood;
 pub mod marked;
 pub mod marker;
+mod mean_square;
 mod model;
 mod normal;
 pub mod pose_error;

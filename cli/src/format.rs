@@ -14,6 +14,8 @@ pub(crate) enum Format {
     Gltf,
     Html,
     Json,
+    /// Any format of meshes.
+    Mesh(ga_mesh::format::Format),
     Obj,
     Pfm,
     Ply,
@@ -36,6 +38,7 @@ impl Format {
             Self::Gltf => &["gltf"],
             Self::Html => &["html", "htm"],
             Self::Json => &["json"],
+            Self::Mesh(format) => format.endings(),
             Self::Obj => &["obj"],
             Self::Pfm => &["pfm"],
             Self::Ply => &["ply"],
@@ -63,7 +66,12 @@ impl Format {
 /// The endings of some formats, as in `.svg, .html or .htm`.
 pub(crate) fn endings(formats: &[Format]) -> String {
     let all = formats.iter().flat_map(|format| format.endings());
-    let all: Vec<String> = all.map(|ending| format!(".{ending}")).collect();
+    listed(all.map(|ending| format!(".{ending}")))
+}
+
+/// Words as in `a, b or c`.
+pub(crate) fn listed(words: impl IntoIterator<Item = String>) -> String {
+    let all: Vec<String> = words.into_iter().collect();
     match all.split_last() {
         Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
         _ => all.concat(),

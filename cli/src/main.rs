@@ -1,7 +1,6 @@
 //! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
 //! into its compiler.
 
-mod buffer_files;
 mod camera_file;
 mod commands;
 mod examples;

@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
+use serde::Serialize;
 
-use crate::format::Format;
+use crate::format::{Format, endings};
 use crate::frame::{Warning, keep_for_failure};
+use crate::output;
 use crate::standard_output::is_standard_output;
 
 /// Reads a mesh, with warnings of what its file refers to that is not there.
@@ -18,6 +20,19 @@ pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
     Ok((mesh, warnings))
 }
 
+/// The formats of meshes that fit, by their endings.
+pub(crate) fn formats(fits: impl Fn(format::Format) -> bool) -> Vec<Format> {
+    let mut formats = format::Format::ALL.to_vec();
+    formats.retain(|format| fits(*format));
+    formats.sort_by_key(|format| format.endings());
+    formats.into_iter().map(Format::Mesh).collect()
+}
+
+/// The endings of all files that are read, as in `.obj, .ply or .glb`.
+pub(crate) fn read_endings() -> String {
+    endings(&format::Format::ALL.map(Format::Mesh))
+}
+
 /// Warnings of what the file of a mesh refers to that is not there.
 pub(crate) fn missing_parts(
     file: &Path,
@@ -26,6 +41,25 @@ pub(crate) fn missing_parts(
     let sentences = sentences.into_iter();
     let warnings = sentences.map(|text| Warning::new("missing_part", text).in_file(file));
     warnings.collect()
+}
+
+/// What is reported of a mesh that was written.
+#[derive(Debug, Serialize)]
+pub(crate) struct Written {
+    pub(crate) vertices: usize,
+    pub(crate) faces: usize,
+    pub(crate) files: Vec<String>,
+}
+
+/// Writes the [files](files()) of a mesh, all or none.
+pub(crate) fn write(mesh: &Mesh, files: &[(PathBuf, Vec<u8>)]) -> Result<Written> {
+    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+    let paths = files.iter().map(|(path, _)| path.display().to_string());
+    Ok(Written {
+        vertices: mesh.vertex_count(),
+        faces: mesh.faces().len(),
+        files: paths.collect(),
+    })
 }
 
 /// The paths and contents of the files of a mesh, that at `out` first.

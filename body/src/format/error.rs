@@ -1,5 +1,7 @@
 //! What is wrong with files of joints.
 
+use ga_camera::format::CameraFileError;
+
 /// What is wrong with a file of joints.
 #[derive(Debug, thiserror::Error)]
 pub enum JointsError {
@@ -134,6 +136,32 @@ pub enum JointsError {
         /// How many this one has.
         found: usize,
     },
+    /// There is not a camera for each view, and no view has the name of a picture.
+    #[error(
+        "the joints are in {views} views, whose names are not those of pictures, and there are \
+         {cameras} cameras"
+    )]
+    CameraCount {
+        /// How many views there are.
+        views: usize,
+        /// How many cameras there are.
+        cameras: usize,
+    },
+    /// A view has not the name of a picture, and others have.
+    #[error("no picture has the name of the view {view:?}")]
+    NoPicture {
+        /// The name of the view.
+        view: String,
+    },
+    /// Two views belong to one picture.
+    #[error("the views {:?} and {:?} are of one picture", views[0], views[1])]
+    SamePicture {
+        /// The names of the views.
+        views: [String; 2],
+    },
+    /// A camera cannot be used.
+    #[error(transparent)]
+    Camera(#[from] CameraFileError),
     /// The deviation of a joint of confidence 1 is not positive and finite.
     #[error("{0} px is not the standard deviation of a joint")]
     Deviation(f64),

@@ -16,6 +16,7 @@
 //! counts c times (F. Bogo et al., "Keep it SMPL", ECCV 2016, eq. 2), so that its standard
 //! deviation is `σ / √c` with that of a joint of confidence 1. A joint of confidence 0 is missing.
 
+mod cameras;
 pub mod coco;
 pub mod correspondence;
 mod detections;

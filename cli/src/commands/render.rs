@@ -12,10 +12,11 @@ use ga_image::{frames, png, y4m};
 use ga_mesh::gltf;
 use ga_render::model::{self, Model};
 use ga_render::view_file::{self, ViewFiles};
-use ga_render::{Buffers, Shading, Style, View, Viewpoint, ViewpointError, render};
+use ga_render::{
+    Buffers, Shading, Style, View, Viewpoint, ViewpointError, buffer_files, render,
+};
 use serde::Serialize;
 
-use crate::buffer_files;
 use crate::camera_file;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
@@ -347,12 +348,8 @@ fn draw(
         let mut files = vec![(arguments.out.clone(), film??)];
         if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
             let buffers = Buffers::new(scene, first, style.width, style.height)?;
-            let encoded = buffer_files::encode(&buffers)?;
-            files.extend(
-                encoded
-                    .into_iter()
-                    .map(|file| (folder.join(file.name), file.contents)),
-            );
+            let encoded = buffer_files::encode(&buffers).context("--buffers")?.into_iter();
+            files.extend(encoded.map(|(name, contents)| (folder.join(name), contents)));
         }
         files.extend(pictures_with_views.map_or(Ok(Vec::new()), ViewFiles::finish)?);
         if let (Some(path), [first, ..]) = (&arguments.camera_out, views) {

@@ -6,11 +6,11 @@ use std::time::Instant;
 use anyhow::{Context as _, Result, ensure};
 use clap::builder::RangedI64ValueParser;
 use ga_camera::format::NamedCamera;
-use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
+use ga_vision::texture::{self, Options, View, texture_mesh};
 use serde::Serialize;
 
 use crate::camera_file;
-use crate::format::Format;
+use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
 use crate::output;
@@ -46,8 +46,7 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The mesh: .obj, .ply, .glb or .gltf.
-    #[arg(value_name = "MESH")]
+    #[arg(value_name = "MESH", help = format!("The mesh: {}", mesh_file::read_endings()))]
     mesh: PathBuf,
     /// The cameras, see above; or a folder with them in views.json.
     #[arg(long, value_name = "VIEWS.json")]
@@ -55,8 +54,7 @@ pub(crate) struct Arguments {
     /// The pictures of the cameras, in their order, where the file names none.
     #[arg(long, value_name = "PICTURE", num_args = 1..)]
     pictures: Vec<PathBuf>,
-    /// The textured model: .glb, .gltf or .obj.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help = format!("The textured model: {}", endings(&formats())))]
     out: PathBuf,
     /// The side of the texture, in texels; at most 8192.
     #[arg(long, value_name = "TEXELS", default_value_t = 2048, value_parser = size())]
@@ -77,6 +75,11 @@ pub(crate) struct Arguments {
     keep_exposure: bool,
 }
 
+/// The formats that keep the picture.
+fn formats() -> Vec<Format> {
+    mesh_file::formats(ga_mesh::format::Format::keeps_materials)
+}
+
 /// Sizes that textures may have.
 fn size() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=8192)
@@ -93,8 +96,7 @@ impl Command for Arguments {
                 .into_iter()
                 .chain(&arguments.pictures),
         )?;
-        // Formats that hold pictures.
-        let format = files.write("--out", out, &[Format::Glb, Format::Gltf, Format::Obj])?;
+        let format = files.write("--out", out, &formats())?;
         let begin = Instant::now();
         let progress = context.progress(8);
         progress.step("reading");
@@ -114,7 +116,8 @@ impl Command for Arguments {
         Ok(Report {
             out: out.display().to_string(),
             warnings,
-            ..Report::new(&textured, begin.elapsed().as_secs_f64())
+            texture: textured.report,
+            seconds: begin.elapsed().as_secs_f64(),
         })
     }
 }
@@ -167,55 +170,9 @@ pub(crate) struct Report {
     out: String,
     #[serde(skip)]
     warnings: Vec<Warning>,
-    size_texels: u32,
-    unwrapped: bool,
-    charts: usize,
-    utilisation: f64,
-    overlapping_texels: usize,
-    covered_texels: usize,
-    filled_texels: usize,
-    views: Vec<ViewReport>,
+    #[serde(flatten)]
+    texture: texture::Report,
     seconds: f64,
-}
-
-/// What is printed of a view.
-#[derive(Serialize)]
-struct ViewReport {
-    picture: String,
-    seen_texels: usize,
-    best_texels: usize,
-    overlapping_views: usize,
-    gain_red_green_blue: [f64; 3],
-    facing_triangles: usize,
-    affine_triangles: usize,
-}
-
-impl Report {
-    fn new(textured: &Textured, seconds: f64) -> Self {
-        let report = &textured.report;
-        let view = |view: &texture::ViewReport| ViewReport {
-            picture: view.name.clone(),
-            seen_texels: view.seen_texels,
-            best_texels: view.best_texels,
-            overlapping_views: view.overlapping_views,
-            gain_red_green_blue: view.gain,
-            facing_triangles: view.facing_triangles,
-            affine_triangles: view.affine_triangles,
-        };
-        Self {
-            out: String::new(),
-            warnings: Vec::new(),
-            size_texels: report.size,
-            unwrapped: report.unwrapped,
-            charts: report.charts,
-            utilisation: report.utilisation,
-            overlapping_texels: report.overlapping_texels,
-            covered_texels: report.covered_texels,
-            filled_texels: report.filled_texels,
-            views: report.views.iter().map(view).collect(),
-            seconds,
-        }
-    }
 }
 
 impl frame::Report for Report {
@@ -224,25 +181,23 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let atlas = if self.unwrapped { "a new" } else { "its own" };
-        let share = |part: usize, whole: usize| 100.0 * part as f64 / whole.max(1) as f64;
+        let of = &self.texture;
+        let atlas = if of.unwrapped { "a new" } else { "its own" };
+        let share = |part: usize| 100.0 * part as f64 / of.covered_texels.max(1) as f64;
         let mut text = format!(
             "{}: {} texels a side, {atlas} atlas of {} charts, {} texels on the surface\n",
-            self.out, self.size_texels, self.charts, self.covered_texels
+            self.out, of.size, of.charts, of.covered_texels
         );
-        for view in &self.views {
-            let [red, green, blue] = view.gain_red_green_blue;
+        for view in &of.views {
+            let [red, green, blue] = view.gain;
             text += &format!(
                 "{}: sees {:.1} %, is the best for {:.1} %, gain {red:.3} {green:.3} {blue:.3}\n",
-                view.picture,
-                share(view.seen_texels, self.covered_texels),
-                share(view.best_texels, self.covered_texels)
+                view.name,
+                share(view.seen_texels),
+                share(view.best_texels)
             );
         }
-        text + &format!(
-            "{:.1} % seen by no view and filled; done in {:.2} s\n",
-            share(self.filled_texels, self.covered_texels),
-            self.seconds
-        )
+        let (filled, seconds) = (share(of.filled_texels), self.seconds);
+        text + &format!("{filled:.1} % seen by no view and filled; done in {seconds:.2} s\n")
     }
 }

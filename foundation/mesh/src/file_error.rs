@@ -10,10 +10,12 @@ use crate::{FormatError, MeshError};
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The name of the file has no ending that stands for a format.
-    #[error("{}: the name of a mesh file must end in .obj, .ply, .glb or .gltf", path.display())]
+    #[error("{}: the name of a mesh file must end in {}", path.display(), listed(endings))]
     Unknown {
         /// The file.
         path: PathBuf,
+        /// The endings of all formats, without the point.
+        endings: Vec<&'static str>,
     },
     /// The file could not be read, or its contents are wrong.
     #[error(transparent)]
@@ -39,4 +41,12 @@ pub enum FileError {
     /// The data do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+}
+
+/// Endings as in `.obj, .glb or .gltf`.
+fn listed(endings: &[&str]) -> String {
+    match endings {
+        [others @ .., last] if !others.is_empty() => format!(".{} or .{last}", others.join(", .")),
+        endings => endings.concat(),
+    }
 }

@@ -7,7 +7,7 @@ use ga_files::ReadError;
 
 use crate::{FileError, Image, Mesh, gltf, obj, ply};
 
-/// A format of mesh files.
+/// A format of mesh files. All are read and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Wavefront OBJ; see [`obj`].
@@ -25,7 +25,94 @@ pub struct Options {
     pub ply: ply::Encoding,
 }
 
+/// A mesh, with a sentence for each thing that its file refers to and that is not there.
+type Read = (Mesh, Vec<String>);
+
+/// The names, the first of which does not count, and contents of files.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// What is known of a format.
+struct Description {
+    name: &'static str,
+    /// The usual one first.
+    endings: &'static [&'static str],
+    keeps_materials: bool,
+    read: fn(&Path) -> Result<Read, FileError>,
+    files: fn(&Path, &Mesh, &Options) -> Result<Files, FileError>,
+    /// What is left out of a mesh, a sentence each.
+    omissions: fn(&Mesh) -> Vec<String>,
+}
+
 impl Format {
+    /// All formats.
+    pub const ALL: [Self; 3] = [Self::Obj, Self::Ply, Self::Gltf];
+
+    /// The table of the formats. All else that is said of them here follows from it.
+    const fn description(self) -> &'static Description {
+        match self {
+            Self::Obj => &Description {
+                name: "Wavefront OBJ with MTL",
+                endings: &["obj"],
+                keeps_materials: true,
+                read: |path| {
+                    let (mesh, warnings) = obj::read_with_warnings(path)?;
+                    Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
+                },
+                files: |path, mesh, _| Ok(obj::files(path, mesh)),
+                omissions: textures_without_place,
+            },
+            Self::Ply => &Description {
+                name: "PLY",
+                endings: &["ply"],
+                keeps_materials: false,
+                read: |path| Ok((ply::read(path)?, Vec::new())),
+                files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
+                omissions: |_| Vec::new(),
+            },
+            Self::Gltf => &Description {
+                name: "glTF 2.0",
+                endings: &["glb", "gltf"],
+                keeps_materials: true,
+                read: |path| {
+                    let mesh = gltf::read(path)?.to_mesh(gltf::Vertices::Merged);
+                    let wrong = |problem| ReadError::Contents {
+                        path: path.to_path_buf(),
+                        problem,
+                    };
+                    Ok((mesh.map_err(wrong)?, Vec::new()))
+                },
+                files: |path, mesh, _| gltf::mesh_files(path, mesh),
+                omissions: |_| Vec::new(),
+            },
+        }
+    }
+
+    /// The name for people, as `glTF 2.0`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.description().name
+    }
+
+    /// The endings of the names of its files in small letters, without the point, the usual one
+    /// first.
+    #[must_use]
+    pub fn endings(self) -> &'static [&'static str] {
+        self.description().endings
+    }
+
+    /// Whether the faces of a mesh keep their materials, and these their pictures.
+    #[must_use]
+    pub fn keeps_materials(self) -> bool {
+        self.description().keeps_materials
+    }
+
+    /// What the format cannot hold of a mesh although it keeps the like, a sentence each: textures
+    /// that MTL cannot place.
+    #[must_use]
+    pub fn omissions(self, mesh: &Mesh) -> Vec<String> {
+        (self.description().omissions)(mesh)
+    }
+
     /// The format that the ending of a file's name stands for, in small or capital letters.
     ///
     /// # Errors
@@ -44,14 +131,17 @@ impl Format {
     pub fn of_path(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let ending = path.extension().and_then(OsStr::to_str).unwrap_or("");
-        match ending.to_ascii_lowercase().as_str() {
-            "obj" => Ok(Format::Obj),
-            "ply" => Ok(Format::Ply),
-            "glb" | "gltf" => Ok(Format::Gltf),
-            _ => Err(FileError::Unknown {
-                path: path.to_path_buf(),
-            }),
-        }
+        let fits = |known: &&str| ending.eq_ignore_ascii_case(known);
+        let mut formats = Self::ALL.into_iter();
+        let found = formats.find(|format| format.endings().iter().any(fits));
+        found.ok_or_else(|| FileError::Unknown {
+            path: path.to_path_buf(),
+            endings: Self::ALL
+                .iter()
+                .flat_map(|format| format.endings())
+                .copied()
+                .collect(),
+        })
     }
 }
 
@@ -68,23 +158,7 @@ impl Format {
 /// [`FileError`].
 pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
     let path = path.as_ref();
-    match Format::of_path(path)? {
-        Format::Obj => {
-            let (mesh, warnings) = obj::read_with_warnings(path)?;
-            let warnings = warnings.iter().map(ToString::to_string).collect();
-            Ok((mesh, warnings))
-        }
-        Format::Ply => Ok((ply::read(path)?, Vec::new())),
-        Format::Gltf => {
-            let document = gltf::read(path)?;
-            let mesh = document.to_mesh(gltf::Vertices::Merged);
-            let mesh = mesh.map_err(|problem| ReadError::Contents {
-                path: path.to_path_buf(),
-                problem,
-            })?;
-            Ok((mesh, Vec::new()))
-        }
-    }
+    (Format::of_path(path)?.description().read)(path)
 }
 
 /// Writes a mesh and the files beside it, all of them or none.
@@ -93,12 +167,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
 ///
 /// [`FileError`].
 pub fn write(path: impl AsRef<Path>, mesh: &Mesh, options: &Options) -> Result<(), FileError> {
-    let path = path.as_ref();
-    match Format::of_path(path)? {
-        Format::Obj => Ok(obj::write(path, mesh)?),
-        Format::Ply => Ok(ply::write(path, mesh, options.ply)?),
-        Format::Gltf => Ok(gltf::write_mesh(path, mesh)?),
-    }
+    let files = encode_files(path, mesh, options)?;
+    let files = files.iter().map(|(path, contents)| (path, &contents[..]));
+    Ok(ga_files::write_together(files)?)
 }
 
 /// The paths and contents of the files that [`write()`] writes: that at `path` first, then those
@@ -127,11 +198,7 @@ pub fn encode_files(
     options: &Options,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, FileError> {
     let path = path.as_ref();
-    let files = match Format::of_path(path)? {
-        Format::Obj => obj::files(path, mesh),
-        Format::Ply => vec![(String::new(), ply::encode(mesh, options.ply))],
-        Format::Gltf => gltf::mesh_files(path, mesh)?,
-    };
+    let files = (Format::of_path(path)?.description().files)(path, mesh, options)?;
     let files = files.into_iter().enumerate();
     let files = files.map(|(index, (name, contents))| match index {
         0 => (path.to_path_buf(), contents),
@@ -140,16 +207,8 @@ pub fn encode_files(
     Ok(files.collect())
 }
 
-/// What the format of a path cannot hold of the materials of a mesh, a sentence each: textures that
-/// MTL cannot place.
-///
-/// # Errors
-///
-/// [`FileError::Unknown`].
-pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, FileError> {
-    if Format::of_path(path)? != Format::Obj {
-        return Ok(Vec::new());
-    }
+/// The textures that MTL cannot place, a sentence for each material and reason.
+fn textures_without_place(mesh: &Mesh) -> Vec<String> {
     let mut sentences = Vec::new();
     for material in mesh.materials() {
         for (kind, count) in [
@@ -171,7 +230,7 @@ pub fn omissions(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<String>, Fil
             }
         }
     }
-    Ok(sentences)
+    sentences
 }
 
 /// The mesh of a file as it is to be written to another file: where that lies in another folder,

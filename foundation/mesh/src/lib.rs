@@ -12,7 +12,7 @@
 //! | [`Material`], [`Texture`] | the appearance of faces |
 //! | [`bounds`] | the box around points |
 //! | [`Part`] | the faces of one group as a mesh of their own |
-//! | [`atlas`] | cuts a surface into charts and places them in a texture |
+//! | [`atlas`], [`MeshAtlas`] | cuts a surface into charts and places them in a texture |
 //! | [`bake`] | maps of a fine surface for a coarse one: normals, displacement, colour, occlusion |
 //! | [`query`] | nearest points, rays, overlaps |
 //! | [`geodesic`] | distances along the surface |
@@ -21,6 +21,7 @@
 //! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`ply`] | reads and writes PLY |
 //! | [`mod@format`] | reads and writes files by the ending of their names |
+//! | [`Summary`] | what a mesh consists of, in numbers |
 //! | [`topology`] | edges, rings, components; a report on what is irregular |
 //! | [`gltf`] | reads and writes glTF with materials, skins and animations |
 //!
@@ -51,6 +52,7 @@ pub mod gltf;
 mod lists;
 mod material;
 mod mesh;
+mod mesh_atlas;
 pub mod normals;
 pub mod obj;
 mod places;
@@ -58,6 +60,7 @@ pub mod ply;
 mod polylines;
 pub mod query;
 pub mod subdivision;
+mod summary;
 pub mod tangents;
 mod texture_space_error;
 pub mod topology;
@@ -70,6 +73,8 @@ pub use file_error::FileError;
 pub use format_error::FormatError;
 pub use material::{AlphaMode, Filter, Image, Material, Minification, Phong, Texture, Wrap};
 pub use mesh::{Group, Mesh, Part, Position};
+pub use mesh_atlas::MeshAtlas;
 pub use places::bounds;
 pub use polylines::Polylines;
+pub use summary::{Bounds, Fault, NamedFaces, Summary};
 pub use texture_space_error::TextureSpaceError;

@@ -41,6 +41,7 @@
 mod appearance;
 pub mod bake;
 mod barycentric;
+pub mod buffer_files;
 mod buffers;
 mod check;
 mod clip;

@@ -4,11 +4,10 @@ use std::collections::HashMap;
 
 use crate::texture::TextureError;
 use ga_mesh::atlas::{self, Options};
-use ga_mesh::bake::corner_coordinates;
 use ga_mesh::normals::area_vector;
 use ga_mesh::query::Bvh;
 use ga_mesh::topology::Edges;
-use ga_mesh::{Faces, Mesh};
+use ga_mesh::{Mesh, MeshAtlas};
 use ga_runtime::vga3::Vector;
 
 /// A mesh with an atlas, and what the projection of views needs of it.
@@ -49,28 +48,13 @@ impl Target {
         if triangles.is_empty() {
             return Err(TextureError::NoTriangles);
         }
-        let own = mesh
-            .texture_coordinates()
-            .filter(|own| !unwrap && own.corners.iter().all(Option::is_some))
-            .and_then(|_| corner_coordinates(mesh, 0));
-        let unwrapped = own.is_none();
-        let (mesh, coordinates, report) = match own {
-            Some(own) => {
-                // Others have chosen its margins.
-                let options = Options {
-                    margin_texels: 0,
-                    ..*options
-                };
-                let report = atlas::measure(&places, &triangles, &own, &options)?;
-                (mesh.clone(), own, report)
-            }
-            None => {
-                let atlas = atlas::unwrap(&places, &triangles, options)?;
-                let mesh = triangulated(mesh)?
-                    .with_texture_coordinates(vec![atlas.texture_coordinates()])?;
-                (mesh, atlas.coordinates, atlas.report)
-            }
-        };
+        // Others have chosen the margins of its own coordinates.
+        let MeshAtlas {
+            mesh: placed,
+            coordinates,
+            report,
+            is_new,
+        } = MeshAtlas::new(mesh, options, unwrap, 0)?;
         let positions: Vec<Vector<f64>> = places.iter().copied().map(Vector::from).collect();
         let corners = |t: &[u32; 3]| t.map(|vertex| positions[vertex as usize]);
         let normal = |t: &[u32; 3]| area_vector(corners(t)).normalized().unwrap_or_default();
@@ -87,8 +71,8 @@ impl Target {
         }
         let side = |[on_surface, in_texture]: [f64; 2]| (on_surface / in_texture).sqrt();
         Ok(Self {
-            mesh,
-            unwrapped,
+            mesh: if is_new { placed } else { mesh.clone() },
+            unwrapped: is_new,
             report,
             bvh: Bvh::new(&places, &triangles)?,
             positions,
@@ -107,18 +91,6 @@ impl Target {
         let corner = |vertex: u32| self.positions[vertex as usize];
         self.triangles.iter().map(move |t| t.map(corner))
     }
-}
-
-/// The same surface in triangles, with its normals.
-fn triangulated(mesh: &Mesh) -> Result<Mesh, TextureError> {
-    let faces = Faces::from_uniform(mesh.triangles())?;
-    let triangles = Mesh::new(mesh.positions().to_vec(), faces)?;
-    let Some(normals) = mesh.normals() else {
-        return Ok(triangles);
-    };
-    let corners = mesh.faces().corner_triangles();
-    let corners = corners.as_flattened().iter().map(|&corner| corner as usize);
-    Ok(triangles.with_normals(normals.at_corners(corners))?)
 }
 
 /// The chart of each triangle, their number, and the seams between charts. Triangles with a common

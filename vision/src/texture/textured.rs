@@ -6,6 +6,7 @@ use crate::texture::TextureError;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::{Image, Material, Mesh, Texture, Wrap};
+use serde::Serialize;
 
 /// A mesh with a texture from views.
 #[derive(Clone, Debug)]
@@ -20,9 +21,10 @@ pub struct Textured {
 }
 
 /// The figures of a texture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The side of the texture in texels.
+    #[serde(rename = "size_texels")]
     pub size: u32,
     /// Whether a new atlas was made.
     pub unwrapped: bool,
@@ -41,9 +43,10 @@ pub struct Report {
 }
 
 /// What a view contributed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ViewReport {
     /// Its name.
+    #[serde(rename = "picture")]
     pub name: String,
     /// Texels that it sees.
     pub seen_texels: usize,
@@ -53,6 +56,7 @@ pub struct ViewReport {
     /// exposure of the view compares with those of others.
     pub overlapping_views: usize,
     /// The factors of its linear red, green and blue that level its exposure.
+    #[serde(rename = "gain_red_green_blue")]
     pub gain: [f64; 3],
     /// Triangles whose front faces the camera.
     pub facing_triangles: usize,

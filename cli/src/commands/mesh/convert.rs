@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
-use crate::{mesh_file, output};
+use crate::mesh_file::{self, Written};
 
 /// Write a mesh in the format that the ending of the output's name says.
 ///
@@ -42,9 +42,8 @@ pub(crate) struct Arguments {
 /// What is printed.
 #[derive(Serialize)]
 pub(crate) struct Report {
-    vertices: usize,
-    faces: usize,
-    files: Vec<String>,
+    #[serde(flatten)]
+    mesh: Written,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -54,7 +53,7 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let (input, out) = (&self.input, &self.output);
-        let formats = [Format::Glb, Format::Gltf, Format::Obj, Format::Ply];
+        let formats = mesh_file::formats(|_| true);
         let format = context.files([input])?.write("OUT", out, &formats)?;
         let (mesh, mut warnings) = mesh_file::read(input)?;
         let mesh = format::relocated(&mesh, input, out)?;
@@ -70,16 +69,13 @@ impl Command for Arguments {
                 refuse_other_contents(path, contents)?;
             }
         }
-        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
-        if format == Format::Obj {
-            let omissions = format::omissions("model.obj", &mesh)?.into_iter();
+        let written = mesh_file::write(&mesh, &files)?;
+        if let Format::Mesh(format) = format {
+            let omissions = format.omissions(&mesh).into_iter();
             warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));
         }
-        let files = files.iter().map(|(path, _)| path.display().to_string());
         Ok(Report {
-            vertices: mesh.vertex_count(),
-            faces: mesh.faces().len(),
-            files: files.collect(),
+            mesh: written,
             warnings,
         })
     }
@@ -87,7 +83,7 @@ impl Command for Arguments {
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let lines = self.files.iter().map(|file| format!("wrote {file}\n"));
+        let lines = self.mesh.files.iter().map(|file| format!("wrote {file}\n"));
         lines.collect()
     }
 

@@ -1,10 +1,10 @@
 //! `nullcone mesh info`: what a mesh consists of, and whether it is a regular surface.
 
-use std::path::{Path, PathBuf};
+use std::fmt::Display;
+use std::path::PathBuf;
 
 use anyhow::Result;
-use ga_mesh::topology::Report;
-use ga_mesh::{Group, Mesh};
+use ga_mesh::{Fault, Summary};
 use serde::Serialize;
 
 use crate::frame::{self, Check, Command, Context, Verdict, Warning};
@@ -40,10 +40,17 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Info> {
         context.files([&self.file])?;
-        let (mesh, warnings) = mesh_file::read(&self.file)?;
-        let mut info = Info::new(&mesh, warnings);
-        info.warn(&self.file);
-        Ok(info)
+        let (mesh, mut warnings) = mesh_file::read(&self.file)?;
+        let summary = Summary::of_mesh(&mesh);
+        warnings.extend(summary.faults().into_iter().map(|fault| {
+            let kind = match fault {
+                Fault::NotManifold { .. } => "not_manifold",
+                Fault::NotOriented { .. } => "not_oriented",
+                Fault::Degenerate { .. } => "degenerate_faces",
+            };
+            Warning::new(kind, fault).in_file(&self.file)
+        }));
+        Ok(Info { summary, warnings })
     }
 
     fn is_check(&self) -> bool {
@@ -54,131 +61,10 @@ impl Command for Arguments {
 /// What is said about a mesh.
 #[derive(Debug, Serialize)]
 pub(crate) struct Info {
-    vertices: usize,
-    faces: usize,
-    edges: usize,
-    components: usize,
-    euler_characteristic: i64,
-    boundary_edges: usize,
-    non_manifold_edges: usize,
-    boundary_loops: usize,
-    non_manifold_vertices: usize,
-    inconsistent_edges: usize,
-    manifold: bool,
-    oriented: bool,
-    orientable: bool,
-    closed: bool,
-    genus: Option<u64>,
-    unreferenced_vertices: usize,
-    duplicate_vertices: usize,
-    degenerate_faces: usize,
-    duplicate_faces: usize,
-    triangles: usize,
-    quadrilaterals: usize,
-    larger_polygons: usize,
-    corners: usize,
-    texture_coordinates: usize,
-    normals: usize,
-    tangents: usize,
-    vertex_colours: bool,
-    polylines: usize,
-    points: usize,
-    bounds: Option<Bounds>,
-    groups: Vec<Part>,
-    objects: Vec<Part>,
-    materials: Vec<Part>,
+    #[serde(flatten)]
+    summary: Summary,
     #[serde(skip)]
     warnings: Vec<Warning>,
-}
-
-/// The least and the greatest coordinates, in the unit of the file.
-#[derive(Debug, Serialize)]
-struct Bounds {
-    min: [f64; 3],
-    max: [f64; 3],
-}
-
-/// A named set of faces, and how many there are.
-#[derive(Debug, Serialize)]
-struct Part {
-    name: String,
-    faces: usize,
-}
-
-impl Info {
-    fn new(mesh: &Mesh, warnings: Vec<Warning>) -> Self {
-        let report = Report::of_mesh(mesh);
-        let with_corners = |count: usize| mesh.faces().iter().filter(|f| f.len() == count).count();
-        let (triangles, quadrilaterals) = (with_corners(3), with_corners(4));
-        Self {
-            vertices: report.vertices,
-            faces: report.faces,
-            edges: report.edges,
-            components: report.components,
-            euler_characteristic: report.euler_characteristic,
-            boundary_edges: report.boundary_edges,
-            non_manifold_edges: report.non_manifold_edges.len(),
-            boundary_loops: report.boundary_loops.len(),
-            non_manifold_vertices: report.non_manifold_vertices.len(),
-            inconsistent_edges: report.inconsistent_edges.len(),
-            manifold: report.is_manifold(),
-            oriented: report.is_oriented(),
-            orientable: report.orientable,
-            closed: report.is_closed(),
-            genus: report.genus,
-            unreferenced_vertices: report.unreferenced_vertices.len(),
-            duplicate_vertices: report.duplicate_vertices.len(),
-            degenerate_faces: report.degenerate_faces.len(),
-            duplicate_faces: report.duplicate_faces.len(),
-            triangles,
-            quadrilaterals,
-            larger_polygons: report.faces - triangles - quadrilaterals,
-            corners: mesh.faces().corners().len(),
-            texture_coordinates: mesh.texture_coordinates().map_or(0, |set| set.values.len()),
-            normals: mesh.normals().map_or(0, |normals| normals.values.len()),
-            tangents: mesh.tangents().map_or(0, |tangents| tangents.values.len()),
-            vertex_colours: mesh.colours().is_some(),
-            polylines: mesh.polylines().len(),
-            points: mesh.points().len(),
-            bounds: mesh.bounds().map(|[min, max]| Bounds { min, max }),
-            groups: parts(mesh.groups()),
-            objects: parts(mesh.objects()),
-            materials: materials(mesh),
-            warnings,
-        }
-    }
-}
-
-impl Info {
-    /// Adds a warning for each reason why the mesh is not a regular surface.
-    fn warn(&mut self, file: &Path) {
-        let reasons = [
-            (
-                !self.manifold,
-                "not_manifold",
-                format!(
-                    "the surface is not manifold at {} edges and {} vertices",
-                    self.non_manifold_edges, self.non_manifold_vertices
-                ),
-            ),
-            (
-                !self.oriented,
-                "not_oriented",
-                format!(
-                    "the faces at {} edges have opposite orientations",
-                    self.inconsistent_edges
-                ),
-            ),
-            (
-                self.degenerate_faces > 0,
-                "degenerate_faces",
-                format!("{} faces are degenerate", self.degenerate_faces),
-            ),
-        ];
-        let found = reasons.into_iter().filter(|(is_found, ..)| *is_found);
-        let found = found.map(|(_, kind, text)| Warning::new(kind, text).in_file(file));
-        self.warnings.extend(found);
-    }
 }
 
 impl frame::Report for Info {
@@ -196,87 +82,58 @@ impl frame::Report for Info {
 
     /// A line for each number, the sets of faces below.
     fn text(&self) -> String {
-        let yes = |holds: bool| if holds { "yes" } else { "no" }.to_owned();
-        let genus = self
+        let of = &self.summary;
+        let yes = |holds: bool| if holds { "yes" } else { "no" };
+        let genus = of
             .genus
             .map_or("undefined".to_owned(), |genus| genus.to_string());
-        let mut lines = vec![
-            ("vertices", self.vertices.to_string()),
-            ("faces", self.faces.to_string()),
-            ("  triangles", self.triangles.to_string()),
-            ("  quadrilaterals", self.quadrilaterals.to_string()),
-            ("  larger polygons", self.larger_polygons.to_string()),
-            ("edges", self.edges.to_string()),
-            ("components", self.components.to_string()),
-            (
-                "Euler characteristic",
-                self.euler_characteristic.to_string(),
-            ),
-            ("genus", genus),
-            ("boundary edges", self.boundary_edges.to_string()),
-            ("boundary loops", self.boundary_loops.to_string()),
-            ("non-manifold edges", self.non_manifold_edges.to_string()),
-            (
-                "non-manifold vertices",
-                self.non_manifold_vertices.to_string(),
-            ),
-            ("inconsistent edges", self.inconsistent_edges.to_string()),
-            ("manifold", yes(self.manifold)),
-            ("oriented", yes(self.oriented)),
-            ("closed", yes(self.closed)),
-            (
-                "unreferenced vertices",
-                self.unreferenced_vertices.to_string(),
-            ),
-            ("duplicate vertices", self.duplicate_vertices.to_string()),
-            ("degenerate faces", self.degenerate_faces.to_string()),
-            ("duplicate faces", self.duplicate_faces.to_string()),
-            ("texture coordinates", self.texture_coordinates.to_string()),
-            ("normals", self.normals.to_string()),
-            ("tangents", self.tangents.to_string()),
-            ("vertex colours", yes(self.vertex_colours)),
-            ("polylines", self.polylines.to_string()),
-            ("points", self.points.to_string()),
+        let numbers: [(&str, &dyn Display); 27] = [
+            ("vertices", &of.vertices),
+            ("faces", &of.faces),
+            ("  triangles", &of.triangles),
+            ("  quadrilaterals", &of.quadrilaterals),
+            ("  larger polygons", &of.larger_polygons),
+            ("edges", &of.edges),
+            ("components", &of.components),
+            ("Euler characteristic", &of.euler_characteristic),
+            ("genus", &genus),
+            ("boundary edges", &of.boundary_edges),
+            ("boundary loops", &of.boundary_loops),
+            ("non-manifold edges", &of.non_manifold_edges),
+            ("non-manifold vertices", &of.non_manifold_vertices),
+            ("inconsistent edges", &of.inconsistent_edges),
+            ("manifold", &yes(of.manifold)),
+            ("oriented", &yes(of.oriented)),
+            ("closed", &yes(of.closed)),
+            ("unreferenced vertices", &of.unreferenced_vertices),
+            ("duplicate vertices", &of.duplicate_vertices),
+            ("degenerate faces", &of.degenerate_faces),
+            ("duplicate faces", &of.duplicate_faces),
+            ("texture coordinates", &of.texture_coordinates),
+            ("normals", &of.normals),
+            ("tangents", &of.tangents),
+            ("vertex colours", &yes(of.vertex_colours)),
+            ("polylines", &of.polylines),
+            ("points", &of.points),
         ];
-        if let Some(Bounds { min, max }) = &self.bounds {
-            lines.push(("least coordinates", format!("{min:?}")));
-            lines.push(("greatest coordinates", format!("{max:?}")));
-        }
-        let mut table = String::new();
-        for (name, value) in lines {
-            table += &format!("{name:<24}{value}\n");
-        }
-        for (kind, parts) in [
-            ("group", &self.groups),
-            ("object", &self.objects),
-            ("material", &self.materials),
-        ] {
-            for Part { name, faces } in parts {
-                table += &format!("{kind:<24}{name}, {faces} faces\n");
-            }
-        }
-        table
+        let numbers = numbers.map(|(name, value)| (name, value.to_string()));
+        let bounds = of.bounds.iter().flat_map(|bounds| {
+            [
+                ("least coordinates", format!("{:?}", bounds.min)),
+                ("greatest coordinates", format!("{:?}", bounds.max)),
+            ]
+        });
+        let sets = [
+            ("group", &of.groups),
+            ("object", &of.objects),
+            ("material", &of.materials),
+        ];
+        let sets = sets.into_iter().flat_map(|(kind, sets)| {
+            let faces = sets.iter();
+            faces.map(move |set| (kind, format!("{}, {} faces", set.name, set.faces)))
+        });
+        let lines = numbers.into_iter().chain(bounds).chain(sets);
+        let lines = lines.map(|(name, value)| format!("{name:<24}{value}\n"));
+        lines.collect()
     }
-}
-
-fn parts(groups: &[Group]) -> Vec<Part> {
-    let parts = groups.iter().map(|group| Part {
-        name: group.name.clone(),
-        faces: group.faces.len(),
-    });
-    parts.collect()
-}
-
-fn materials(mesh: &Mesh) -> Vec<Part> {
-    let mut faces = vec![0; mesh.materials().len()];
-    for material in mesh.face_materials().iter().flatten() {
-        faces[*material as usize] += 1;
-    }
-    let materials = mesh.materials().iter().zip(faces);
-    materials
-        .map(|(material, faces)| Part {
-            name: material.name.clone(),
-            faces,
-        })
-        .collect()
 }

@@ -9,17 +9,30 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::Subcommand;
+use ga_mesh::format::Format;
 
+use crate::format::listed;
 use crate::frame::{self, Context};
 
 /// Examine, convert and refine polygon meshes, and bake maps for them.
-///
-/// Files may be Wavefront OBJ with MTL (.obj), PLY (.ply) or glTF 2.0 (.glb, .gltf); the ending of
-/// the name says which.
 #[derive(Clone, Debug, clap::Args)]
+#[command(long_about = long_about())]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     command: Command,
+}
+
+/// With the formats of the files.
+fn long_about() -> String {
+    let named = |format: Format| {
+        let endings = format.endings().join(", .");
+        format!("{} (.{endings})", format.name())
+    };
+    format!(
+        "Examine, convert and refine polygon meshes, and bake maps for them.\n\nFiles may be {}; the \
+         ending of the name says which.",
+        listed(Format::ALL.map(named))
+    )
 }
 
 #[derive(Clone, Debug, Subcommand)]

@@ -1,17 +1,17 @@
 //! `nullcone mesh subdivide`: a smooth surface from a coarse mesh.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Result, anyhow, ensure};
+use anyhow::{Error, Result, ensure};
 use clap::ValueEnum;
 use ga_mesh::format::{self, Options};
-use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, Subdivision, TagText};
+use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, TagText, subdivide};
 use ga_mesh::{Mesh, MeshError};
 use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
-use crate::{mesh_file, output};
+use crate::mesh_file::{self, Written};
 
 /// A result of more faces than this is taken for a mistake.
 const MOST_FACES: u64 = 100_000_000;
@@ -83,9 +83,8 @@ enum CreaseMethodName {
 pub(crate) struct Report {
     scheme: &'static str,
     levels: u32,
-    vertices: usize,
-    faces: usize,
-    files: Vec<String>,
+    #[serde(flatten)]
+    mesh: Written,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -108,30 +107,28 @@ impl Command for Arguments {
 
         let mesh = &format::relocated(&mesh, input, out)?;
         let rules = rules(arguments, mesh);
-        check_size(mesh, rules.scheme, arguments.levels)?;
+        let levels = arguments.levels;
+        let faces = rules.scheme.refined_face_count(mesh.faces(), levels);
+        ensure!(
+            faces <= MOST_FACES,
+            "--levels {levels} would give {faces} faces, more than {MOST_FACES}"
+        );
         let scheme = match rules.scheme {
             Scheme::Loop => "loop",
             Scheme::CatmullClark => "catmull-clark",
         };
-        let mut level = Subdivision::new(mesh, rules, &tags.tags)
-            .map_err(|error| located(error, input, arguments.creases.as_deref(), &tags))?;
         progress.step("subdividing");
-        for _ in 0..arguments.levels {
-            level = level.refined()?;
-        }
-        let fine = level.into_mesh()?;
+        let fine = subdivide(mesh, levels, rules, &tags.tags);
+        let fine = fine.map_err(|error| located(error, arguments, &tags))?;
 
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
-        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        let written = mesh_file::write(&fine, &files)?;
         drop(progress);
-        let files = files.iter().map(|(path, _)| path.display().to_string());
         Ok(Report {
             scheme,
-            levels: arguments.levels,
-            vertices: fine.vertex_count(),
-            faces: fine.faces().len(),
-            files: files.collect(),
+            levels,
+            mesh: written,
             warnings,
         })
     }
@@ -139,11 +136,13 @@ impl Command for Arguments {
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let out = self.files.first().map_or("", String::as_str);
-        format!(
-            "wrote {out}: {} vertices, {} faces\n",
-            self.vertices, self.faces
-        )
+        let Written {
+            vertices,
+            faces,
+            files,
+        } = &self.mesh;
+        let out = files.first().map_or("", String::as_str);
+        format!("wrote {out}: {vertices} vertices, {faces} faces\n")
     }
 
     fn warnings(&self) -> Option<&[Warning]> {
@@ -155,8 +154,7 @@ fn rules(arguments: &Arguments, mesh: &Mesh) -> Rules {
     let scheme = match arguments.scheme {
         Some(SchemeName::Loop) => Scheme::Loop,
         Some(SchemeName::CatmullClark) => Scheme::CatmullClark,
-        None if mesh.faces().iter().all(|face| face.len() == 3) => Scheme::Loop,
-        None => Scheme::CatmullClark,
+        None => Scheme::of_faces(mesh.faces()),
     };
     Rules {
         boundary: match arguments.boundary {
@@ -171,38 +169,11 @@ fn rules(arguments: &Arguments, mesh: &Mesh) -> Rules {
     }
 }
 
-/// Fails before the work where the result would be too large.
-fn check_size(mesh: &Mesh, scheme: Scheme, levels: u32) -> Result<()> {
-    let faces = match (scheme, levels) {
-        (Scheme::CatmullClark, 1..) => {
-            let corners = mesh.faces().corners().len() as u64;
-            corners.saturating_mul(4_u64.saturating_pow(levels - 1))
-        }
-        _ => (mesh.faces().len() as u64).saturating_mul(4_u64.saturating_pow(levels)),
-    };
-    ensure!(
-        faces <= MOST_FACES,
-        "--levels {levels} would give {faces} faces, more than {MOST_FACES}"
-    );
-    Ok(())
-}
-
 /// An error with the file it comes from, and the line where that is known.
-fn located(
-    error: MeshError,
-    input: &Path,
-    creases: Option<&Path>,
-    tags: &TagText,
-) -> anyhow::Error {
-    let line = match error {
-        MeshError::NoEdge { crease, .. } => tags.crease_lines.get(crease),
-        MeshError::NoVertex { corner, .. } => tags.corner_lines.get(corner),
-        _ => None,
+fn located(error: MeshError, arguments: &Arguments, tags: &TagText) -> Error {
+    let place = match (tags.line_of(&error), &arguments.creases) {
+        (Some(line), Some(path)) => format!("{}: line {line}", path.display()),
+        _ => arguments.input.display().to_string(),
     };
-    match (line, creases) {
-        (Some(line), Some(path)) => {
-            anyhow!(error).context(format!("{}: line {line}", path.display()))
-        }
-        _ => anyhow!(error).context(input.display().to_string()),
-    }
+    Error::new(error).context(place)
 }

@@ -47,6 +47,9 @@ pub struct Camera {
     pub world_to_camera: Motor<f64>,
 }
 
+/// From y up and z backwards to y down and z forwards, and back.
+const HALF_TURN_ABOUT_X: Rotor<f64> = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
+
 /// A pixel with its derivatives.
 ///
 /// The pose varies by twists on the left, `M' = exp(G) M` with the
@@ -76,12 +79,20 @@ impl Camera {
         up: [f64; 3],
     ) -> Option<Self> {
         let view = Motor::look_at(eye, target, up.into()).ok()?;
-        // From y up and z backwards to y down and z forwards.
-        let half_turn_about_x = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
         Some(Self {
             intrinsics,
-            world_to_camera: half_turn_about_x * view,
+            world_to_camera: HALF_TURN_ABOUT_X * view,
         })
+    }
+
+    /// The same camera in a world that has y up and z backwards, where its own had y down and z
+    /// forwards, as the frame of a camera has.
+    #[must_use]
+    pub fn in_world_with_y_up(self) -> Self {
+        Self {
+            world_to_camera: self.world_to_camera * Motor::from(HALF_TURN_ABOUT_X),
+            ..self
+        }
     }
 
     /// The camera's centre in the world.

@@ -49,7 +49,7 @@ pub struct Document {
     /// The images.
     pub images: Vec<Image>,
     /// The cameras.
-    pub cameras: Vec<Camera>,
+    pub cameras: Vec<CameraElement>,
     /// Data of an application.
     pub extras: Extras,
 }
@@ -116,7 +116,7 @@ pub enum Transform {
 
 /// How a scene is projected onto a picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Camera {
+pub struct CameraElement {
     /// Its name.
     pub name: Option<String>,
     /// The projection.

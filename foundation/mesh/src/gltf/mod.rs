@@ -6,7 +6,7 @@
 //!
 //! | what | types |
 //! | --- | --- |
-//! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`Camera`] |
+//! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`CameraElement`] |
 //! | geometry | [`Mesh`], [`Primitive`], [`MorphTarget`], [`CustomAttribute`] |
 //! | motion | [`Skin`], [`Animation`], [`Channel`], [`Keys`] |
 //! | appearance | [`MaterialElement`], [`TextureElement`], [`Sampler`], [`Image`] |
@@ -49,7 +49,7 @@ mod writer;
 pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
 pub(crate) use convert::mesh_files;
 pub use convert::{Target, Vertices, read_mesh, write_mesh};
-pub use document::{Asset, Camera, Document, Node, Projection, Scene, Transform};
+pub use document::{Asset, CameraElement, Document, Node, Projection, Scene, Transform};
 pub use extras::Extras;
 pub use material::{
     Image, ImageSource, MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform,

@@ -1,5 +1,7 @@
 //! Which rules a subdivision follows.
 
+use crate::Faces;
+
 /// How faces are split and smoothed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scheme {
@@ -22,6 +24,36 @@ pub enum Scheme {
 }
 
 impl Scheme {
+    /// Loop's where all faces are triangles, otherwise Catmull and Clark's.
+    #[must_use]
+    pub fn of_faces(faces: &Faces) -> Self {
+        match faces.iter().all(|face| face.len() == 3) {
+            true => Self::Loop,
+            false => Self::CatmullClark,
+        }
+    }
+
+    /// How many faces there are after a number of levels, or the greatest number where there are
+    /// more than that.
+    ///
+    /// ```
+    /// use ga_mesh::Faces;
+    /// use ga_mesh::subdivision::Scheme;
+    ///
+    /// let pentagon = Faces::from_polygons([[0, 1, 2, 3, 4]])?;
+    /// let scheme = Scheme::of_faces(&pentagon);
+    /// assert_eq!([0, 1, 2].map(|n| scheme.refined_face_count(&pentagon, n)), [1, 5, 20]);
+    /// # Ok::<(), ga_mesh::MeshError>(())
+    /// ```
+    #[must_use]
+    pub fn refined_face_count(self, faces: &Faces, levels: u32) -> u64 {
+        let (first, levels) = match (self, levels) {
+            (Self::CatmullClark, 1..) => (faces.corners().len(), levels - 1),
+            _ => (faces.len(), levels),
+        };
+        (first as u64).saturating_mul(4_u64.saturating_pow(levels))
+    }
+
     /// How many corners the faces of a refined mesh have.
     pub(super) fn face_size(self) -> u32 {
         match self {

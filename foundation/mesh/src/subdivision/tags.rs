@@ -87,6 +87,16 @@ impl TagText {
         Ok(text)
     }
 
+    /// The line of the tag that an error is about.
+    #[must_use]
+    pub fn line_of(&self, error: &MeshError) -> Option<usize> {
+        match error {
+            MeshError::NoEdge { crease, .. } => self.crease_lines.get(*crease).copied(),
+            MeshError::NoVertex { corner, .. } => self.corner_lines.get(*corner).copied(),
+            _ => None,
+        }
+    }
+
     fn push_line(&mut self, line: usize, bytes: &[u8]) -> Result<(), TagProblem> {
         let bytes = bytes.split(|&byte| byte == b'#').next().unwrap_or_default();
         let text = std::str::from_utf8(bytes).map_err(|_| TagProblem::NotText)?;

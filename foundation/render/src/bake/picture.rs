@@ -4,10 +4,11 @@ use ga_image::colour::{LinearColour, SrgbEncoder};
 use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_mesh::bake::Map;
+use serde::Serialize;
 
 /// What the numbers of a displacement map mean: code 0 is the minimum and code 65535 the maximum,
 /// in the unit of the meshes, and codes between are linear.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HeightRange {
     /// The height of code 0.
     pub minimum: f64,

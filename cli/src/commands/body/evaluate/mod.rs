@@ -1,23 +1,16 @@
 //! `nullcone body evaluate`: how accurately bodies are reconstructed.
 
-mod plot;
-mod report;
-mod rows;
-mod scene;
-mod table;
-
 use std::path::PathBuf;
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, ensure};
+use ga_body::evaluation::{Case, Evaluation, Motion, MotionOptions};
+use serde::Serialize;
 
 use crate::format::Format;
-use crate::frame::{Command, Context};
+use crate::frame::{self, Command, Context, Warning};
 use crate::motion_file;
 use crate::output;
 use crate::recording::begins_with_calibration;
-use report::Report;
-use rows::Case;
-use scene::{Motion, Unit};
 
 /// Measure how accurately bodies are reconstructed from their joints in pictures.
 ///
@@ -98,55 +91,61 @@ pub(crate) struct Arguments {
 /// Greater numbers of cameras say nothing new and take long.
 const MOST_VIEWS: usize = 32;
 
+/// What is reported of an evaluation.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    motion: String,
+    #[serde(flatten)]
+    evaluation: Evaluation,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn text(&self) -> String {
+        format!("{}: {}", self.motion, self.evaluation.tables())
+    }
+}
+
 impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        evaluate(self, context)
+        check(self, context)?;
+        let file = self.motion.display().to_string();
+        let mut warnings = Vec::new();
+        let recorded = motion_file::read(&self.motion, &mut warnings)?;
+        let options = MotionOptions {
+            metres_per_unit: self.metres_per_unit,
+            first: usize::from(begins_with_calibration(&recorded)),
+            every: self.every,
+            most: self.frames,
+        };
+        let motion = Motion::new(&recorded, &options).with_context(|| file.clone())?;
+
+        let cases = Case::combinations(&self.noise, &self.views, &self.missing);
+        let progress = context.progress(cases.len() as u64);
+        progress.step("reconstructing");
+        let done = |done: usize, of: usize| progress.at(done as u64, of as u64);
+        let evaluation = Evaluation::new(&motion, &cases, self.seed, done);
+        let evaluation = evaluation.with_context(|| file.clone())?;
+        drop(progress);
+        if let Some(path) = &self.plot {
+            let name = self.motion.file_name().unwrap_or(self.motion.as_os_str());
+            let svg = evaluation.plot(&name.to_string_lossy());
+            let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
+            output::write(path, svg.as_bytes())?;
+        }
+        Ok(Report {
+            motion: file,
+            evaluation,
+            warnings,
+        })
     }
-}
-
-fn evaluate(arguments: &Arguments, context: &Context) -> Result<Report> {
-    check(arguments, context)?;
-    let file = arguments.motion.display().to_string();
-    let mut warnings = Vec::new();
-    let recorded = motion_file::read(&arguments.motion, &mut warnings)?;
-    let unit = match arguments.metres_per_unit {
-        Some(unit) => Unit::Given(unit),
-        None => Unit::Likely,
-    };
-    let first = usize::from(begins_with_calibration(&recorded));
-    let motion = Motion::new(&recorded, unit, first, arguments.every, arguments.frames);
-    let motion = motion.with_context(|| file.clone())?;
-
-    let cases = cases(arguments);
-    let progress = context.progress(cases.len() as u64);
-    progress.step("reconstructing");
-    let done = |done: usize, of: usize| progress.at(done as u64, of as u64);
-    let rows = rows::measure(&motion, &cases, arguments.seed, done);
-    let rows = rows.with_context(|| file.clone())?;
-    drop(progress);
-
-    let report = Report {
-        motion: file,
-        data: "this motion, seen by synthetic cameras; not Human3.6M",
-        metres_per_unit: motion.metres_per_unit,
-        joints: motion.model.points().len(),
-        frames: motion.frame_count(),
-        frames_per_second: motion.frames_per_second,
-        distance_metres: scene::DISTANCE,
-        baseline_metres: scene::BASELINE,
-        focal_length_px: scene::FOCAL_LENGTH,
-        seed: arguments.seed,
-        rows,
-        warnings,
-    };
-    if let Some(path) = &arguments.plot {
-        let svg = plot::svg(&report.rows, &arguments.motion);
-        let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
-        output::write(path, svg.as_bytes())?;
-    }
-    Ok(report)
 }
 
 fn check(arguments: &Arguments, context: &Context) -> Result<()> {
@@ -155,8 +154,8 @@ fn check(arguments: &Arguments, context: &Context) -> Result<()> {
         ("--views", arguments.views.is_empty()),
         ("--missing", arguments.missing.is_empty()),
     ];
-    if let Some((option, _)) = lists.iter().find(|(_, is_empty)| *is_empty) {
-        bail!("{option} needs a number or several");
+    for (option, is_empty) in lists {
+        ensure!(!is_empty, "{option} needs a number or several");
     }
     for noise in &arguments.noise {
         ensure!(
@@ -186,20 +185,4 @@ fn check(arguments: &Arguments, context: &Context) -> Result<()> {
     let mut files = context.files([&arguments.motion])?;
     files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
     Ok(())
-}
-
-fn cases(arguments: &Arguments) -> Vec<Case> {
-    let mut cases = Vec::new();
-    for &missing in &arguments.missing {
-        for &views in &arguments.views {
-            for &noise_px in &arguments.noise {
-                cases.push(Case {
-                    noise_px,
-                    views,
-                    missing,
-                });
-            }
-        }
-    }
-    cases
 }

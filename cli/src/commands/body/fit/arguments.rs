@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use ga_body::Lengths;
 use ga_body::format::DetectorOptions;
 
 use super::cameras::CameraFiles;
@@ -108,6 +109,15 @@ pub(super) enum FitLengths {
     Size,
     /// A factor for each bone.
     Bones,
+}
+
+impl From<FitLengths> for Lengths {
+    fn from(lengths: FitLengths) -> Self {
+        match lengths {
+            FitLengths::Size => Self::OneFactor,
+            FitLengths::Bones => Self::EachBone,
+        }
+    }
 }
 
 /// The name of the person that the program makes itself.

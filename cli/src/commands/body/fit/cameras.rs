@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use ga_body::format::JointViews;
 use ga_camera::Camera;
-use ga_camera::format::{self, NamedCamera};
-use ga_runtime::cga3::{Motor, Rotor};
+use ga_camera::format;
+use ga_runtime::cga3::Motor;
 
 use crate::camera_file::{ChosenPair, about};
 
@@ -44,7 +44,8 @@ impl CameraFiles {
                 self.chosen.refuse(
                     "it chooses cameras of --rig; those of --views have the names of views",
                 )?;
-                of_views(path, joints)
+                let cameras = joints.match_cameras(&format::read(path)?.cameras);
+                cameras.with_context(|| path.display().to_string())
             }
             (None, None) => bail!("--rig or --views is needed: the cameras"),
         }
@@ -53,13 +54,13 @@ impl CameraFiles {
 
 fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<Camera>> {
     let found = match views {
-        1 => vec![Camera {
-            intrinsics: chosen
-                .read_one(path)?
-                .intrinsics()
-                .map_err(|error| about(path, error))?,
-            world_to_camera: Motor::default(),
-        }],
+        1 => {
+            let intrinsics = chosen.read_one(path)?.intrinsics();
+            vec![Camera {
+                intrinsics: intrinsics.map_err(|error| about(path, error))?,
+                world_to_camera: Motor::default(),
+            }]
+        }
         2 => {
             let rig = chosen.read(path)?.rig;
             vec![rig.left, rig.right]
@@ -70,59 +71,6 @@ fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<Camera>>
             path.display()
         ),
     };
-    // From y up and z backwards to y down and z forwards.
-    let half_turn_about_x = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
-    let upright = found.into_iter().map(|camera| Camera {
-        world_to_camera: camera.world_to_camera * Motor::from(half_turn_about_x),
-        ..camera
-    });
+    let upright = found.into_iter().map(Camera::in_world_with_y_up);
     Ok(upright.collect())
-}
-
-/// By the names of the pictures, or in their order where no name is that of a picture.
-fn of_views(path: &Path, joints: &JointViews) -> Result<Vec<Camera>> {
-    let entries = format::read(path)?.cameras;
-    let camera = |entry: &NamedCamera| entry.camera().map_err(|error| about(path, error));
-    let named: Vec<Option<usize>> = joints
-        .views()
-        .iter()
-        .map(|view| entry_named(&entries, &view.name))
-        .collect();
-    let shown = path.display();
-    if named.iter().all(Option::is_none) {
-        let (views, cameras) = (joints.views().len(), entries.len());
-        ensure!(
-            views == cameras,
-            "{shown}: the joints are in {views} views, whose names are not those of pictures, and \
-             there are {cameras} cameras"
-        );
-        return entries.iter().map(camera).collect();
-    }
-    let mut cameras = Vec::with_capacity(named.len());
-    for (index, (view, entry)) in joints.views().iter().zip(&named).enumerate() {
-        let Some(entry) = *entry else {
-            bail!(
-                "{shown}: no picture has the name of the view {:?}",
-                view.name
-            );
-        };
-        if let Some(other) = named[..index]
-            .iter()
-            .position(|other| *other == Some(entry))
-        {
-            let (other, name) = (&joints.views()[other].name, &view.name);
-            bail!("{shown}: the views {other:?} and {name:?} are of one picture");
-        }
-        cameras.push(camera(&entries[entry])?);
-    }
-    Ok(cameras)
-}
-
-/// The one picture of this name, with or without its ending.
-fn entry_named(entries: &[NamedCamera], name: &str) -> Option<usize> {
-    let mut found = (0..entries.len()).filter(|&index| entries[index].is_named(name));
-    match (found.next(), found.next()) {
-        (Some(index), None) => Some(index),
-        _ => None,
-    }
 }

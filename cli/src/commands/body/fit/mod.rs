@@ -2,31 +2,26 @@
 
 mod arguments;
 mod cameras;
-mod matched;
 mod report;
 
 pub(crate) use arguments::Arguments;
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Rigged, character};
 use ga_anim::pose::Pose;
-use ga_body::agreement::Agreement;
+use ga_body::character::CharacterFit;
 use ga_body::format::{DetectorOptions, JointViews};
-use ga_body::{BodyFit, BodyModel, FittedPose, Observation};
-use ga_camera::Camera;
 use ga_character::Figure;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
 
 use crate::format::Format;
-use crate::frame::{Command, Context, Progress};
+use crate::frame::{Command, Context};
 use crate::output;
 use arguments::MANNEQUIN;
-use matched::Matched;
 use report::Report;
 
 const DEFAULT_RATE: f64 = 30.0;
@@ -64,7 +59,7 @@ fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
     };
     let joints = JointViews::read(&arguments.joints, &options)?;
     let cameras = arguments.cameras.read(&joints)?;
-    let mut body = read_character(&arguments.character)?;
+    let character = read_character(&arguments.character)?;
     let rate = arguments
         .fps
         .or(joints.frames_per_second())
@@ -74,39 +69,22 @@ fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
         "--fps {rate}: the number of frames per second must be greater than 0 and finite"
     );
     let of_joints = || names(&arguments.joints);
-    let mut matched = Matched::new(&joints, body.skeleton()).with_context(of_joints)?;
-    let observations: Vec<Observation> = (0..joints.frame_count())
-        .filter_map(|frame| joints.observation(frame, &matched.order))
-        .collect();
-
+    let mut fit = CharacterFit::new(character, &joints, &cameras).with_context(of_joints)?;
     if let Some(lengths) = arguments.fit_lengths {
         progress.step("fitting lengths");
-        let fitted = matched.fit_lengths(&body, &cameras, &observations, lengths);
-        body = fitted.with_context(of_joints)?;
+        fit.fit_lengths(lengths.into()).with_context(of_joints)?;
     }
     progress.step("fitting poses");
-    let begin = Instant::now();
-    let fitted = fit(
-        &matched.model,
-        &cameras,
-        &observations,
-        rate,
-        arguments.independent,
-        &progress,
-    )
-    .with_context(of_joints)?;
-    let seconds = begin.elapsed().as_secs_f64();
+    let done = |done, of| progress.at(done as u64, of as u64);
+    let fitted = fit.fit(rate, arguments.independent, done);
+    let fitted = fitted.with_context(of_joints)?;
 
     progress.step("writing");
-    let poses = fitted.iter().map(|fit| fit.pose.clone()).collect();
-    let clip = Clip::new(1.0 / rate, poses)?;
-    let document = body.with_clip("fitted", &clip);
+    let document = fitted.to_document("fitted");
     let document = document.with_context(|| arguments.character.display().to_string())?;
     let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
     output::write(&arguments.out, &contents)?;
-    let agreement = Agreement::new(&fitted, &observations);
-    let report = Report::new(arguments, &joints, &matched, &fitted, [rate, seconds]);
-    Ok(report.with_warnings(&agreement))
+    Ok(Report::new(arguments, fitted))
 }
 
 fn names(paths: &[PathBuf]) -> String {
@@ -144,25 +122,4 @@ fn mannequin() -> Result<Rigged> {
         &figure, &rest, MANNEQUIN, None,
     )?)?;
     Ok(Rigged::new(&document)?)
-}
-
-fn fit(
-    model: &BodyModel,
-    cameras: &[Camera],
-    observations: &[Observation],
-    rate: f64,
-    independent: bool,
-    progress: &Progress,
-) -> Result<Vec<FittedPose>> {
-    let fit = BodyFit::new(model, cameras)?;
-    if !independent {
-        return Ok(fit.clip(observations, rate)?);
-    }
-    let count = observations.len() as u64;
-    let frames = observations.iter().enumerate().map(|(frame, observation)| {
-        progress.at(frame as u64, count);
-        fit.frame(observation)
-            .with_context(|| format!("frame {frame}"))
-    });
-    frames.collect()
 }

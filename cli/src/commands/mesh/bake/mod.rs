@@ -1,22 +1,20 @@
 //! `nullcone mesh bake`: maps of a fine mesh for a coarse one.
 
-mod coarse;
 mod report;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Error, Result};
 use clap::ValueEnum;
 use clap::builder::RangedI64ValueParser;
-use ga_mesh::bake::{Bake, Coarse as BakedCoarse, Fine, OcclusionOptions, Options};
-use ga_mesh::{Image, atlas};
-use ga_render::bake::{MeshColours, colour_picture, height_picture, normal_picture, share_picture};
+use ga_mesh::atlas;
+use ga_mesh::bake::OcclusionOptions;
+use ga_render::bake::{MapKind, Maps, MapsError, MapsOptions, MeshColours};
 
 use crate::frame::{Command, Context};
-use crate::mesh_file;
-use coarse::{Coarse, Images};
+use crate::{mesh_file, output};
 use report::{Report, Steps};
 
 /// Bake the details of a fine mesh into maps for a coarse one.
@@ -77,7 +75,7 @@ pub(crate) struct Arguments {
 }
 
 /// A map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Map {
     /// Normals in the tangent frames of the coarse mesh, y up.
     Normal,
@@ -90,22 +88,13 @@ enum Map {
     Occlusion,
 }
 
-impl Map {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Normal => "normal",
-            Self::Displacement => "displacement",
-            Self::Colour => "colour",
-            Self::Occlusion => "occlusion",
-        }
-    }
-
-    fn file(self) -> &'static str {
-        match self {
-            Self::Normal => "normal.png",
-            Self::Displacement => "displacement.png",
-            Self::Colour => "colour.png",
-            Self::Occlusion => "occlusion.png",
+impl From<Map> for MapKind {
+    fn from(map: Map) -> Self {
+        match map {
+            Map::Normal => Self::Normal,
+            Map::Displacement => Self::Displacement,
+            Map::Colour => Self::Colour,
+            Map::Occlusion => Self::Occlusion,
         }
     }
 }
@@ -119,39 +108,32 @@ fn size() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=MOST_TEXELS)
 }
 
-/// The files beside the maps.
-const MESH_FILES: [&str; 3] = ["coarse.obj", "coarse.mtl", "coarse.glb"];
-
 impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let maps: BTreeSet<Map> = arguments.maps.iter().copied().collect();
-        let names: Vec<&str> = maps
-            .iter()
-            .map(|map| map.file())
-            .chain(MESH_FILES)
-            .collect();
-        let mut files = context.files([&arguments.fine, &arguments.coarse])?;
-        files.write_folder("--out", &arguments.out, names)?;
+        let kinds: BTreeSet<MapKind> = self.maps.iter().copied().map(MapKind::from).collect();
+        let mesh_files = Maps::MESH_FILES.map(str::to_owned);
+        let names = kinds.iter().map(|kind| kind.file()).chain(mesh_files);
+        let mut files = context.files([&self.fine, &self.coarse])?;
+        files.write_folder("--out", &self.out, names)?;
         let begin = Instant::now();
-        let progress = context.progress(maps.len() as u64 + 6);
+        let progress = context.progress(kinds.len() as u64 + 6);
         let mut steps = Steps::new(&progress);
 
         steps.begin("read");
-        let (fine_mesh, mut warnings) = mesh_file::read(&arguments.fine)?;
-        let (coarse_mesh, of_coarse) = mesh_file::read(&arguments.coarse)?;
-        let (colours, missing) = match maps.contains(&Map::Colour) {
+        let (fine, mut warnings) = mesh_file::read(&self.fine)?;
+        let (coarse, of_coarse) = mesh_file::read(&self.coarse)?;
+        let (colours, missing) = match kinds.contains(&MapKind::Colour) {
             true => {
-                let found = MeshColours::new(&fine_mesh, arguments.fine.parent());
-                let found = found.with_context(|| arguments.fine.display().to_string())?;
+                let found = MeshColours::new(&fine, self.fine.parent());
+                let found = found.with_context(|| self.fine.display().to_string())?;
                 (Some(found.0), found.1)
             }
             false => (None, Vec::new()),
         };
         let missing = missing.iter().map(ToString::to_string);
-        for warning in mesh_file::missing_parts(&arguments.fine, missing) {
+        for warning in mesh_file::missing_parts(&self.fine, missing) {
             // The reader of OBJ files says as well which pictures are missing.
             if !warnings.contains(&warning) {
                 warnings.push(warning);
@@ -159,111 +141,53 @@ impl Command for Arguments {
         }
         warnings.extend(of_coarse);
 
-        steps.begin("atlas");
-        let options = atlas::Options {
-            size: arguments.size,
-            margin_texels: arguments.margin,
-            ..atlas::Options::default()
-        };
-        let coarse = Coarse::new(&coarse_mesh, &options, arguments.unwrap)
-            .with_context(|| format!("{}: no texture", arguments.coarse.display()))?;
-
-        steps.begin("hierarchy");
-        let fine = Fine::from_mesh(&fine_mesh)
-            .with_context(|| format!("{}: nothing to bake", arguments.fine.display()))?;
-
-        steps.begin("projection");
-        let mut options = Options::with_size(arguments.size);
-        options.cage_distance = arguments.distance;
-        let surface = BakedCoarse::from_mesh(&coarse.mesh, 0)
-            .with_context(|| format!("{}: nothing to bake", arguments.coarse.display()))?;
-        let named = || arguments.coarse.display().to_string();
-        let bake = Bake::new(&surface, &fine, &options).with_context(named)?;
-
-        let [low, high] = coarse.mesh.bounds().unwrap_or_default();
-        let squares = [0, 1, 2].map(|axis: usize| (high[axis] - low[axis]).powi(2));
-        let diagonal = squares.iter().sum::<f64>().sqrt();
-        let mut pictures = Vec::new();
-        let mut range = None;
-        for &map in &maps {
-            steps.begin(map.name());
-            let picture = match map {
-                Map::Normal => normal_picture(&bake.normals()),
-                Map::Displacement => {
-                    let (picture, found) = height_picture(&bake.displacement(), diagonal);
-                    range = Some(found.into());
-                    picture
-                }
-                Map::Colour => {
-                    let colours = colours.as_ref().context("no colours were read")?;
-                    colour_picture(&bake.colour(|point| colours.at(point)))
-                }
-                Map::Occlusion => {
-                    let mut options = OcclusionOptions::default();
-                    options.rays = arguments.rays;
-                    options.seed = arguments.seed;
-                    options.distance = arguments.occlusion_distance.unwrap_or(f64::INFINITY);
-                    let occlusion = bake.occlusion(&options);
-                    share_picture(&occlusion.with_context(|| arguments.fine.display().to_string())?)
-                }
-            };
-            pictures.push((map, picture));
-        }
-
+        let options = self.options();
+        let step = |name| steps.begin(name);
+        let maps = Maps::bake(&fine, &coarse, colours.as_ref(), &kinds, &options, step);
+        let maps = maps.map_err(|error| self.located(error))?;
         steps.begin("encode");
-        let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-        for (map, picture) in &pictures {
-            files.push((map.file().into(), ga_image::png::encode(picture)?));
-        }
-        let named = |map: Map| maps.contains(&map).then(|| Image::File(map.file().into()));
-        let embedded = |map: Map| {
-            let place = pictures.iter().position(|(other, _)| *other == map)?;
-            Some(Image::Embedded {
-                media_type: "image/png".into(),
-                bytes: files[place].1.as_slice().into(),
-            })
-        };
-        let mut mesh_files = coarse.obj(images(named), "coarse")?;
-        mesh_files.push(("coarse.glb".into(), coarse.glb(images(embedded))?));
-        files.extend(mesh_files);
-
+        let files = maps.files().map_err(|error| self.located(error))?;
         steps.begin("write");
-        ga_files::write_all(
-            &arguments.out,
-            files
-                .iter()
-                .map(|(name, contents)| (name.as_str(), &contents[..])),
-        )?;
+        let paths = files.iter();
+        output::write_together(paths.map(|(name, contents)| (self.out.join(name), contents)))?;
 
         let seconds = steps.finish(begin);
         drop(progress);
         Ok(Report {
-            folder: arguments.out.clone(),
+            folder: self.out.clone(),
             warnings,
             seconds,
-            size: arguments.size,
-            fine_triangles: fine_mesh.triangles().len(),
-            coarse_triangles: coarse.mesh.faces().len(),
-            unwrapped: coarse.unwrapped,
-            charts: coarse.report.charts,
-            utilisation: coarse.report.utilisation,
-            stretch: coarse.report.stretch_l2,
-            stretch_max: coarse.report.stretch_max,
-            flipped: coarse.report.flipped,
-            overlapping: coarse.report.overlapping_texels,
-            covered_texels: bake.covered_texels(),
-            nearest_texels: bake.nearest_texels(),
-            displacement: range,
+            maps: maps.report,
             files: files.into_iter().map(|(name, _)| name).collect(),
         })
     }
 }
 
-/// The maps that a material shows.
-fn images(image: impl Fn(Map) -> Option<Image>) -> Images {
-    Images {
-        colour: image(Map::Colour),
-        normal: image(Map::Normal),
-        occlusion: image(Map::Occlusion),
+impl Arguments {
+    fn options(&self) -> MapsOptions {
+        let mut occlusion = OcclusionOptions::default();
+        occlusion.rays = self.rays;
+        occlusion.seed = self.seed;
+        occlusion.distance = self.occlusion_distance.unwrap_or(f64::INFINITY);
+        MapsOptions {
+            atlas: atlas::Options {
+                size: self.size,
+                margin_texels: self.margin,
+                ..atlas::Options::default()
+            },
+            unwrap: self.unwrap,
+            cage_distance: self.distance,
+            occlusion,
+        }
+    }
+
+    /// An error with the file of the mesh that it is about.
+    fn located(&self, error: MapsError) -> Error {
+        let file = if error.is_of_fine() {
+            &self.fine
+        } else {
+            &self.coarse
+        };
+        Error::new(error).context(file.display().to_string())
     }
 }

@@ -1,10 +1,9 @@
 //! What a bake says about itself.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use ga_render::bake::HeightRange;
+use ga_render::bake::{HeightRange, MapsReport};
 use serde::Serialize;
 use serde_json::Map as Object;
 
@@ -19,40 +18,9 @@ pub(crate) struct Report {
     pub(super) warnings: Vec<Warning>,
     /// The time of each step, and of all together.
     pub(super) seconds: Object<String, serde_json::Value>,
-    pub(super) size: u32,
-    pub(super) fine_triangles: usize,
-    pub(super) coarse_triangles: usize,
-    /// Whether a new atlas was made.
-    pub(super) unwrapped: bool,
-    pub(super) charts: usize,
-    pub(super) utilisation: f64,
-    /// The area-weighted L2 stretch; 1 for an isometric map.
-    pub(super) stretch: f64,
-    /// The greatest L2 stretch of a triangle.
-    pub(super) stretch_max: f64,
-    pub(super) flipped: usize,
-    pub(super) overlapping: usize,
-    /// Texels that show a point of the surface.
-    pub(super) covered_texels: usize,
-    /// Those for which the nearest point was taken, as there was none along the normal.
-    pub(super) nearest_texels: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) displacement: Option<Range>,
+    #[serde(flatten)]
+    pub(super) maps: MapsReport,
     pub(super) files: Vec<String>,
-}
-
-/// What the numbers of the displacement map mean: code 0 is the minimum and code 65535 the maximum,
-/// in the unit of the meshes, and codes between are linear.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub(super) struct Range {
-    pub(super) minimum: f64,
-    pub(super) maximum: f64,
-}
-
-impl From<HeightRange> for Range {
-    fn from(HeightRange { minimum, maximum }: HeightRange) -> Self {
-        Self { minimum, maximum }
-    }
 }
 
 impl frame::Report for Report {
@@ -70,28 +38,22 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let mut text = String::new();
-        let mut row = |name: &str, value: String| {
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "{name:22}  {value}");
-        };
-        row("charts", self.charts.to_string());
-        row("utilisation", format!("{:.3}", self.utilisation));
-        row("stretch", format!("{:.4}", self.stretch));
-        row("flipped triangles", self.flipped.to_string());
-        row("overlapping texels", self.overlapping.to_string());
-        if let Some(Range { minimum, maximum }) = self.displacement {
-            row("displacement", format!("{minimum:.6} to {maximum:.6}"));
+        let of = &self.maps;
+        let row = |name: &str, value: String| format!("{name:22}  {value}\n");
+        let mut text = row("charts", of.charts.to_string())
+            + &row("utilisation", format!("{:.3}", of.utilisation))
+            + &row("stretch", format!("{:.4}", of.stretch))
+            + &row("flipped triangles", of.flipped.to_string())
+            + &row("overlapping texels", of.overlapping.to_string());
+        if let Some(HeightRange { minimum, maximum }) = of.displacement {
+            text += &row("displacement", format!("{minimum:.6} to {maximum:.6}"));
         }
         for (name, seconds) in &self.seconds {
             let seconds = seconds.as_f64().unwrap_or_default();
-            row(&format!("{name}, seconds"), format!("{seconds:.3}"));
+            text += &row(&format!("{name}, seconds"), format!("{seconds:.3}"));
         }
-        row(
-            "wrote",
-            format!("{}: {}", self.folder.display(), self.files.join(", ")),
-        );
-        text
+        let (folder, files) = (self.folder.display(), self.files.join(", "));
+        text + &row("wrote", format!("{folder}: {files}"))
     }
 }
 

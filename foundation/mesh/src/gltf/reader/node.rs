@@ -1,7 +1,7 @@
 //! Nodes, scenes and cameras.
 
 use super::super::problem::{Element, Problem};
-use super::super::{Camera, Node, Projection, Scene, Transform, json};
+use super::super::{CameraElement, Node, Projection, Scene, Transform, json};
 use crate::FormatError;
 
 pub(super) fn scene(json: &json::Scene) -> Scene {
@@ -42,7 +42,7 @@ pub(super) fn node(index: usize, json: &json::Node) -> Result<Node, FormatError>
     })
 }
 
-pub(super) fn camera(index: usize, json: &json::Camera) -> Result<Camera, FormatError> {
+pub(super) fn camera(index: usize, json: &json::Camera) -> Result<CameraElement, FormatError> {
     let fault = |problem| FormatError::gltf(Element::Camera(index), problem);
     let projection = match json.kind.as_str() {
         "perspective" => {
@@ -71,7 +71,7 @@ pub(super) fn camera(index: usize, json: &json::Camera) -> Result<Camera, Format
             return Err(fault(Problem::Value { property, value }));
         }
     };
-    Ok(Camera {
+    Ok(CameraElement {
         name: json.name.clone(),
         projection,
         extras: json.extras.clone(),

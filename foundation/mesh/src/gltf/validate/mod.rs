@@ -7,7 +7,7 @@ mod primitive;
 use std::collections::HashSet;
 
 use super::problem::{Element, Problem};
-use super::{Camera, Document, MaterialElement, Node, Projection, Skin, Transform};
+use super::{CameraElement, Document, MaterialElement, Node, Projection, Skin, Transform};
 use crate::{AlphaMode, FormatError};
 use check::{Checked, count, distinct, exists, fault, finite, in_range, targets_of};
 
@@ -190,7 +190,7 @@ fn material(material: &MaterialElement, textures: usize) -> Checked {
     Ok(())
 }
 
-fn camera(camera: &Camera) -> Checked {
+fn camera(camera: &CameraElement) -> Checked {
     const POSITIVE: std::ops::RangeInclusive<f32> = f32::MIN_POSITIVE..=f32::MAX;
     let (near, far) = match camera.projection {
         Projection::Perspective {

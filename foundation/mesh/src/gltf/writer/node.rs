@@ -1,6 +1,6 @@
 //! Nodes, scenes, cameras and the asset.
 
-use super::super::{Asset, Camera, Node, Projection, Scene, Transform, json};
+use super::super::{Asset, CameraElement, Node, Projection, Scene, Transform, json};
 
 pub(super) fn asset(asset: &Asset) -> json::Asset {
     json::Asset {
@@ -49,7 +49,7 @@ pub(super) fn node(node: &Node) -> json::Node {
     }
 }
 
-pub(super) fn camera(camera: &Camera) -> json::Camera {
+pub(super) fn camera(camera: &CameraElement) -> json::Camera {
     let (kind, perspective, orthographic) = match camera.projection {
         Projection::Perspective {
             aspect_ratio,

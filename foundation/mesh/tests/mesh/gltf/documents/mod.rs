@@ -91,7 +91,7 @@ fn document(choices: &[u32]) -> Document {
         samplers: vec![sampler(c)],
         images: vec![image(c), image(c)],
         cameras: vec![
-            Camera {
+            CameraElement {
                 name: c.name(),
                 projection: Projection::Perspective {
                     aspect_ratio: c.yes().then_some(1.5),
@@ -101,7 +101,7 @@ fn document(choices: &[u32]) -> Document {
                 },
                 extras: c.extras(),
             },
-            Camera {
+            CameraElement {
                 name: None,
                 projection: Projection::Orthographic {
                     half_width: 1.0 + c.fraction(),

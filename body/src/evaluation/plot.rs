@@ -1,13 +1,11 @@
 //! The errors and times as a picture, in the shape of Cui's figs 9 and 10.
 
-use std::path::Path;
-
-use anyhow::Result;
-use plotters::coord::Shift;
+use ga_draw::document::chart::{self, Area, COLOURS, ChartError, FINE, font};
 use plotters::prelude::*;
 
+use super::case::Case;
+use super::evaluated::Evaluation;
 use super::rows::{Method, Row};
-use ga_draw::document::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the bars above, and the width of all charts below them with the height of each.
 const BARS: (u32, u32) = (520, 22);
@@ -23,63 +21,45 @@ const NAMES: u32 = 150;
 /// The noise of the bars in pixels, or the nearest there is.
 const NOISE: f64 = 2.0;
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+impl Evaluation {
+    /// A picture as SVG: bars with the 2-D joint errors and the times of all methods at one noise
+    /// and with the fewest joints missing, and below them the mean per joint position errors over
+    /// the noise. `name` is that of the motion.
+    ///
+    /// # Errors
+    /// [`ChartError`].
+    pub fn plot(&self, name: &str) -> Result<String, ChartError> {
+        let rows: Vec<&Row> = self.rows.iter().collect();
+        let least_missing = rows.iter().map(|row| row.case.missing).fold(1.0, f64::min);
+        let noises = rows.iter().map(|row| row.case.noise_px);
+        let noise = noises.min_by(|a, b| (a - NOISE).abs().total_cmp(&(b - NOISE).abs()));
+        let noise = noise.unwrap_or(NOISE);
+        let in_bars = |row: &&Row| row.case.missing == least_missing && row.case.noise_px == noise;
+        let in_bars: Vec<&Row> = rows.iter().copied().filter(in_bars).collect();
 
-/// Bars with the 2-D joint errors and the times of all methods at one noise and with the fewest
-/// joints missing, and below them the mean per joint position errors over the noise.
-pub(super) fn svg(rows: &[Row], motion: &Path) -> Result<String> {
-    let least_missing = rows.iter().map(|row| row.missing).fold(1.0, f64::min);
-    let noises = rows.iter().map(|row| row.noise_px);
-    let noise = noises.min_by(|a, b| (a - NOISE).abs().total_cmp(&(b - NOISE).abs()));
-    let noise = noise.unwrap_or(NOISE);
-    let rows: Vec<&Row> = rows.iter().collect();
-    let in_bars = |row: &&Row| row.missing == least_missing && row.noise_px == noise;
-    let in_bars: Vec<&Row> = rows.iter().copied().filter(in_bars).collect();
-
-    let bars = CAPTION + BARS.1 * in_bars.len() as u32 + 16;
-    let charts = views_of(&rows).len().div_ceil(COLUMNS) as u32;
-    let curves = CAPTION + legend_height(&rows) + CURVES.1 * charts;
-    let size = (CURVES.0, bars + curves);
-    let name = motion
-        .file_name()
-        .unwrap_or(motion.as_os_str())
-        .to_string_lossy();
-    let missing = match least_missing {
-        0.0 => String::new(),
-        missing => format!(", {} % of the joints missing", 100.0 * missing),
-    };
-    let under = format!("{name}, {noise} px of noise{missing}; not Human3.6M");
-    let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, (size.0 * FINE, size.1 * FINE));
-        let root = root.into_drawing_area();
-        root.fill(&WHITE)?;
-        let (above, below) = root.split_vertically(bars * FINE);
-        let (left, right) = above.split_horizontally(BARS.0 * FINE);
-        draw_bars(
-            &left,
-            "2-D joint error in pixels",
-            &under,
-            &in_bars,
-            |row| row.joint_error_px,
-        )?;
-        draw_bars(
-            &right,
-            "Time in milliseconds a frame",
-            &under,
-            &in_bars,
-            |row| row.milliseconds_per_frame,
-        )?;
-        draw_curves(&below, &format!("{name}; not Human3.6M"), &rows)?;
-        root.present()?;
-    }
-    Ok(shown_small(&text, size))
-}
-
-fn counted(views: usize) -> String {
-    match views {
-        1 => "1 view".to_owned(),
-        views => format!("{views} views"),
+        let bars = CAPTION + BARS.1 * in_bars.len() as u32 + 16;
+        let charts = views_of(&rows).len().div_ceil(COLUMNS) as u32;
+        let curves = CAPTION + legend_height(&rows) + CURVES.1 * charts;
+        let missing = match least_missing {
+            0.0 => String::new(),
+            missing => format!(", {} % of the joints missing", 100.0 * missing),
+        };
+        let under = format!("{name}, {noise} px of noise{missing}; not Human3.6M");
+        chart::svg((CURVES.0, bars + curves), |root| {
+            let (above, below) = root.split_vertically(bars * FINE);
+            let (left, right) = above.split_horizontally(BARS.0 * FINE);
+            let errors = |row: &Row| row.joint_error_px;
+            draw_bars(&left, "2-D joint error in pixels", &under, &in_bars, errors)?;
+            let times = |row: &Row| row.milliseconds_per_frame;
+            draw_bars(
+                &right,
+                "Time in milliseconds a frame",
+                &under,
+                &in_bars,
+                times,
+            )?;
+            draw_curves(&below, &format!("{name}; not Human3.6M"), &rows)
+        })
     }
 }
 
@@ -103,18 +83,21 @@ fn draw_bars(
     under: &str,
     rows: &[&Row],
     value: impl Fn(&Row) -> f64,
-) -> Result<()> {
+) -> Result<(), ChartError> {
     let most = rows
         .iter()
         .map(|row| value(row))
         .fold(f64::MIN_POSITIVE, f64::max);
-    let font = |size: u32| ("sans-serif", size * FINE).into_font();
     area.draw(&Text::new(title.to_owned(), (fine(16), fine(14)), font(18)))?;
     area.draw(&Text::new(under.to_owned(), (fine(16), fine(38)), font(12)))?;
     let room = f64::from((BARS.0 - NAMES - 90) * FINE);
     for (index, row) in rows.iter().enumerate() {
         let top = fine(CAPTION + BARS.1 * index as u32);
-        let name = format!("{}, {}", row.method.name(), counted(row.views));
+        let name = format!(
+            "{}, {}",
+            row.method.name(),
+            Case::counted_views(row.case.views)
+        );
         area.draw(&Text::new(name, (fine(16), top + fine(3)), font(13)))?;
         let left = fine(NAMES + 10);
         let right = left + (room * value(row) / most).round() as i32;
@@ -141,28 +124,26 @@ struct Line<'a> {
 
 impl Line<'_> {
     fn name(&self) -> String {
-        match self.missing {
-            0.0 => self.method.name().to_owned(),
-            missing => format!("{}, {} % missing", self.method.name(), 100.0 * missing),
-        }
+        self.method.name().to_owned() + &Case::missing_in_words(self.missing)
     }
 }
 
 fn lines<'a>(rows: &[&'a Row]) -> Vec<Line<'a>> {
     let mut lines: Vec<Line<'a>> = Vec::new();
     for row in rows {
-        let same = |line: &&mut Line| line.method == row.method && line.missing == row.missing;
+        let same = |line: &&mut Line| line.method == row.method && line.missing == row.case.missing;
         match lines.iter_mut().find(same) {
             Some(line) => line.rows.push(row),
             None => lines.push(Line {
                 method: row.method,
-                missing: row.missing,
+                missing: row.case.missing,
                 rows: vec![row],
             }),
         }
     }
     for line in &mut lines {
-        line.rows.sort_by(|a, b| a.noise_px.total_cmp(&b.noise_px));
+        line.rows
+            .sort_by(|a, b| a.case.noise_px.total_cmp(&b.case.noise_px));
     }
     lines.sort_by(|a, b| {
         let by_missing = a.missing.total_cmp(&b.missing);
@@ -173,13 +154,12 @@ fn lines<'a>(rows: &[&'a Row]) -> Vec<Line<'a>> {
 
 /// Errors over the noise, in a chart of its own scale for each number of views; parts of the joints
 /// that are missing are told apart by marks.
-fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
-    let font = |size: u32| ("sans-serif", size * FINE).into_font();
+fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<(), ChartError> {
     let title = "Mean per joint position error over the noise";
     area.draw(&Text::new(title, (fine(16), fine(14)), font(18)))?;
     area.draw(&Text::new(under.to_owned(), (fine(16), fine(38)), font(12)))?;
     let lines = lines(rows);
-    let missing = sorted(rows.iter().map(|row| row.missing));
+    let missing = sorted(rows.iter().map(|row| row.case.missing));
     let shape = |line: &Line| missing.iter().position(|m| *m == line.missing).unwrap_or(0);
     for (index, line) in lines.iter().enumerate() {
         let (column, row) = (index as u32 % LEGEND_COLUMNS, index as u32 / LEGEND_COLUMNS);
@@ -203,7 +183,11 @@ fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
     let charts = charts.split_evenly((views.len().div_ceil(columns.max(1)), columns));
     for (views, chart) in views.into_iter().zip(charts) {
         let of_views = lines.iter().map(|line| {
-            let rows = line.rows.iter().copied().filter(|row| row.views == views);
+            let rows = line
+                .rows
+                .iter()
+                .copied()
+                .filter(|row| row.case.views == views);
             (line.method, shape(line), rows.collect())
         });
         draw_chart(&chart, views, &of_views.collect::<Vec<_>>())?;
@@ -212,14 +196,17 @@ fn draw_curves(area: &Area<'_>, under: &str, rows: &[&Row]) -> Result<()> {
 }
 
 /// The lines of a number of views: method, mark, and rows.
-fn draw_chart(area: &Area<'_>, views: usize, lines: &[(Method, usize, Vec<&Row>)]) -> Result<()> {
+fn draw_chart(
+    area: &Area<'_>,
+    views: usize,
+    lines: &[(Method, usize, Vec<&Row>)],
+) -> Result<(), ChartError> {
     let rows = || lines.iter().flat_map(|(.., rows)| rows.iter());
-    let noise = rows().map(|row| row.noise_px).fold(0.0, f64::max);
+    let noise = rows().map(|row| row.case.noise_px).fold(0.0, f64::max);
     let error = rows().map(|row| row.mpjpe_mm).fold(0.0, f64::max);
     let (noise, error) = (noise.max(1e-3), error.max(1e-3));
-    let font = |size: u32| ("sans-serif", size * FINE);
     let mut chart = ChartBuilder::on(area)
-        .caption(counted(views), font(14))
+        .caption(Case::counted_views(views), font(14))
         .margin(12 * FINE)
         .x_label_area_size(44 * FINE)
         .y_label_area_size(60 * FINE)
@@ -241,7 +228,7 @@ fn draw_chart(area: &Area<'_>, views: usize, lines: &[(Method, usize, Vec<&Row>)
         .draw()?;
     for (method, shape, rows) in lines {
         let colour = colour(*method);
-        let points = rows.iter().map(|row| (row.noise_px, row.mpjpe_mm));
+        let points = rows.iter().map(|row| (row.case.noise_px, row.mpjpe_mm));
         chart.draw_series(LineSeries::new(
             points.clone(),
             colour.stroke_width(2 * FINE),
@@ -265,7 +252,7 @@ fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 fn views_of(rows: &[&Row]) -> Vec<usize> {
-    let mut views: Vec<usize> = rows.iter().map(|row| row.views).collect();
+    let mut views: Vec<usize> = rows.iter().map(|row| row.case.views).collect();
     views.sort_unstable();
     views.dedup();
     views

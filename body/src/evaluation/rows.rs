@@ -1,40 +1,23 @@
 //! The errors of each method under each disturbance.
 
-use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use anyhow::{Context, Result, anyhow};
-use ga_body::evaluation::{Disturbance, Scores, score, simulate, triangulated_points};
-use ga_body::{BodyError, BodyFit, FittedPose};
 use ga_camera::observation::ObservationError;
 use ga_runtime::cga3::Point;
 use serde::Serialize;
 
-use super::scene::{Motion, Stretch};
-
-/// What the cameras see, and how many there are.
-pub(super) struct Case {
-    pub(super) noise_px: f64,
-    pub(super) views: usize,
-    pub(super) missing: f64,
-}
-
-impl fmt::Display for Case {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let views = if self.views == 1 { "view" } else { "views" };
-        write!(f, "{} {views}, {} px of noise", self.views, self.noise_px)?;
-        match self.missing {
-            0.0 => Ok(()),
-            missing => write!(f, ", {} % of the joints missing", 100.0 * missing),
-        }
-    }
-}
+use super::case::Case;
+use super::error::EvaluationError;
+use super::motion::{Motion, Stretch};
+use super::scores::{Scores, score};
+use super::simulation::{Disturbance, simulate, triangulated_points};
+use crate::{BodyError, BodyFit, FittedPose};
 
 /// How a body is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Method {
+pub enum Method {
     /// Each joint by itself.
     Triangulation,
     /// A pose for each frame.
@@ -44,9 +27,12 @@ pub(super) enum Method {
 }
 
 impl Method {
-    pub(super) const ALL: [Self; 3] = [Self::Triangulation, Self::SingleFrame, Self::Clip];
+    /// All methods, in the order of the rows.
+    pub const ALL: [Self; 3] = [Self::Triangulation, Self::SingleFrame, Self::Clip];
 
-    pub(super) fn name(self) -> &'static str {
+    /// The name for people.
+    #[must_use]
+    pub fn name(self) -> &'static str {
         match self {
             Self::Triangulation => "triangulation",
             Self::SingleFrame => "single frame",
@@ -55,20 +41,27 @@ impl Method {
     }
 }
 
-/// The mean errors of a method.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct Row {
-    pub(super) method: Method,
-    pub(super) noise_px: f64,
-    pub(super) views: usize,
-    pub(super) missing: f64,
-    pub(super) mpjpe_mm: f64,
-    pub(super) root_relative_mm: Option<f64>,
-    pub(super) aligned_mm: Option<f64>,
-    pub(super) joint_error_px: f64,
-    pub(super) milliseconds_per_frame: f64,
+/// The mean errors of a method in a case, over all joints that it found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// The method.
+    pub method: Method,
+    /// What the cameras saw.
+    #[serde(flatten)]
+    pub case: Case,
+    /// The mean per joint position error, in millimetres.
+    pub mpjpe_mm: f64,
+    /// The same relative to the root, in millimetres; `None` where no frame has the root.
+    pub root_relative_mm: Option<f64>,
+    /// The error after Procrustes alignment, in millimetres; `None` where no frame has three
+    /// joints.
+    pub aligned_mm: Option<f64>,
+    /// The distance in the pictures from where the joints truly are, in pixels.
+    pub joint_error_px: f64,
+    /// The time of one thread, in milliseconds.
+    pub milliseconds_per_frame: f64,
     /// The part of the joints that the errors are means of.
-    pub(super) joints_found: f64,
+    pub joints_found: f64,
 }
 
 /// What a method found in a stretch, and the seconds that it took.
@@ -82,7 +75,7 @@ pub(super) fn measure(
     cases: &[Case],
     seed: u64,
     done: impl Fn(usize, usize) + Sync,
-) -> Result<Vec<Row>> {
+) -> Result<Vec<Row>, EvaluationError> {
     let stretches = motion.stretches.len();
     let all = cases.len() * stretches;
     let count = AtomicUsize::new(0);
@@ -92,7 +85,10 @@ pub(super) fn measure(
         let seed = seed.wrapping_add((index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let measured = measure_stretch(motion, &motion.stretches[index], case, seed);
         done(count.fetch_add(1, Ordering::Relaxed) + 1, all);
-        measured.with_context(|| case.to_string())
+        measured.map_err(|error| EvaluationError::Case {
+            case: *case,
+            error: Box::new(error),
+        })
     })?;
     let of_cases = cases.iter().zip(measured.chunks(stretches.max(1)));
     Ok(of_cases
@@ -104,10 +100,11 @@ pub(super) fn measure(
 /// it would spread over several: so times that it takes are those of one thread.
 fn on_single_threads<T: Send>(
     count: usize,
-    job: impl Fn(usize) -> Result<T> + Sync,
-) -> Result<Vec<T>> {
+    job: impl Fn(usize) -> Result<T, EvaluationError> + Sync,
+) -> Result<Vec<T>, EvaluationError> {
+    type Numbered<T> = (usize, Result<T, EvaluationError>);
     let next = AtomicUsize::new(0);
-    let work = || -> Result<Vec<(usize, Result<T>)>> {
+    let work = || -> Result<Vec<Numbered<T>>, EvaluationError> {
         let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
         let mut results = Vec::new();
         loop {
@@ -123,11 +120,10 @@ fn on_single_threads<T: Send>(
         let running: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
         running
             .into_iter()
-            .map(|worker| worker.join().map_err(|_| anyhow!("a thread panicked")))
-            .collect::<Result<Vec<_>>>()
+            .map(|worker| worker.join().map_err(|_| EvaluationError::Panic)?)
+            .collect::<Result<Vec<_>, _>>()
     })?;
-    let results = of_workers.into_iter().collect::<Result<Vec<_>>>()?;
-    let mut results: Vec<(usize, Result<T>)> = results.into_iter().flatten().collect();
+    let mut results: Vec<Numbered<T>> = of_workers.into_iter().flatten().collect();
     results.sort_by_key(|(index, _)| *index);
     results.into_iter().map(|(_, result)| result).collect()
 }
@@ -149,9 +145,7 @@ fn rows_of(motion: &Motion, case: &Case, measured: &[[Option<Measured>; 3]]) -> 
         let seconds: f64 = of_method.iter().map(|(_, seconds)| seconds).sum();
         Some(Row {
             method: name,
-            noise_px: case.noise_px,
-            views: case.views,
-            missing: case.missing,
+            case: *case,
             mpjpe_mm: millimetres(&|scores| Some(scores.position_error))?,
             root_relative_mm: millimetres(&|scores| scores.root_relative_error),
             aligned_mm: millimetres(&|scores| scores.aligned_error),
@@ -169,7 +163,7 @@ fn measure_stretch(
     stretch: &Stretch,
     case: &Case,
     seed: u64,
-) -> Result<[Option<Measured>; 3]> {
+) -> Result<[Option<Measured>; 3], EvaluationError> {
     let cameras = stretch.cameras(case.views)?;
     let disturbance = Disturbance {
         noise_px: case.noise_px,
@@ -203,9 +197,12 @@ fn measure_stretch(
             }
             Err(error) => Err(error),
         };
-        pose.with_context(|| format!("frame {}", stretch.number_in_file(frame)))
+        pose.map_err(|error| BodyError::Frame {
+            frame: stretch.number_in_file(frame),
+            error: Box::new(error),
+        })
     });
-    let poses = poses.collect::<Result<Vec<_>>>()?;
+    let poses = poses.collect::<Result<Vec<_>, _>>()?;
     let seconds = begin.elapsed().as_secs_f64();
     let single = (scores(&points(&poses, motion))?, seconds);
 
@@ -225,18 +222,27 @@ fn measure_stretch(
 }
 
 /// The same with the frame of the file and the name of the joint.
-fn with_names(error: BodyError, motion: &Motion, stretch: &Stretch) -> anyhow::Error {
-    let BodyError::Observation { frame, view, error } = &error else {
+fn with_names(error: BodyError, motion: &Motion, stretch: &Stretch) -> EvaluationError {
+    let BodyError::Observation { frame, view, error } = error else {
         return error.into();
     };
-    let frame = stretch.number_in_file(*frame);
-    match error.as_ref() {
+    let frame = stretch.number_in_file(frame);
+    match *error {
         ObservationError::Camera { point, error } => {
             let points = motion.model.points();
-            let joint = points.get(*point).map_or("", |point| &point.name);
-            anyhow!("frame {frame}, view {view}, joint {joint:?}: {error}")
+            let joint = points.get(point).map(|point| point.name.clone());
+            EvaluationError::Joint {
+                frame,
+                view,
+                joint: joint.unwrap_or_default(),
+                error: Box::new(error),
+            }
         }
-        error => anyhow!("frame {frame}, view {view}: {error}"),
+        error => EvaluationError::Observation {
+            frame,
+            view,
+            error: Box::new(error),
+        },
     }
 }
 

@@ -1,13 +1,15 @@
 //! The motion and the cameras that see it.
 
-use anyhow::{Context, Result, ensure};
 use ga_anim::bvh::Bvh;
+use ga_anim::pose::Pose;
 use ga_anim::recording::Recording;
 use ga_anim::unit::likely_unit;
-use ga_body::BodyModel;
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
+
+use super::error::EvaluationError;
+use crate::BodyModel;
 
 /// From the mean of the body's points to each camera, in metres.
 pub(super) const DISTANCE: f64 = 4.0;
@@ -18,16 +20,36 @@ pub(super) const FOCAL_LENGTH: f64 = 1000.0;
 const PRINCIPAL_POINT: [f64; 2] = [959.5, 539.5];
 /// The frames of a stretch: a second of motion capture.
 const STRETCH: usize = 120;
-/// The length of a unit of the motion.
-pub(super) enum Unit {
-    /// This in metres.
-    Given(f64),
-    /// The [likely one](ga_anim::unit).
-    Likely,
+
+/// Which part of a recorded motion is taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionOptions {
+    /// The length of one unit of the recording in metres; without it the
+    /// [likely one](ga_anim::unit).
+    pub metres_per_unit: Option<f64>,
+    /// The first frame, counted from 0; 0 by default.
+    pub first: usize,
+    /// The step from each frame to the next; 1 by default.
+    pub every: usize,
+    /// The greatest number of frames, in stretches of at most 120 that are evenly spread over the
+    /// motion; 0, the default, for all.
+    pub most: usize,
 }
 
-/// A motion of a body in metres, in stretches.
-pub(super) struct Motion {
+impl Default for MotionOptions {
+    fn default() -> Self {
+        Self {
+            metres_per_unit: None,
+            first: 0,
+            every: 1,
+            most: 0,
+        }
+    }
+}
+
+/// A motion of a body in metres, in stretches of neighbouring frames.
+#[derive(Clone, Debug)]
+pub struct Motion {
     pub(super) model: BodyModel,
     pub(super) metres_per_unit: f64,
     pub(super) frames_per_second: f64,
@@ -35,6 +57,7 @@ pub(super) struct Motion {
 }
 
 /// Frames one after the other, and where the cameras look.
+#[derive(Clone, Debug)]
 pub(super) struct Stretch {
     /// The points of the model in each frame.
     pub(super) frames: Vec<Vec<Point<f64>>>,
@@ -48,19 +71,23 @@ pub(super) struct Stretch {
 }
 
 impl Motion {
-    /// At most `most` frames from `first` on, 0 for all, of every `every`th of the motion.
-    pub(super) fn new(
-        recorded: &Bvh,
-        unit: Unit,
-        first: usize,
-        every: usize,
-        most: usize,
-    ) -> Result<Self> {
-        let metres_per_unit = match unit {
-            Unit::Given(unit) => unit,
-            Unit::Likely => {
+    /// The part of a recording that the options say. Joints that are in one place at rest count
+    /// once.
+    ///
+    /// # Errors
+    /// [`EvaluationError`] for a body without bones whose unit is not given, a motion without
+    /// frames, a step of 0, and a recording that has no skeleton.
+    pub fn new(recorded: &Bvh, options: &MotionOptions) -> Result<Self, EvaluationError> {
+        let MotionOptions { first, every, .. } = *options;
+        if every == 0 {
+            return Err(EvaluationError::Every);
+        }
+        let metres_per_unit = match options.metres_per_unit {
+            Some(unit) => unit,
+            None => {
                 let body = Recording::from_bvh(recorded, 1.0)?;
-                likely_unit(&body).context("the body has no bones")?.metres
+                let likely = likely_unit(&body).ok_or(EvaluationError::NoBones)?;
+                likely.metres
             }
         };
         let recording = Recording::from_bvh(recorded, metres_per_unit)?;
@@ -68,8 +95,10 @@ impl Motion {
         let clip = recording.to_clip()?;
         let model = BodyModel::of_distinct_joints(skeleton)?;
         let poses: Vec<_> = clip.frames().iter().skip(first).step_by(every).collect();
-        ensure!(!poses.is_empty(), "the motion has no frames");
-        let points = |pose: &&ga_anim::pose::Pose| -> Result<Vec<Point<f64>>> {
+        if poses.is_empty() {
+            return Err(EvaluationError::NoFrames);
+        }
+        let points = |pose: &&Pose| -> Result<Vec<Point<f64>>, EvaluationError> {
             let motions = pose.motions(model.skeleton())?;
             let points = model.points().iter().map(|point| {
                 let joint = point.joints.first().map_or(0, |(joint, _)| *joint);
@@ -77,20 +106,28 @@ impl Motion {
             });
             Ok(points.collect())
         };
-        let stretches = stretches(poses.len(), most).into_iter().map(|range| {
-            let first = first + every * range.start;
-            let frames = poses[range].iter().map(points);
-            Ok(Stretch::new(frames.collect::<Result<_>>()?, first, every))
-        });
+        let stretches = stretches(poses.len(), options.most)
+            .into_iter()
+            .map(|range| {
+                let first = first + every * range.start;
+                let frames = poses[range].iter().map(points);
+                Ok(Stretch::new(
+                    frames.collect::<Result<_, _>>()?,
+                    first,
+                    every,
+                ))
+            });
         Ok(Self {
-            stretches: stretches.collect::<Result<_>>()?,
+            stretches: stretches.collect::<Result<_, EvaluationError>>()?,
             model,
             metres_per_unit,
             frames_per_second: 1.0 / (recording.frame_time() * every as f64),
         })
     }
 
-    pub(super) fn frame_count(&self) -> usize {
+    /// The number of frames that are taken.
+    #[must_use]
+    pub fn frame_count(&self) -> usize {
         let stretches = self.stretches.iter();
         stretches.map(|stretch| stretch.frames.len()).sum()
     }
@@ -125,7 +162,7 @@ impl Stretch {
     }
 
     /// One camera; two with the baseline between them, side by side; or more in a circle.
-    pub(super) fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
+    pub(super) fn cameras(&self, count: usize) -> Result<Vec<Camera>, EvaluationError> {
         let intrinsics = Intrinsics::new([FOCAL_LENGTH; 2], PRINCIPAL_POINT)?;
         let step = match count {
             2 => 2.0 * (0.5 * BASELINE / DISTANCE).asin(),
@@ -138,7 +175,7 @@ impl Stretch {
             let way = self.towards_cameras * cos + across * sin;
             let eye = Point::from(self.middle + way * DISTANCE);
             Camera::look_at(intrinsics, eye, self.middle.into(), [0.0, 1.0, 0.0])
-                .context("the cameras have no direction")
+                .ok_or(EvaluationError::NoDirection)
         });
         cameras.collect()
     }
