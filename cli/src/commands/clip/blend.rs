@@ -86,7 +86,7 @@ impl Command for Arguments {
         let progress = context.progress(100);
         progress.step("reading the motions");
         let mut recordings = Vec::with_capacity(motions.len());
-        let (mut settings, mut warnings) = (None, Vec::new());
+        let (mut options, mut warnings) = (None, Vec::new());
         for ((path, unit), animation) in motions.iter().zip(units).zip(animations) {
             // One value for all motions is for those to which it applies.
             let (unit, animation) = match Kind::of(path)? {
@@ -97,14 +97,14 @@ impl Command for Arguments {
             let motion = MotionArguments::new(path, unit, animation);
             let (recording, of_motion) = motion.any_recording(&mut warnings)?;
             recordings.push(recording);
-            settings.get_or_insert(of_motion);
+            options.get_or_insert(of_motion);
         }
         let weighted = recordings.iter().zip(weights.iter().copied());
         let weighted: Vec<(&Recording, f64)> = weighted.collect();
         let file = names(motions);
         let mean = blend(&weighted).with_context(|| file.clone())?;
-        let settings = settings.unwrap_or_default();
-        target.write(&mean, file, settings, &progress, warnings)
+        let options = options.unwrap_or_default();
+        target.write(&mean, file, options, &progress, warnings)
     }
 }
 

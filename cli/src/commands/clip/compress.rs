@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
-use ga_anim::clip::compressed::Settings;
+use ga_anim::clip::compressed::Options;
 use ga_anim::recording::Recording;
 
 use super::input::{Kind, MotionArguments, vertices};
@@ -80,21 +80,21 @@ impl Command for Arguments {
         progress.step("reading the motion");
         let mut warnings = Vec::new();
         let recording = motion.recording(&mut warnings)?;
-        let mut settings = Settings {
+        let mut options = Options {
             tolerance: self.tolerance,
             shell: self.shell,
             track_tolerance: self.track_tolerance,
             joints: Vec::new(),
         };
-        target::add_bounds(&mut settings, &self.joints, &recording, &file)?;
-        let deviation = leave_for_deviation(&mut settings, motion, &recording)?;
+        target::add_bounds(&mut options, &self.joints, &recording, &file)?;
+        let deviation = leave_for_deviation(&mut options, motion, &recording)?;
         let mesh_vertices = || -> Result<Option<u64>> {
             match (self.mesh_vertices, motion.kind()?) {
                 (None, Kind::Gltf) => Ok(Some(vertices(&motion.document()?))),
                 (vertices, _) => Ok(vertices),
             }
         };
-        let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
+        let report = target::write(&recording, &options, file, out, &progress, mesh_vertices)?;
         Ok(report.with_deviation(deviation).with_warnings(warnings))
     }
 }
@@ -102,17 +102,17 @@ impl Command for Arguments {
 /// How far the recording is from a glTF document, by which the tolerances become smaller, so that
 /// they hold against the document.
 fn leave_for_deviation(
-    settings: &mut Settings,
+    options: &mut Options,
     motion: &MotionArguments,
     recording: &Recording,
 ) -> Result<f64> {
     // Far below single precision.
     const ROUNDING: f64 = 1e-5;
-    let shells = settings.joints.iter().map(|bound| bound.shell);
-    let shell = shells.fold(settings.shell, f64::max);
+    let shells = options.joints.iter().map(|bound| bound.shell);
+    let shell = shells.fold(options.shell, f64::max);
     let deviation = motion.deviation(recording, shell)?;
-    let own = settings.joints.iter_mut().map(|bound| &mut bound.tolerance);
-    for tolerance in own.chain([&mut settings.tolerance]) {
+    let own = options.joints.iter_mut().map(|bound| &mut bound.tolerance);
+    for tolerance in own.chain([&mut options.tolerance]) {
         // What is not a tolerance is refused later.
         if *tolerance > 0.0 && deviation > ROUNDING * *tolerance {
             ensure!(

@@ -168,14 +168,14 @@ struct Bound {
 
 impl Info {
     fn new(path: &Path, clip: &CompressedClip, mesh_vertices: Option<u64>) -> Self {
-        let settings = clip.settings();
-        let own = settings.joints.iter();
+        let options = clip.options();
+        let own = options.joints.iter();
         Self {
             file: path.display().to_string(),
             size: Size::new(clip, mesh_vertices),
-            tolerance_metres: settings.tolerance,
-            shell_metres: settings.shell,
-            track_tolerance: settings.track_tolerance,
+            tolerance_metres: options.tolerance,
+            shell_metres: options.shell,
+            track_tolerance: options.track_tolerance,
             joint_bounds: own
                 .map(|bound| Bound {
                     joint: clip.names()[bound.joint].clone(),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use ga_anim::clip::compressed::{CompressedClip, Settings};
+use ga_anim::clip::compressed::{CompressedClip, Options};
 use ga_anim::gltf::Player;
 use ga_anim::recording::{GltfMotion, Recording};
 use ga_mesh::gltf::{self, Document};
@@ -157,13 +157,13 @@ impl MotionArguments {
     pub(super) fn any_recording(
         &self,
         warnings: &mut Vec<Warning>,
-    ) -> Result<(Recording, Settings)> {
+    ) -> Result<(Recording, Options)> {
         if self.kind()? != Kind::Clip {
-            return Ok((self.recording(warnings)?, Settings::default()));
+            return Ok((self.recording(warnings)?, Options::default()));
         }
         let clip = self.clip()?;
         let recording = Recording::from_compressed(&clip).with_context(|| self.file())?;
-        Ok((recording, clip.settings().clone()))
+        Ok((recording, clip.options().clone()))
     }
 
     /// The glTF document, for what a recording does not have.

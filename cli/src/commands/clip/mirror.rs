@@ -55,10 +55,10 @@ impl Command for Arguments {
         let progress = context.progress(100);
         progress.step("reading the motion");
         let mut warnings = Vec::new();
-        let (recording, settings) = self.motion.any_recording(&mut warnings)?;
+        let (recording, options) = self.motion.any_recording(&mut warnings)?;
         let file = self.motion.file();
         let mirrored = recording.mirrored(normal).with_context(|| file.clone())?;
         self.target
-            .write(&mirrored, file, settings, &progress, warnings)
+            .write(&mirrored, file, options, &progress, warnings)
     }
 }

@@ -51,13 +51,13 @@ impl Command for Arguments {
         let progress = context.progress(100);
         progress.step("reading the motion");
         let mut warnings = Vec::new();
-        let (mut recording, settings) = motion.any_recording(&mut warnings)?;
+        let (mut recording, options) = motion.any_recording(&mut warnings)?;
         if motion.kind()? != Kind::Gltf {
             recording = recording
                 .resampled(rate)
                 .with_context(|| format!("{}: --rate {rate}", motion.file()))?;
         }
         self.target
-            .write(&recording, motion.file(), settings, &progress, warnings)
+            .write(&recording, motion.file(), options, &progress, warnings)
     }
 }

@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_anim::bvh::Bvh;
 use ga_anim::clip::Clip;
-use ga_anim::clip::compressed::{self, Settings};
+use ga_anim::clip::compressed::{self, Options};
 use ga_anim::gltf::{Rigged, character};
 use ga_anim::recording::Recording;
 use ga_anim::retarget::{Alignment, Contact, FootLocking, JointMap, Retarget, Soles};
@@ -325,11 +325,11 @@ fn write(
         }
         Format::Clip => {
             let recording = target.to_recording(&name, unit, clip).with_context(shown)?;
-            let settings = Settings {
+            let options = Options {
                 tolerance: arguments.tolerance,
-                ..Settings::default()
+                ..Options::default()
             };
-            let clip = compressed::compress(&recording, &settings, |done, steps| {
+            let clip = compressed::compress(&recording, &options, |done, steps| {
                 progress.at(done as u64, steps as u64);
             });
             output::write(out, clip.with_context(shown)?.as_bytes())?;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_anim::clip::compressed::{self, JointBound, Settings};
+use ga_anim::clip::compressed::{self, JointBound, Options};
 use ga_anim::recording::{RecordedJoint, Recording};
 use serde::Serialize;
 
@@ -55,18 +55,18 @@ impl TargetArguments {
         &self,
         recording: &Recording,
         file: String,
-        defaults: Settings,
+        defaults: Options,
         progress: &Progress,
         warnings: Vec<Warning>,
     ) -> Result<Report> {
-        let mut settings = Settings {
+        let mut options = Options {
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),
             shell: self.shell.unwrap_or(defaults.shell),
             track_tolerance: self.track_tolerance.unwrap_or(defaults.track_tolerance),
             joints: defaults.joints,
         };
-        add_bounds(&mut settings, &self.joints, recording, &file)?;
-        let report = write(recording, &settings, file, &self.out, progress, || Ok(None))?;
+        add_bounds(&mut options, &self.joints, recording, &file)?;
+        let report = write(recording, &options, file, &self.out, progress, || Ok(None))?;
         Ok(report.with_warnings(warnings))
     }
 }
@@ -110,9 +110,9 @@ impl FromStr for OwnBound {
     }
 }
 
-/// Adds bounds of joints, which are known by name, to settings.
+/// Adds bounds of joints, which are known by name, to options.
 pub(super) fn add_bounds(
-    settings: &mut Settings,
+    options: &mut Options,
     bounds: &[OwnBound],
     recording: &Recording,
     file: &str,
@@ -120,15 +120,15 @@ pub(super) fn add_bounds(
     for own in bounds {
         let named = |(_, joint): &(usize, &RecordedJoint)| joint.name == own.name;
         let joints = recording.joints().iter().enumerate().filter(named);
-        let before = settings.joints.len();
-        let (tolerance, shell) = (own.tolerance, own.shell.unwrap_or(settings.shell));
-        settings.joints.extend(joints.map(|(joint, _)| JointBound {
+        let before = options.joints.len();
+        let (tolerance, shell) = (own.tolerance, own.shell.unwrap_or(options.shell));
+        options.joints.extend(joints.map(|(joint, _)| JointBound {
             joint,
             tolerance,
             shell,
         }));
         ensure!(
-            settings.joints.len() > before,
+            options.joints.len() > before,
             "--joint {}: {file} has no such joint",
             own.name
         );
@@ -140,14 +140,14 @@ pub(super) fn add_bounds(
 /// before anything is written.
 pub(super) fn write(
     recording: &Recording,
-    settings: &Settings,
+    options: &Options,
     file: String,
     out: &Path,
     progress: &Progress,
     mesh_vertices: impl FnOnce() -> Result<Option<u64>>,
 ) -> Result<Report> {
     progress.step("compressing");
-    let clip = compressed::compress(recording, settings, |done, steps| {
+    let clip = compressed::compress(recording, options, |done, steps| {
         progress.at(done as u64, steps as u64);
     })
     .with_context(|| file.clone())?;

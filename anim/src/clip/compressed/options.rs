@@ -17,7 +17,7 @@ use crate::clip::ClipError;
 /// recording counts as scaled by 1 % of it, since the points near a joint that shrinks to nothing
 /// have no end.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct Options {
     /// The greatest error of a joint in metres.
     pub tolerance: f64,
     /// The radius of the ball of points about a joint, in metres of model space.
@@ -39,7 +39,7 @@ pub struct JointBound {
     pub shell: f64,
 }
 
-impl Default for Settings {
+impl Default for Options {
     /// 0.1 mm for points within 3 cm, and 10⁻⁴ for scalar tracks.
     fn default() -> Self {
         Self {
@@ -51,7 +51,7 @@ impl Default for Settings {
     }
 }
 
-impl Settings {
+impl Options {
     /// These bounds for all joints alike.
     #[must_use]
     pub fn new(tolerance: f64, shell: f64) -> Self {
