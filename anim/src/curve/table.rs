@@ -46,30 +46,6 @@ pub enum KeyTableError {
         /// The line in the file, from 1.
         line: usize,
     },
-    /// A line has another number of columns.
-    #[error("line {line}: {found} columns, but line {first} has {expected}")]
-    Columns {
-        /// The line in the file, from 1.
-        line: usize,
-        /// What was found.
-        found: usize,
-        /// The line that it is compared with.
-        first: usize,
-        /// What is expected.
-        expected: usize,
-    },
-    /// A field is not a finite number.
-    #[error("line {line}, column {column} ({name}): {text:?} is not a finite number")]
-    Number {
-        /// The line in the file, from 1.
-        line: usize,
-        /// The column, from 1.
-        column: usize,
-        /// The name.
-        name: String,
-        /// The text of the field.
-        text: String,
-    },
 }
 
 impl KeyTable {
@@ -78,25 +54,9 @@ impl KeyTable {
     /// # Errors
     /// What is wrong with the table, with the line.
     pub fn decode(bytes: &[u8]) -> Result<Self, KeyTableError> {
-        let table = Table::parse(bytes).map_err(|error| match error {
-            TableError::Cells {
-                line,
-                found,
-                expected,
-                first,
-            } => KeyTableError::Columns {
-                line,
-                found,
-                first,
-                expected,
-            },
-            other => other.into(),
-        })?;
+        let table = Table::rectangular(bytes)?;
         let has_header = !table.names().is_empty();
-        let (width, first) = match has_header {
-            true => (table.names().len(), table.names_line()),
-            false => (table.width(0), table.line(0)),
-        };
+        let (first, width) = table.first_line();
         match (width, table.len()) {
             (2.., 1..) => {}
             (0, _) | (2.., 0) => return Err(KeyTableError::Empty),
@@ -114,30 +74,20 @@ impl KeyTable {
             lines: Vec::new(),
         };
         for row in 0..table.len() {
-            let (line, found) = (table.line(row), table.width(row));
-            if found != width {
-                return Err(KeyTableError::Columns {
-                    line,
-                    found,
-                    first,
-                    expected: width,
-                });
-            }
             for column in 0..width {
                 let Ok(Some(number)) = table.number(row, column) else {
-                    return Err(KeyTableError::Number {
-                        line,
-                        column: column + 1,
-                        name: keys.names[column].clone(),
+                    return Err(KeyTableError::Table(TableError::Number {
+                        line: table.line(row),
+                        column: format!("{} ({})", column + 1, keys.names[column]),
                         text: table.text(row, column).to_owned(),
-                    });
+                    }));
                 };
                 match column.checked_sub(1) {
                     None => keys.times.push(number),
                     Some(channel) => keys.channels[channel].push(number),
                 }
             }
-            keys.lines.push(line);
+            keys.lines.push(table.line(row));
         }
         Ok(keys)
     }
