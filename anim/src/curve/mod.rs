@@ -8,12 +8,14 @@
 //! | evaluation | [`Curve::value`] at random, [`Cursor`] in order, [`Curve::sample_into`] |
 //! | calculus | [`Curve::derivative`], [`Curve::integral`], [`ArcLength`] |
 //! | few vertices | [`Curve::resampled`], with a proven bound of the deviation |
+//! | from tables | [`table::KeyTable::splines`] with [`ChannelEnds`] |
 //!
 //! Curves of motors are [`MotorSpline`](ga_runtime::geometry::motion::MotorSpline) and its
 //! relatives, since motors do not add.
 
 mod arc_length;
 mod bezier;
+mod channel_ends;
 mod cursor;
 mod ends;
 mod error;
@@ -28,6 +30,7 @@ mod value;
 
 pub use arc_length::ArcLength;
 pub use bezier::{BezierCurve, BezierKey};
+pub use channel_ends::{ChannelEnds, ChannelEndsError};
 pub use cursor::Cursor;
 pub use ends::{EndKind, Ends};
 pub use error::CurveError;

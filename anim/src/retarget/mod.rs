@@ -55,7 +55,9 @@ mod foot_locking;
 mod joint_map;
 mod soles;
 mod source;
+mod standing;
 mod structure;
+mod target;
 
 use std::ops::RangeInclusive;
 
@@ -74,6 +76,8 @@ pub use foot_locking::{Contact, FootLocking, LockedFeet};
 pub use joint_map::JointMap;
 pub use soles::Soles;
 pub use source::Source;
+pub use standing::StandingFoot;
+pub use target::Target;
 
 /// A recording prepared to move a skeleton.
 #[derive(Clone, Debug)]

@@ -2,14 +2,12 @@
 
 mod plot;
 
-use std::fmt::{Display, Formatter};
 use std::path::PathBuf;
-use std::str::FromStr;
 
-use anyhow::{Context as _, Result, anyhow, bail, ensure};
-use clap::ValueEnum;
+use anyhow::{Context as _, Result, ensure};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use ga_anim::curve::table::KeyTable;
-use ga_anim::curve::{self, Curve, CurveError, EndKind, Resampled, SplineSystem};
+use ga_anim::curve::{ChannelEnds, Curve, Distance, resample_channels, sample_channels};
 use serde::Serialize;
 
 use crate::format::Format;
@@ -40,7 +38,7 @@ pub(crate) struct Arguments {
     /// all at the end), not-a-knot (the first two pieces are one polynomial, and the last two), or
     /// periodic.
     #[arg(long, default_value = "natural", allow_hyphen_values = true)]
-    ends: Ends,
+    ends: ChannelEnds,
     /// Write this many rows at equal steps of time, from the first key to the last [default: 1000
     /// without --tolerance].
     #[arg(long, value_name = "N", conflicts_with = "tolerance")]
@@ -51,7 +49,7 @@ pub(crate) struct Arguments {
     /// The distance that the tolerance bounds: between the paths of the channels together, or
     /// between curve and polyline at the same time [default: equal-time for one channel, geometric
     /// for more].
-    #[arg(long, value_name = "WHICH", requires = "tolerance")]
+    #[arg(long, value_name = "WHICH", requires = "tolerance", value_parser = distance())]
     distance: Option<Distance>,
     /// Write the rows, times first, as CSV.
     #[arg(long, value_name = "FILE.csv")]
@@ -61,59 +59,12 @@ pub(crate) struct Arguments {
     plot: Option<PathBuf>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-enum Ends {
-    Natural,
-    Clamped,
-    Slopes(Vec<f64>),
-    NotAKnot,
-    Periodic,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum, Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum Distance {
-    Geometric,
-    EqualTime,
-}
-
-impl FromStr for Ends {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "natural" => return Ok(Self::Natural),
-            "clamped" => return Ok(Self::Clamped),
-            "not-a-knot" => return Ok(Self::NotAKnot),
-            "periodic" => return Ok(Self::Periodic),
-            _ => {}
-        }
-        let Some(list) = text.strip_prefix("slopes:") else {
-            return Err("expected natural, clamped, slopes:A,B, not-a-knot or periodic".into());
-        };
-        let slope = |word: &str| match word.trim().parse::<f64>() {
-            Ok(slope) if slope.is_finite() => Ok(slope),
-            _ => Err(format!("{word:?} is not a slope")),
-        };
-        let slopes: Vec<f64> = list.split(',').map(slope).collect::<Result<_, _>>()?;
-        if slopes.len().is_multiple_of(2) {
-            Ok(Self::Slopes(slopes))
-        } else {
-            Err(format!("{} slopes, but each channel has two", slopes.len()))
-        }
-    }
-}
-
-impl Display for Ends {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Natural => "natural",
-            Self::Clamped => "clamped",
-            Self::Slopes(_) => "slopes",
-            Self::NotAKnot => "not-a-knot",
-            Self::Periodic => "periodic",
-        })
-    }
+fn distance() -> impl TypedValueParser<Value = Distance> {
+    let words = PossibleValuesParser::new(["geometric", "equal-time"]);
+    words.map(|word| match word.as_str() {
+        "equal-time" => Distance::EqualTime,
+        _ => Distance::Geometric,
+    })
 }
 
 /// What is printed.
@@ -137,49 +88,108 @@ pub(crate) struct Report {
     max_deviation: Option<f64>,
 }
 
+/// Times, and the values of all channels at each.
+struct Rows {
+    times: Vec<f64>,
+    values: Vec<Vec<f64>>,
+    max_deviation: Option<f64>,
+}
+
 impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        check_arguments(arguments)?;
-        let is_asked = arguments.out.is_some() || arguments.plot.is_some();
+        if let Some(samples) = self.samples {
+            ensure!(
+                (2..=MOST_ROWS).contains(&samples),
+                "--samples {samples}: from 2 to {MOST_ROWS} rows can be written"
+            );
+        }
+        if let Some(tolerance) = self.tolerance {
+            ensure!(
+                tolerance.is_finite() && tolerance > 0.0,
+                "--tolerance {tolerance}: it must be above 0"
+            );
+        }
+        let is_asked = self.out.is_some() || self.plot.is_some();
         context.need_result(is_asked, "--out, --plot")?;
-        let mut files = context.files([&arguments.keys])?;
-        files.write_if_given("--out", arguments.out.as_ref(), &[Format::Csv])?;
-        files.write_if_given("--plot", arguments.plot.as_ref(), &[Format::Svg])?;
+        let mut files = context.files([&self.keys])?;
+        files.write_if_given("--out", self.out.as_ref(), &[Format::Csv])?;
+        files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
         let progress = context.progress(3);
         progress.step("reading");
-        let table = ga_files::read(&arguments.keys, KeyTable::decode)?;
+        let table = ga_files::read(&self.keys, KeyTable::decode)?;
         progress.step("fitting");
-        let name = || arguments.keys.display().to_string();
-        let curves = splines(&table, &arguments.ends).with_context(name)?;
-        let distance = arguments.distance.unwrap_or(match curves.len() {
+        let name = || self.keys.display().to_string();
+        let curves = table.splines(&self.ends).with_context(name)?;
+        let distance = self.distance.unwrap_or(match curves.len() {
             1 => Distance::EqualTime,
             _ => Distance::Geometric,
         });
-        let rows = match arguments.tolerance {
-            Some(tolerance) => vertices(&curves, tolerance, distance).with_context(name)?,
-            None => even_rows(&curves, arguments.samples.unwrap_or(1000)),
+        let rows = match self.tolerance {
+            Some(tolerance) => {
+                let found = resample_channels(&curves, tolerance, distance, MOST_ROWS);
+                let found = found.with_context(name)?;
+                Rows {
+                    times: found.times,
+                    values: found.values,
+                    max_deviation: Some(found.max_deviation),
+                }
+            }
+            None => {
+                let times = curves[0].even_times(self.samples.unwrap_or(1000));
+                Rows {
+                    values: sample_channels(&curves, &times),
+                    times,
+                    max_deviation: None,
+                }
+            }
         };
 
         progress.step("writing");
-        write(arguments, &table, &curves, &rows)?;
-        drop(progress);
+        self.write(&table, &curves, &rows)?;
         let shown = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
         Ok(Report {
-            out: shown(&arguments.out),
-            plot: shown(&arguments.plot),
+            out: shown(&self.out),
+            plot: shown(&self.plot),
             keys: table.times.len(),
             channels: table.names[1..].to_vec(),
-            ends: arguments.ends.to_string(),
+            ends: self.ends.to_string(),
             first_time: table.times[0],
             last_time: table.times[table.times.len() - 1],
             rows: rows.times.len(),
-            tolerance: arguments.tolerance,
-            distance: arguments.tolerance.map(|_| distance),
-            max_deviation: arguments.tolerance.map(|_| rows.max_deviation),
+            tolerance: self.tolerance,
+            distance: self.tolerance.map(|_| distance),
+            max_deviation: rows.max_deviation,
         })
+    }
+}
+
+impl Arguments {
+    /// Writes the table and the picture that are asked for. Both are complete before either is
+    /// written, so that an error in one leaves no other behind.
+    fn write(&self, table: &KeyTable, curves: &[Curve<f64>], rows: &Rows) -> Result<()> {
+        let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
+        if let Some(path) = &self.plot {
+            let svg = plot::svg(&self.title(table), table, curves, rows)
+                .with_context(|| format!("cannot draw {}", path.display()))?;
+            files.push((path, svg.into_bytes()));
+        }
+        if let Some(path) = &self.out {
+            let text = table.with_rows(&rows.times, &rows.values);
+            files.push((path, text.into_bytes()));
+        }
+        output::write_together(files)
+    }
+
+    fn title(&self, table: &KeyTable) -> String {
+        let name = self.keys.file_name().unwrap_or_default().to_string_lossy();
+        let keys = table.times.len();
+        let ends = match &self.ends {
+            ChannelEnds::Slopes(_) => "given slopes at the ends".to_string(),
+            other => format!("{other} ends"),
+        };
+        format!("{name}: cubic spline through {keys} keys, {ends}")
     }
 }
 
@@ -190,147 +200,4 @@ impl frame::Report for Report {
         let plot = self.plot.as_ref().map(|path| format!("wrote {path}\n"));
         out.into_iter().chain(plot).collect()
     }
-}
-
-/// Writes the table and the picture that are asked for. Both are complete before either is written,
-/// so that an error in one leaves no other behind.
-fn write(
-    arguments: &Arguments,
-    table: &KeyTable,
-    curves: &[Curve<f64>],
-    rows: &Resampled<Vec<f64>>,
-) -> Result<()> {
-    let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
-    if let Some(path) = &arguments.plot {
-        let title = title(arguments, table);
-        let marks = arguments.tolerance.map(|_| rows);
-        let svg = plot::svg(&title, table, curves, marks)
-            .with_context(|| format!("cannot draw {}", path.display()))?;
-        files.push((path, svg.into_bytes()));
-    }
-    if let Some(path) = &arguments.out {
-        files.push((path, table.with_rows(rows).into_bytes()));
-    }
-    output::write_together(files)
-}
-
-fn check_arguments(arguments: &Arguments) -> Result<()> {
-    if let Some(samples) = arguments.samples {
-        ensure!(
-            (2..=MOST_ROWS).contains(&samples),
-            "--samples {samples}: from 2 to {MOST_ROWS} rows can be written"
-        );
-    }
-    if let Some(tolerance) = arguments.tolerance {
-        ensure!(
-            tolerance.is_finite() && tolerance > 0.0,
-            "--tolerance {tolerance}: it must be above 0"
-        );
-    }
-    Ok(())
-}
-
-/// A spline for each channel.
-fn splines(table: &KeyTable, ends: &Ends) -> Result<Vec<Curve<f64>>> {
-    let kind = match ends {
-        Ends::Natural => EndKind::Natural,
-        Ends::Clamped | Ends::Slopes(_) => EndKind::Slopes,
-        Ends::NotAKnot => EndKind::NotAKnot,
-        Ends::Periodic => EndKind::Periodic,
-    };
-    let count = table.channels.len();
-    let slopes = |channel: usize| match ends {
-        Ends::Slopes(slopes) if slopes.len() == 2 => Some([slopes[0], slopes[1]]),
-        Ends::Slopes(slopes) => Some([slopes[channel], slopes[count + channel]]),
-        _ => None,
-    };
-    if let Ends::Slopes(slopes) = ends
-        && slopes.len() != 2
-        && slopes.len() != 2 * count
-    {
-        bail!(
-            "{} slopes, but there must be two, or two for each channel: {}",
-            slopes.len(),
-            2 * count
-        );
-    }
-    let system = SplineSystem::new(&table.times, kind).map_err(|error| located(error, table, 0))?;
-    let channels = table.channels.iter().enumerate();
-    channels
-        .map(|(channel, values)| {
-            match slopes(channel) {
-                Some(slopes) => system.fit_with_slopes(values, slopes),
-                None => system.fit(values),
-            }
-            .map_err(|error| located(error, table, channel + 1))
-        })
-        .collect()
-}
-
-/// An error with the line and the column of the table that it is about.
-fn located(error: CurveError, table: &KeyTable, column: usize) -> anyhow::Error {
-    let key = match error {
-        CurveError::Time { key, .. }
-        | CurveError::NotRising { key, .. }
-        | CurveError::NotFinite { key, .. }
-        | CurveError::OutOfRange { key } => Some(key),
-        CurveError::NotPeriodic { first, last, .. } => {
-            let line = table.lines[table.lines.len() - 1];
-            return anyhow!(
-                "line {line}, {}: a periodic curve ends where it begins, at {first}, not at {last}",
-                table.column(column)
-            );
-        }
-        _ => None,
-    };
-    match key.and_then(|key| table.lines.get(key)) {
-        Some(line) => anyhow!(error).context(format!("line {line}, {}", table.column(column))),
-        None => anyhow!(error),
-    }
-}
-
-fn vertices(
-    curves: &[Curve<f64>],
-    tolerance: f64,
-    distance: Distance,
-) -> Result<Resampled<Vec<f64>>, CurveError> {
-    let distance = match distance {
-        Distance::Geometric => curve::Distance::Geometric,
-        Distance::EqualTime => curve::Distance::EqualTime,
-    };
-    curve::resample_channels(curves, tolerance, distance, MOST_ROWS)
-}
-
-/// Rows at equal steps of time, at least two.
-fn even_rows(curves: &[Curve<f64>], count: usize) -> Resampled<Vec<f64>> {
-    let (start, end) = (curves[0].start(), curves[0].end());
-    let times: Vec<f64> = (0..count)
-        .map(|row| {
-            let part = row as f64 / (count - 1) as f64;
-            if row + 1 == count {
-                end
-            } else {
-                start + (end - start) * part
-            }
-        })
-        .collect();
-    Resampled {
-        values: curve::sample_channels(curves, &times),
-        times,
-        max_deviation: 0.0,
-    }
-}
-
-fn title(arguments: &Arguments, table: &KeyTable) -> String {
-    let name = arguments
-        .keys
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy();
-    let keys = table.times.len();
-    let ends = match &arguments.ends {
-        Ends::Slopes(_) => "given slopes at the ends".to_string(),
-        other => format!("{other} ends"),
-    };
-    format!("{name}: cubic spline through {keys} keys, {ends}")
 }

@@ -2,10 +2,11 @@
 
 use anyhow::{Result, ensure};
 use ga_anim::curve::table::KeyTable;
-use ga_anim::curve::{Curve, Distance, Outside, Resampled};
+use ga_anim::curve::{Curve, Distance, Outside};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
+use super::Rows;
 use crate::chart::{COLOURS, FINE, shown_small};
 
 /// The size of the picture as it is shown.
@@ -23,8 +24,10 @@ pub(super) fn svg(
     title: &str,
     table: &KeyTable,
     curves: &[Curve<f64>],
-    marks: Option<&Resampled<Vec<f64>>>,
+    rows: &Rows,
 ) -> Result<String> {
+    let is_polyline = rows.max_deviation.is_some() && rows.times.len() <= MOST_MARKS;
+    let marks = is_polyline.then_some(rows);
     let lines: Vec<Vec<(f64, f64)>> = curves.iter().map(line).collect();
     let ys = lines.iter().flatten().map(|&(_, y)| y);
     let [low, high] = padded(
@@ -74,7 +77,7 @@ pub(super) fn svg(
                 line.iter().copied(),
                 colour.stroke_width(2 * FINE),
             ))?;
-            if let Some(marks) = marks.filter(|marks| marks.times.len() <= MOST_MARKS) {
+            if let Some(marks) = marks {
                 let places = marks.times.iter().zip(&marks.values);
                 let ring = |(&t, values): (&f64, &Vec<f64>)| {
                     Circle::new((t, values[channel]), 3 * FINE, colour.stroke_width(FINE))
@@ -88,11 +91,7 @@ pub(super) fn svg(
                 .zip(table.channels[channel].iter().copied());
             chart.draw_series(keys.map(|key| Circle::new(key, 5 * FINE, colour.filled())))?;
         }
-        name_channels(
-            &right,
-            &table.names[1..],
-            marks.is_some_and(|marks| marks.times.len() <= MOST_MARKS),
-        )?;
+        name_channels(&right, &table.names[1..], is_polyline)?;
         root.present()?;
     }
     Ok(shown_small(&text, SIZE))
