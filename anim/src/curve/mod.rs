@@ -8,6 +8,7 @@
 //! | evaluation | [`Curve::value`] at random, [`Cursor`] in order, [`Curve::sample_into`] |
 //! | calculus | [`Curve::derivative`], [`Curve::integral`], [`ArcLength`] |
 //! | few vertices | [`Curve::resampled`], with a proven bound of the deviation |
+//! | in pictures | [`Curve::drawn`] |
 //! | from tables | [`table::KeyTable::splines`] with [`ChannelEnds`] |
 //!
 //! Curves of motors are [`MotorSpline`](ga_runtime::geometry::motion::MotorSpline) and its
@@ -17,6 +18,7 @@ mod arc_length;
 mod bezier;
 mod channel_ends;
 mod cursor;
+mod drawn;
 mod ends;
 mod error;
 mod hermite;

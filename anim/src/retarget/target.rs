@@ -1,12 +1,14 @@
 //! Skeletons in files, as targets of motions that are written in the form of these files.
 
-use ga_mesh::gltf::Document;
+use ga_mesh::gltf::{self, Document};
 
 use super::soles::Soles;
 use crate::MotionFileError;
 use crate::bvh::Bvh;
 use crate::clip::Clip;
+use crate::clip::compressed;
 use crate::gltf::{Rigged, character};
+use crate::motion_file::Format;
 use crate::recording::Recording;
 use crate::skeleton::{Skeleton, SkeletonError};
 use crate::unit::{LikelyUnit, likely_unit};
@@ -145,6 +147,34 @@ impl Target {
                 rigged.with_clip(name, &recording.to_clip()?)
             }
             Origin::Gltf(rigged) => rigged.with_clip(name, clip),
+        }
+    }
+
+    /// The bytes of a file of a motion: BVH as of [`to_bvh`](Self::to_bvh), GLB as of
+    /// [`to_gltf`](Self::to_gltf), or the [`to_recording`](Self::to_recording) as a clip that is
+    /// compressed within these bounds, of which `progress` is told as by
+    /// [`compress`](compressed::compress).
+    ///
+    /// # Errors
+    ///
+    /// Those of these functions, and [`MotionFileError::Document`] or [`MotionFileError::Clip`]
+    /// where the motion does not fit the format.
+    pub fn encode(
+        &self,
+        format: Format,
+        name: &str,
+        clip: &Clip,
+        compression: &compressed::Options,
+        progress: impl Fn(usize, usize) + Sync,
+    ) -> Result<Vec<u8>, MotionFileError> {
+        match format {
+            Format::Bvh => Ok(self.to_bvh(clip)?.encode().into_bytes()),
+            Format::Gltf => Ok(gltf::encode(&self.to_gltf(name, clip)?)?),
+            Format::Clip => {
+                let recording = self.to_recording(clip)?;
+                let compressed = compressed::compress(&recording, compression, progress)?;
+                Ok(compressed.as_bytes().to_vec())
+            }
         }
     }
 

@@ -1,7 +1,6 @@
 //! `nullcone skin`: one moment of an animated glTF model as a mesh.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
@@ -28,7 +27,7 @@ pub(crate) struct Arguments {
     model: PathBuf,
     /// The number of the animation, from 0, or `rest` for the pose of the nodes alone. The default
     /// is 0, and `rest` for a model without animations.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = choice)]
     animation: Option<Choice>,
     /// The time in seconds. Before the first key of a channel the first key counts, after the last
     /// key the last.
@@ -42,24 +41,16 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-/// What moves the nodes.
-#[derive(Clone, Copy, Debug)]
-enum Choice {
-    Animation(usize),
-    Rest,
-}
+/// The number of an animation, or none for the pose of the nodes.
+type Choice = Option<usize>;
 
-impl FromStr for Choice {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "rest" => Ok(Self::Rest),
-            number => match number.parse() {
-                Ok(animation) => Ok(Self::Animation(animation)),
-                Err(_) => Err("must be a number from 0, or `rest`".to_owned()),
-            },
-        }
+fn choice(text: &str) -> Result<Choice, &'static str> {
+    match text {
+        "rest" => Ok(None),
+        number => match number.parse() {
+            Ok(animation) => Ok(Some(animation)),
+            Err(_) => Err("must be a number from 0, or `rest`"),
+        },
     }
 }
 
@@ -98,11 +89,8 @@ impl Command for Arguments {
         let mut files = context.files([&arguments.model])?;
         files.write("--out", &arguments.out, &[Format::Obj])?;
         let document = gltf::read(&arguments.model)?;
-        let animation = match arguments.animation {
-            Some(Choice::Animation(animation)) => Some(animation),
-            Some(Choice::Rest) => None,
-            None => (!document.animations.is_empty()).then_some(0),
-        };
+        let first = || (!document.animations.is_empty()).then_some(0);
+        let animation = arguments.animation.unwrap_or_else(first);
         let moment = Moment::new(
             &document,
             animation,

@@ -41,6 +41,7 @@ mod sampler;
 mod shell;
 mod size;
 mod skin;
+mod summary;
 mod tables;
 
 pub use clip::CompressedClip;
@@ -53,3 +54,4 @@ pub use sampler::Sampler;
 pub(crate) use shell::ShellError;
 pub use size::{MeshSize, Size};
 pub use skin::{SkinMismatch, error_at_skin};
+pub use summary::{Accuracy, BoundSummary, Summary};

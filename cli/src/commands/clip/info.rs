@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use ga_anim::clip::compressed::{CompressedClip, JointBound, Size};
+use ga_anim::clip::compressed::{CompressedClip, Size, Summary};
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context};
@@ -36,24 +36,19 @@ impl Command for Arguments {
     fn run(&self, context: &Context) -> Result<Info> {
         context.files([&self.clip])?;
         let clip = CompressedClip::read(&self.clip)?;
-        let options = clip.options();
-        let bound = |bound: &JointBound| Bound {
-            joint: clip.names()[bound.joint].clone(),
-            tolerance_metres: bound.tolerance,
-            shell_metres: bound.shell,
-        };
         Ok(Info {
             file: self.clip.display().to_string(),
-            size: Size::new(&clip, self.mesh_vertices),
-            tolerance_metres: options.tolerance,
-            shell_metres: options.shell,
-            track_tolerance: options.track_tolerance,
-            joint_bounds: options.joints.iter().map(bound).collect(),
-            joint_names: clip.names().to_vec(),
-            joint_parents: clip.parents().to_vec(),
-            tracks: clip.track_names().map(ToOwned::to_owned).collect(),
+            summary: Summary::new(&clip, self.mesh_vertices),
         })
     }
+}
+
+/// What is said about a clip.
+#[derive(Debug, Serialize)]
+pub(crate) struct Info {
+    file: String,
+    #[serde(flatten)]
+    summary: Summary,
 }
 
 /// The size of a clip for people, as the rest of a line and lines below.
@@ -72,37 +67,13 @@ pub(super) fn lines_of(size: &Size) -> String {
     lines + &format!("decoding   {rate:.0} frames a second on one thread\n")
 }
 
-/// What is said about a clip.
-#[derive(Debug, Serialize)]
-pub(crate) struct Info {
-    file: String,
-    #[serde(flatten)]
-    size: Size,
-    tolerance_metres: f64,
-    shell_metres: f64,
-    track_tolerance: f64,
-    joint_bounds: Vec<Bound>,
-    joint_names: Vec<String>,
-    /// The index of each joint's parent; `null` for a root.
-    joint_parents: Vec<Option<usize>>,
-    tracks: Vec<String>,
-}
-
-/// The bound of one joint.
-#[derive(Debug, Serialize)]
-struct Bound {
-    joint: String,
-    tolerance_metres: f64,
-    shell_metres: f64,
-}
-
 impl frame::Report for Info {
     fn is_result(&self) -> bool {
         true
     }
 
     fn text(&self) -> String {
-        let size = &self.size;
+        let (summary, size) = (&self.summary, &self.summary.size);
         let mut lines = format!("{}: {}", self.file, lines_of(size));
         lines += &format!(
             "motion     {} frames of {} joints, {:.2} s at {:.2} Hz; {} numbers a frame change\n",
@@ -114,10 +85,10 @@ impl frame::Report for Info {
         );
         lines += &format!(
             "bound      {:.4} mm for points within {:.4} m of a joint\n",
-            1e3 * self.tolerance_metres,
-            self.shell_metres
+            1e3 * summary.tolerance_metres,
+            summary.shell_metres
         );
-        for bound in &self.joint_bounds {
+        for bound in &summary.joint_bounds {
             lines += &format!(
                 "           {:.4} mm within {:.4} m of {}\n",
                 1e3 * bound.tolerance_metres,
@@ -125,9 +96,12 @@ impl frame::Report for Info {
                 bound.joint
             );
         }
-        if !self.tracks.is_empty() {
-            let tracks = self.tracks.join(", ");
-            lines += &format!("tracks     {tracks}; within {:.1e}\n", self.track_tolerance);
+        if !summary.tracks.is_empty() {
+            let tracks = summary.tracks.join(", ");
+            lines += &format!(
+                "tracks     {tracks}; within {:.1e}\n",
+                summary.track_tolerance
+            );
         }
         lines
     }

@@ -4,15 +4,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
-use ga_anim::clip::Clip;
-use ga_anim::clip::compressed::{self, Options};
+use ga_anim::clip::compressed;
 use ga_anim::motion_file::Format as MotionFormat;
-use ga_anim::recording::Recording;
-use ga_anim::retarget::{Alignment, FootLocking, JointMap, Retarget, StandingFoot, Target};
+use ga_anim::retarget::{Alignment, JointMap, MapOrigin, Options, StandingFoot, Target, Transfer};
 use ga_anim::unit::{LikelyUnit, likely_unit};
 use ga_mesh::gltf;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::input::{MotionArguments, checked_unit};
 use crate::figure_file::stem;
@@ -112,16 +109,14 @@ impl Command for Arguments {
         let (source, _) = self.motion.recording(&mut warnings)?;
         let (file, target_file) = (self.motion.file(), self.target.display().to_string());
         let skeleton = target.skeleton();
-        let (map, map_by) = self.map(&source, &target)?;
-
-        progress.step("transferring the motion");
-        let onto = || format!("{file} cannot move {target_file}");
-        let alignment = match self.align {
-            Bones::All => Alignment::EveryBone,
-            Bones::Limbs => Alignment::Limbs,
+        let (map, map_by) = match &self.map {
+            Some(path) => {
+                let map = ga_files::read(path, |bytes| JointMap::decode(bytes, &source, skeleton))?;
+                (map, MapOrigin::File)
+            }
+            None => JointMap::found(&source, skeleton),
         };
-        let retarget = Retarget::with_alignment(&source, skeleton, target.soles(), &map, alignment)
-            .with_context(onto)?;
+        progress.step("transferring the motion");
         let source_unit = match (self.motion.format()?, self.motion.metres_per_unit) {
             (MotionFormat::Bvh, None) => metres(likely_unit(&source), &file, &mut warnings)?,
             // A recording in metres.
@@ -131,39 +126,25 @@ impl Command for Arguments {
             None => metres(target.likely_unit()?, &target_file, &mut warnings)?,
             Some(unit) => unit,
         };
-        let locked = retarget
-            .with_foot_locking(&FootLocking::new(source_unit))
-            .with_context(onto)?;
-        let frames = 0..=source.frame_count() - 1;
-        let clip = match self.foot_locking {
-            true => locked.clip(frames),
-            false => retarget.clip(frames),
-        };
-        let clip = clip.with_context(onto)?;
-        let contacts = locked.contacts();
-        let feet = StandingFoot::of_contacts(contacts, skeleton, target_unit, self.foot_locking);
-        warnings.extend(feet.iter().filter_map(too_short));
-        progress.step("writing");
-        self.write(format, &target, &clip, &progress)?;
-        let greatest = |of: fn(&StandingFoot) -> f64| feet.iter().map(of).fold(0.0, f64::max);
-        Ok(Report {
-            out: self.out.display().to_string(),
-            frames: clip.frames().len(),
-            joints: skeleton.len(),
-            frame_time_seconds: clip.frame_time(),
-            target_units_per_unit: retarget.scale(),
+        let options = Options {
+            alignment: match self.align {
+                Bones::All => Alignment::EveryBone,
+                Bones::Limbs => Alignment::Limbs,
+            },
+            foot_locking: self.foot_locking,
             motion_metres_per_unit: source_unit,
             target_metres_per_unit: target_unit,
-            map_by,
-            map: map.to_json(&source, skeleton),
-            joints_without_counterpart: retarget.unmatched().map(ToOwned::to_owned).collect(),
-            foot_locking: self.foot_locking,
-            slide_metres: greatest(|foot| foot.slide_metres),
-            slide_free_metres: greatest(|foot| foot.slide_free_metres),
-            short_by_metres: greatest(|foot| foot.short_by_metres),
-            feet,
+        };
+        let transfer = Transfer::new(&source, &target, (&map, map_by), &options)
+            .with_context(|| format!("{file} cannot move {target_file}"))?;
+        warnings.extend(transfer.feet.iter().filter_map(too_short));
+        progress.step("writing");
+        self.write(format, &target, &transfer, &progress)?;
+        Ok(Report {
             file,
             target: target_file,
+            out: self.out.display().to_string(),
+            transfer,
             warnings,
         })
     }
@@ -194,53 +175,32 @@ impl Arguments {
         }
     }
 
-    /// The map of joints, and where it comes from.
-    fn map(&self, source: &Recording, target: &Target) -> Result<(JointMap, &'static str)> {
-        let skeleton = target.skeleton();
-        if let Some(path) = &self.map {
-            let map = ga_files::read(path, |bytes| JointMap::decode(bytes, source, skeleton))?;
-            return Ok((map, "file"));
-        }
-        let map = JointMap::by_names_or_structure(source, skeleton);
-        let by = match map == JointMap::by_names(source, skeleton) {
-            true => "names",
-            false => "structure",
-        };
-        Ok((map, by))
-    }
-
     fn write(
         &self,
         format: Format,
         target: &Target,
-        clip: &Clip,
+        transfer: &Transfer,
         progress: &Progress,
     ) -> Result<()> {
-        let out = &self.out;
+        let (out, clip, name) = (&self.out, &transfer.clip, stem(&self.motion.motion));
         let shown = || format!("{} cannot be written", out.display());
-        let document = || target.to_gltf(&stem(&self.motion.motion), clip);
-        match format {
-            Format::Glb => {
-                let document = document().with_context(shown)?;
-                output::write(out, &gltf::encode(&document).with_context(shown)?)
+        let format = match format {
+            Format::Gltf => {
+                let document = target.to_gltf(&name, clip).with_context(shown)?;
+                return Ok(gltf::write(out, &document)?);
             }
-            Format::Gltf => Ok(gltf::write(out, &document().with_context(shown)?)?),
-            Format::Clip => {
-                let recording = target.to_recording(clip).with_context(shown)?;
-                let options = Options {
-                    tolerance: self.tolerance,
-                    ..Options::default()
-                };
-                let clip = compressed::compress(&recording, &options, |done, steps| {
-                    progress.at(done as u64, steps as u64);
-                });
-                output::write(out, clip.with_context(shown)?.as_bytes())
-            }
-            _ => {
-                let motion = target.to_bvh(clip).with_context(shown)?;
-                output::write(out, motion.encode().as_bytes())
-            }
-        }
+            Format::Glb => MotionFormat::Gltf,
+            Format::Clip => MotionFormat::Clip,
+            _ => MotionFormat::Bvh,
+        };
+        let compression = compressed::Options {
+            tolerance: self.tolerance,
+            ..compressed::Options::default()
+        };
+        let bytes = target.encode(format, &name, clip, &compression, |done, steps| {
+            progress.at(done as u64, steps as u64);
+        });
+        output::write(out, &bytes.with_context(shown)?)
     }
 }
 
@@ -280,22 +240,8 @@ pub(crate) struct Report {
     file: String,
     target: String,
     out: String,
-    frames: usize,
-    joints: usize,
-    frame_time_seconds: f64,
-    /// How long one unit of the motion is in units of the target.
-    target_units_per_unit: f64,
-    motion_metres_per_unit: f64,
-    target_metres_per_unit: f64,
-    map_by: &'static str,
-    map: Value,
-    joints_without_counterpart: Vec<String>,
-    foot_locking: bool,
-    /// The greatest ones of all feet.
-    slide_metres: f64,
-    slide_free_metres: f64,
-    short_by_metres: f64,
-    feet: Vec<StandingFoot>,
+    #[serde(flatten)]
+    transfer: Transfer,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -315,33 +261,31 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let matched = self.joints - self.joints_without_counterpart.len();
+        let (out, target, transfer) = (&self.out, &self.target, &self.transfer);
+        let (frames, joints) = (transfer.frames, transfer.joints);
+        let matched = joints - transfer.joints_without_counterpart.len();
+        let by = match transfer.map_by {
+            MapOrigin::Names => "names",
+            MapOrigin::Structure => "structure",
+            MapOrigin::File => "the map",
+        };
         let mut lines = format!(
-            "{}: {} frames on {} of {} joints of {}, matched by {}\n",
-            self.out,
-            self.frames,
-            matched,
-            self.joints,
-            self.target,
-            match self.map_by {
-                "file" => "the map",
-                by => by,
-            }
+            "{out}: {frames} frames on {matched} of {joints} joints of {target}, matched by {by}\n"
         );
-        for foot in &self.feet {
+        for foot in &transfer.feet {
+            let free = match transfer.foot_locking {
+                true => format!(
+                    ", {:.2} mm without foot locking",
+                    1e3 * foot.slide_free_metres
+                ),
+                false => String::new(),
+            };
             lines += &format!(
-                "{:10} stands {} times, in {} frames; slides {:.2} mm at most{}\n",
+                "{:10} stands {} times, in {} frames; slides {:.2} mm at most{free}\n",
                 foot.joint,
                 foot.contacts,
                 foot.standing_frames,
                 1e3 * foot.slide_metres,
-                match self.foot_locking {
-                    true => format!(
-                        ", {:.2} mm without foot locking",
-                        1e3 * foot.slide_free_metres
-                    ),
-                    false => String::new(),
-                }
             );
         }
         lines

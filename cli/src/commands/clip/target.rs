@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
-use ga_anim::clip::compressed::{self, NamedBound, Options, Size};
+use ga_anim::clip::compressed::{self, Accuracy, NamedBound, Options, Size};
 use ga_anim::recording::Recording;
 use serde::Serialize;
 
@@ -145,19 +145,14 @@ impl Compression<'_> {
             progress.at(done as u64, steps as u64);
         })
         .with_context(|| file.clone())?;
-        let measured = compressed::measure(recording, &clip)
+        let accuracy = Accuracy::new(recording, &clip, self.deviation)
             .context("the clip does not have the joints and frames of its recording")?;
         output::write(out, clip.as_bytes())?;
         Ok(Report {
             file,
             out: out.display().to_string(),
             size: Size::new(&clip, self.mesh_vertices),
-            max_error_metres: measured.error + self.deviation,
-            max_error_joint: recording.joints()[measured.joint].name.clone(),
-            max_error_frame: measured.frame,
-            half_frame_error_metres: measured.half_frame_error + self.deviation,
-            tracks: recording.tracks().len(),
-            max_track_error: measured.track_error,
+            accuracy,
             warnings,
         })
     }
@@ -170,12 +165,8 @@ pub(crate) struct Report {
     out: String,
     #[serde(flatten)]
     size: Size,
-    max_error_metres: f64,
-    max_error_joint: String,
-    max_error_frame: usize,
-    half_frame_error_metres: f64,
-    tracks: usize,
-    max_track_error: f64,
+    #[serde(flatten)]
+    accuracy: Accuracy,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -192,7 +183,11 @@ impl frame::Report for Report {
 
     fn text(&self) -> String {
         let Self {
-            file, out, size, ..
+            file,
+            out,
+            size,
+            accuracy,
+            ..
         } = self;
         let mut lines = format!(
             "{file}: {} frames of {} joints, {} numbers a frame change\n{out}: {}",
@@ -203,15 +198,15 @@ impl frame::Report for Report {
         );
         lines += &format!(
             "error      {:.4} mm at most, of joint {} in frame {}; {:.4} mm half-way between frames\n",
-            1e3 * self.max_error_metres,
-            self.max_error_joint,
-            self.max_error_frame,
-            1e3 * self.half_frame_error_metres,
+            1e3 * accuracy.max_error_metres,
+            accuracy.max_error_joint,
+            accuracy.max_error_frame,
+            1e3 * accuracy.half_frame_error_metres,
         );
-        if self.tracks > 0 {
+        if accuracy.tracks > 0 {
             lines += &format!(
                 "tracks     {}, within {:.1e}\n",
-                self.tracks, self.max_track_error
+                accuracy.tracks, accuracy.max_track_error
             );
         }
         lines

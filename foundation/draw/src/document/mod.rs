@@ -12,8 +12,11 @@
 //! assert!(page.into_html().starts_with("<!DOCTYPE html>"));
 //! ```
 
+pub mod chart;
+mod line_chart;
 mod page;
 mod svg;
 
+pub use line_chart::{LineChart, LineChartError, Series};
 pub use page::{Cell, Page, Tint};
 pub use svg::{Anchor, Svg, ticks};

@@ -1,13 +1,12 @@
 //! `nullcone curve`: a smooth curve through the keys of a table.
 
-mod plot;
-
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use ga_anim::curve::table::KeyTable;
 use ga_anim::curve::{ChannelEnds, Curve, Distance, resample_channels, sample_channels};
+use ga_draw::document::{LineChart, Series};
 use serde::Serialize;
 
 use crate::format::Format;
@@ -171,7 +170,8 @@ impl Arguments {
     fn write(&self, table: &KeyTable, curves: &[Curve<f64>], rows: &Rows) -> Result<()> {
         let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
         if let Some(path) = &self.plot {
-            let svg = plot::svg(&self.title(table), table, curves, rows)
+            let svg = self
+                .picture(table, curves, rows)
                 .with_context(|| format!("cannot draw {}", path.display()))?;
             files.push((path, svg.into_bytes()));
         }
@@ -182,14 +182,44 @@ impl Arguments {
         output::write_together(files)
     }
 
-    fn title(&self, table: &KeyTable) -> String {
-        let name = self.keys.file_name().unwrap_or_default().to_string_lossy();
-        let keys = table.times.len();
+    /// The channels over time as SVG, with the vertices of a polyline unless they hide the curve.
+    fn picture(&self, table: &KeyTable, curves: &[Curve<f64>], rows: &Rows) -> Result<String> {
+        const HEIGHT: f64 = 560.0;
+        const MOST_VERTICES: usize = 400;
+        let (name, keys) = (self.keys.file_name().unwrap_or_default(), &table.times);
         let ends = match &self.ends {
-            ChannelEnds::Slopes(_) => "given slopes at the ends".to_string(),
+            ChannelEnds::Slopes(_) => "given slopes at the ends".to_owned(),
             other => format!("{other} ends"),
         };
-        format!("{name}: cubic spline through {keys} keys, {ends}")
+        let is_marked = rows.max_deviation.is_some() && rows.times.len() <= MOST_VERTICES;
+        let vertices = rows.times.iter().zip(&rows.values).filter(|_| is_marked);
+        let series = curves.iter().enumerate().map(|(channel, curve)| Series {
+            name: table.names[channel + 1].clone(),
+            line: curve.drawn(HEIGHT),
+            dots: (keys.iter().copied())
+                .zip(table.channels[channel].iter().copied())
+                .collect(),
+            rings: (vertices.clone())
+                .map(|(&time, values)| (time, values[channel]))
+                .collect(),
+        });
+        let series: Vec<Series> = series.collect();
+        let chart = LineChart {
+            title: &format!(
+                "{}: cubic spline through {} keys, {ends}",
+                name.to_string_lossy(),
+                keys.len()
+            ),
+            horizontal: &table.names[0],
+            vertical: match &series[..] {
+                [one] => &one.name,
+                _ => "value",
+            },
+            series: &series,
+            dots: "key",
+            rings: "vertex",
+        };
+        Ok(chart.to_svg()?)
     }
 }
 
