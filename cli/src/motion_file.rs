@@ -27,15 +27,9 @@ pub(crate) fn read_any(
 }
 
 fn warn(path: &Path, found: &[BvhWarning], warnings: &mut Vec<Warning>) {
-    let found = found.iter().map(|warning| {
-        let (kind, line) = match warning {
-            BvhWarning::FrameCount { line, .. } => ("frame_count", Some(*line)),
-            BvhWarning::PositionsBelowRoot { .. } => ("positions_below_root", None),
-        };
-        Warning {
-            line,
-            ..Warning::new(kind, warning).in_file(path)
-        }
+    let found = found.iter().map(|warning| Warning {
+        line: warning.line(),
+        ..Warning::new(warning.kind(), warning).in_file(path)
     });
     let found: Vec<Warning> = found.collect();
     keep_for_failure(&found);

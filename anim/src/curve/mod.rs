@@ -9,7 +9,7 @@
 //! | calculus | [`Curve::derivative`], [`Curve::integral`], [`ArcLength`] |
 //! | few vertices | [`Curve::resampled`], with a proven bound of the deviation |
 //! | in pictures | [`Curve::drawn`] |
-//! | from tables | [`table::KeyTable::splines`] with [`ChannelEnds`] |
+//! | from tables | [`table::KeyTable`], [`SampledTable`] |
 //!
 //! Curves of motors are [`MotorSpline`](ga_runtime::geometry::motion::MotorSpline) and its
 //! relatives, since motors do not add.
@@ -26,6 +26,7 @@ mod integral;
 mod linear;
 mod piecewise;
 mod resample;
+mod sampled;
 mod spline;
 pub mod table;
 mod value;
@@ -38,5 +39,6 @@ pub use ends::{EndKind, Ends};
 pub use error::CurveError;
 pub use piecewise::{Curve, Outside};
 pub use resample::{Distance, Resampled, resample_channels, sample_channels};
+pub use sampled::{SampledTable, Sampling};
 pub use spline::SplineSystem;
 pub use value::Value;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result, ensure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use ga_anim::curve::table::KeyTable;
-use ga_anim::curve::{ChannelEnds, Curve, Distance, resample_channels, sample_channels};
+use ga_anim::curve::{ChannelEnds, Distance, SampledTable, Sampling};
 use ga_draw::document::{LineChart, Series};
 use serde::Serialize;
 
@@ -73,25 +73,8 @@ pub(crate) struct Report {
     out: Option<String>,
     #[serde(skip)]
     plot: Option<String>,
-    keys: usize,
-    channels: Vec<String>,
-    ends: String,
-    first_time: f64,
-    last_time: f64,
-    rows: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tolerance: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    distance: Option<Distance>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    max_deviation: Option<f64>,
-}
-
-/// Times, and the values of all channels at each.
-struct Rows {
-    times: Vec<f64>,
-    values: Vec<Vec<f64>>,
-    max_deviation: Option<f64>,
+    #[serde(flatten)]
+    sampled: SampledTable,
 }
 
 impl Command for Arguments {
@@ -119,47 +102,23 @@ impl Command for Arguments {
         progress.step("reading");
         let table = ga_files::read(&self.keys, KeyTable::decode)?;
         progress.step("fitting");
-        let name = || self.keys.display().to_string();
-        let curves = table.splines(&self.ends).with_context(name)?;
-        let distance = self.distance.unwrap_or(match curves.len() {
-            1 => Distance::EqualTime,
-            _ => Distance::Geometric,
-        });
-        let rows = match self.tolerance {
-            Some(tolerance) => {
-                let found = resample_channels(&curves, tolerance, distance, MOST_ROWS);
-                let found = found.with_context(name)?;
-                Rows {
-                    times: found.times,
-                    values: found.values,
-                    max_deviation: Some(found.max_deviation),
-                }
-            }
-            None => {
-                let times = curves[0].even_times(self.samples.unwrap_or(1000));
-                Rows {
-                    values: sample_channels(&curves, &times),
-                    times,
-                    max_deviation: None,
-                }
-            }
+        let sampling = match self.tolerance {
+            Some(tolerance) => Sampling::Within {
+                tolerance,
+                distance: self.distance,
+                most: MOST_ROWS,
+            },
+            None => Sampling::Even(self.samples.unwrap_or(1000)),
         };
-
+        let sampled = SampledTable::new(&table, &self.ends, sampling)
+            .with_context(|| self.keys.display().to_string())?;
         progress.step("writing");
-        self.write(&table, &curves, &rows)?;
+        self.write(&table, &sampled)?;
         let shown = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
         Ok(Report {
             out: shown(&self.out),
             plot: shown(&self.plot),
-            keys: table.times.len(),
-            channels: table.names[1..].to_vec(),
-            ends: self.ends.to_string(),
-            first_time: table.times[0],
-            last_time: table.times[table.times.len() - 1],
-            rows: rows.times.len(),
-            tolerance: self.tolerance,
-            distance: self.tolerance.map(|_| distance),
-            max_deviation: rows.max_deviation,
+            sampled,
         })
     }
 }
@@ -167,23 +126,23 @@ impl Command for Arguments {
 impl Arguments {
     /// Writes the table and the picture that are asked for. Both are complete before either is
     /// written, so that an error in one leaves no other behind.
-    fn write(&self, table: &KeyTable, curves: &[Curve<f64>], rows: &Rows) -> Result<()> {
+    fn write(&self, table: &KeyTable, sampled: &SampledTable) -> Result<()> {
         let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
         if let Some(path) = &self.plot {
             let svg = self
-                .picture(table, curves, rows)
+                .picture(table, sampled)
                 .with_context(|| format!("cannot draw {}", path.display()))?;
             files.push((path, svg.into_bytes()));
         }
         if let Some(path) = &self.out {
-            let text = table.with_rows(&rows.times, &rows.values);
+            let text = table.with_rows(&sampled.times, &sampled.values);
             files.push((path, text.into_bytes()));
         }
         output::write_together(files)
     }
 
     /// The channels over time as SVG, with the vertices of a polyline unless they hide the curve.
-    fn picture(&self, table: &KeyTable, curves: &[Curve<f64>], rows: &Rows) -> Result<String> {
+    fn picture(&self, table: &KeyTable, sampled: &SampledTable) -> Result<String> {
         const HEIGHT: f64 = 560.0;
         const MOST_VERTICES: usize = 400;
         let (name, keys) = (self.keys.file_name().unwrap_or_default(), &table.times);
@@ -191,17 +150,18 @@ impl Arguments {
             ChannelEnds::Slopes(_) => "given slopes at the ends".to_owned(),
             other => format!("{other} ends"),
         };
-        let is_marked = rows.max_deviation.is_some() && rows.times.len() <= MOST_VERTICES;
-        let vertices = rows.times.iter().zip(&rows.values).filter(|_| is_marked);
-        let series = curves.iter().enumerate().map(|(channel, curve)| Series {
-            name: table.names[channel + 1].clone(),
-            line: curve.drawn(HEIGHT),
-            dots: (keys.iter().copied())
-                .zip(table.channels[channel].iter().copied())
-                .collect(),
-            rings: (vertices.clone())
-                .map(|(&time, values)| (time, values[channel]))
-                .collect(),
+        let is_marked = sampled.tolerance.is_some() && sampled.rows <= MOST_VERTICES;
+        let vertices = sampled.times.iter().zip(&sampled.values);
+        let vertices = vertices.filter(|_| is_marked);
+        let series = sampled.curves.iter().enumerate().map(|(channel, curve)| {
+            let ring = |(&time, values): (&f64, &Vec<f64>)| (time, values[channel]);
+            let values = table.channels[channel].iter().copied();
+            Series {
+                name: sampled.channels[channel].clone(),
+                line: curve.drawn(HEIGHT),
+                dots: keys.iter().copied().zip(values).collect(),
+                rings: vertices.clone().map(ring).collect(),
+            }
         });
         let series: Vec<Series> = series.collect();
         let chart = LineChart {
@@ -226,7 +186,7 @@ impl Arguments {
 impl frame::Report for Report {
     fn text(&self) -> String {
         let out = self.out.as_ref();
-        let out = out.map(|path| format!("wrote {path}: {} rows\n", self.rows));
+        let out = out.map(|path| format!("wrote {path}: {} rows\n", self.sampled.rows));
         let plot = self.plot.as_ref().map(|path| format!("wrote {path}\n"));
         out.into_iter().chain(plot).collect()
     }

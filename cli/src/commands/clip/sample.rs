@@ -42,7 +42,7 @@ impl Command for Arguments {
     type Report = Samples;
 
     fn run(&self, context: &Context) -> Result<Samples> {
-        let (motion, times) = (&self.motion, &self.times);
+        let (motion, times, file) = (&self.motion, &self.times, self.motion.file());
         context.files([&motion.motion])?;
         for time in times {
             ensure!(time.is_finite(), "--times {time}: a time must be finite");
@@ -50,13 +50,12 @@ impl Command for Arguments {
         let is_of_curves = motion.format()? == Format::Gltf;
         ensure!(
             !(is_of_curves && motion.rate.is_some()),
-            "--rate does not apply to the curves of {}, which have no frames",
-            motion.file()
+            "{file}: --rate does not apply to the curves of {file}, which have no frames"
         );
         let mut warnings = Vec::new();
         let samples = motion.read(&mut warnings)?.samples(times);
         Ok(Samples {
-            samples: samples.with_context(|| motion.file())?,
+            samples: samples.context(file)?,
             warnings,
         })
     }
