@@ -98,8 +98,8 @@ impl<V: Value> Curve<V> {
     /// ```
     /// use ga_anim::curve::Curve;
     ///
-    /// let curve = Curve::linear(&[1.0, 2.5], &[0.0, 1.0])?;
-    /// assert_eq!(curve.even_times(4), [1.0, 1.5, 2.0, 2.5]);
+    /// let curve = Curve::linear(&[1.0, 3.0], &[0.0, 1.0])?;
+    /// assert_eq!(curve.even_times(5), [1.0, 1.5, 2.0, 2.5, 3.0]);
     /// # Ok::<(), ga_anim::curve::CurveError>(())
     /// ```
     #[must_use]
