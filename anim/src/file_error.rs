@@ -5,15 +5,22 @@ use ga_mesh::MeshError;
 use ga_mesh::gltf::Element;
 
 use crate::bvh::problem::BvhProblem;
+use crate::clip::ClipError;
 use crate::recording::RecordingError;
 use crate::skeleton::SkeletonError;
 use crate::weights::error::SkinError;
 
 /// What is wrong with a file of a rig or of motion, or with what should be written to one: BVH,
-/// glTF and the JSON of rigs. Elements are counted from 0 and lines from 1.
+/// glTF, compressed clips and the JSON of rigs. Elements are counted from 0 and lines from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionFileError {
+    /// The name of the file has no ending that stands for a format.
+    #[error("a motion is a file of the kind .bvh, .glb, .gltf or .clip")]
+    Ending,
+    /// The file is not a compressed clip.
+    #[error(transparent)]
+    Clip(#[from] ClipError),
     /// The file is not JSON, or not of this form; the message names line and column.
     #[error("{0}")]
     Json(String),
@@ -159,6 +166,9 @@ pub enum MotionFileError {
         /// How many positions there are.
         found: usize,
     },
+    /// No node has a mesh.
+    #[error("no node has a mesh")]
+    NoMesh,
     /// No node has a skin.
     #[error("no node has a skin")]
     NoSkin,

@@ -11,6 +11,7 @@
 //! | [`skeleton`], [`weights`] | the data: joints with parents first, influences without a limit |
 //! | [`rig`], [`bvh`] | read rigs with painted weights, and motion capture |
 //! | [`transform`], [`recording`] | motion as files have it: local transforms, frame by frame |
+//! | [`motion_file`] | motions in files of any format, chosen by the endings of their names |
 //! | [`curve`] | curves through keys: splines, lengths, few vertices within a proven bound |
 //! | [`pose`], [`clip`] | motors of joints, and interpolation between frames along screws |
 //! | [`kinematics`] | forward kinematics and layers of poses, over slices and in lanes |
@@ -81,6 +82,7 @@ pub mod gltf;
 pub mod inverse_kinematics;
 pub mod kinematics;
 pub mod leg;
+pub mod motion_file;
 pub mod pose;
 pub mod recording;
 pub mod retarget;

@@ -9,7 +9,7 @@ use std::hint::black_box;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use ga_anim::bvh;
-use ga_anim::clip::compressed::{Sampler, Settings, compress};
+use ga_anim::clip::compressed::{Options, Sampler, compress};
 use ga_anim::recording::{RecordedJoint, Recording};
 use ga_anim::transform::Transform;
 use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -25,7 +25,7 @@ const SAMPLES: usize = 1_000;
 
 fn all(criterion: &mut Criterion) {
     let recording = recording();
-    let Ok(clip) = compress(&recording, &Settings::default(), |_, _| ()) else {
+    let Ok(clip) = compress(&recording, &Options::default(), |_, _| ()) else {
         return;
     };
     let frame_time = clip.frame_time();

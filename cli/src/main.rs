@@ -14,7 +14,6 @@ mod mesh_file;
 mod motion_file;
 mod output;
 mod pipeline;
-mod recording;
 mod report;
 mod rotation;
 mod shell;

@@ -1,27 +1,37 @@
-//! Motions in BVH, with what is unusual about their files.
+//! Motions in files, with what is unusual about them.
 
 use std::path::Path;
 
 use anyhow::Result;
 use ga_anim::bvh::{self, Bvh, BvhWarning};
+use ga_anim::motion_file::{MotionFile, Options};
 
 use crate::frame::{Warning, keep_for_failure};
 
-/// Reads a motion and adds what is unusual about the file to the warnings.
+/// Reads a motion in BVH and adds what is unusual about the file to the warnings.
 pub(crate) fn read(path: &Path, warnings: &mut Vec<Warning>) -> Result<Bvh> {
     let motion = bvh::read(path)?;
-    let found = motion.warnings().iter().map(|warning| {
-        let (kind, line) = match warning {
-            BvhWarning::FrameCount { line, .. } => ("frame_count", Some(*line)),
-            BvhWarning::PositionsBelowRoot { .. } => ("positions_below_root", None),
-        };
-        Warning {
-            line,
-            ..Warning::new(kind, warning).in_file(path)
-        }
+    warn(path, motion.warnings(), warnings);
+    Ok(motion)
+}
+
+/// As [`read`], for a file of any format.
+pub(crate) fn read_any(
+    path: &Path,
+    options: Options,
+    warnings: &mut Vec<Warning>,
+) -> Result<MotionFile> {
+    let motion = MotionFile::read(path, options)?;
+    warn(path, motion.warnings(), warnings);
+    Ok(motion)
+}
+
+fn warn(path: &Path, found: &[BvhWarning], warnings: &mut Vec<Warning>) {
+    let found = found.iter().map(|warning| Warning {
+        line: warning.line(),
+        ..Warning::new(warning.kind(), warning).in_file(path)
     });
     let found: Vec<Warning> = found.collect();
     keep_for_failure(&found);
     warnings.extend(found);
-    Ok(motion)
 }

@@ -27,6 +27,7 @@
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
 //! readers agree.
 
+mod calibration;
 mod conversion;
 mod joint;
 mod kinematics;
@@ -42,6 +43,7 @@ use std::path::Path;
 use crate::file_error::MotionFileError;
 use ga_files::ReadError;
 
+pub use calibration::begins_with_calibration;
 pub use joint::{BvhJoint, Channel};
 pub use motion::Bvh;
 pub use problem::BvhProblem;

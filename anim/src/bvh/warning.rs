@@ -43,6 +43,26 @@ pub enum BvhWarning {
     },
 }
 
+impl BvhWarning {
+    /// What it is, as one word for programs: `frame_count` or `positions_below_root`.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::FrameCount { .. } => "frame_count",
+            Self::PositionsBelowRoot { .. } => "positions_below_root",
+        }
+    }
+
+    /// The line of the file that it is about, from 1, where it is about one.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        match self {
+            Self::FrameCount { line, .. } => Some(*line),
+            Self::PositionsBelowRoot { .. } => None,
+        }
+    }
+}
+
 /// The part of an offset's length within which a position counts as the offset.
 const NEAR: f64 = 0.25;
 

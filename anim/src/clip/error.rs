@@ -101,6 +101,17 @@ pub enum ClipError {
         /// Its value.
         value: f64,
     },
+    /// The recording is not within a tolerance of the document that it was made of.
+    #[error(
+        "shear in matrices of nodes moves points by {deviation} m, which is not within {tolerance} \
+         m"
+    )]
+    Deviation {
+        /// How far it is from the document in metres.
+        deviation: f64,
+        /// The tolerance in metres.
+        tolerance: f64,
+    },
     /// A bound is for a joint that the recording does not have.
     #[error("a bound is for joint {joint}, but there are {joints} joints")]
     BoundJoint {

@@ -93,6 +93,25 @@ impl<V: Value> Curve<V> {
         self.times[self.times.len() - 1]
     }
 
+    /// So many times at equal steps, from the first key to the last; one alone is that of the last.
+    ///
+    /// ```
+    /// use ga_anim::curve::Curve;
+    ///
+    /// let curve = Curve::linear(&[1.0, 3.0], &[0.0, 1.0])?;
+    /// assert_eq!(curve.even_times(5), [1.0, 1.5, 2.0, 2.5, 3.0]);
+    /// # Ok::<(), ga_anim::curve::CurveError>(())
+    /// ```
+    #[must_use]
+    pub fn even_times(&self, count: usize) -> Vec<f64> {
+        let (start, end) = (self.start(), self.end());
+        let time = |index: usize| match index + 1 == count {
+            true => end,
+            false => start + (end - start) * (index as f64 / (count - 1) as f64),
+        };
+        (0..count).map(time).collect()
+    }
+
     /// The coefficients c₀, c₁, c₂, c₃ from each key to the next, in powers of the time since the
     /// key. There is one piece fewer than keys.
     #[must_use]

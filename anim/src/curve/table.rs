@@ -2,7 +2,11 @@
 
 use ga_files::table::{Cell, Separator, Table, TableError, row};
 
-use super::resample::Resampled;
+use super::channel_ends::ChannelEnds;
+use super::ends::Ends;
+use super::error::CurveError;
+use super::piecewise::Curve;
+use super::spline::SplineSystem;
 
 /// Keys: their times, and the values of each channel.
 ///
@@ -46,30 +50,41 @@ pub enum KeyTableError {
         /// The line in the file, from 1.
         line: usize,
     },
-    /// A line has another number of columns.
-    #[error("line {line}: {found} columns, but line {first} has {expected}")]
-    Columns {
-        /// The line in the file, from 1.
-        line: usize,
-        /// What was found.
+    /// The slopes at the ends are for another number of channels.
+    #[error("{found} slopes, but there must be two, or two for each channel: {expected}")]
+    Slopes {
+        /// How many slopes there are.
         found: usize,
-        /// The line that it is compared with.
-        first: usize,
-        /// What is expected.
+        /// How many there are for all channels.
         expected: usize,
     },
-    /// A field is not a finite number.
-    #[error("line {line}, column {column} ({name}): {text:?} is not a finite number")]
-    Number {
-        /// The line in the file, from 1.
+    /// A periodic curve does not end at the value at which it begins.
+    #[error(
+        "line {line}, {column}: a periodic curve ends where it begins, at {first}, not at {last}"
+    )]
+    NotPeriodic {
+        /// The line of the last key, from 1.
         line: usize,
-        /// The column, from 1.
-        column: usize,
-        /// The name.
-        name: String,
-        /// The text of the field.
-        text: String,
+        /// The column of the channel.
+        column: String,
+        /// Its value at the first key.
+        first: f64,
+        /// Its value at the last key.
+        last: f64,
     },
+    /// A key does not fit the others.
+    #[error("line {line}, {column}: {problem}")]
+    Key {
+        /// The line of the key, from 1.
+        line: usize,
+        /// The column of the number.
+        column: String,
+        /// What is wrong.
+        problem: CurveError,
+    },
+    /// The keys do not form a curve.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
 }
 
 impl KeyTable {
@@ -78,25 +93,9 @@ impl KeyTable {
     /// # Errors
     /// What is wrong with the table, with the line.
     pub fn decode(bytes: &[u8]) -> Result<Self, KeyTableError> {
-        let table = Table::parse(bytes).map_err(|error| match error {
-            TableError::Cells {
-                line,
-                found,
-                expected,
-                first,
-            } => KeyTableError::Columns {
-                line,
-                found,
-                first,
-                expected,
-            },
-            other => other.into(),
-        })?;
+        let table = Table::rectangular(bytes)?;
         let has_header = !table.names().is_empty();
-        let (width, first) = match has_header {
-            true => (table.names().len(), table.names_line()),
-            false => (table.width(0), table.line(0)),
-        };
+        let (first, width) = table.first_line();
         match (width, table.len()) {
             (2.., 1..) => {}
             (0, _) | (2.., 0) => return Err(KeyTableError::Empty),
@@ -114,47 +113,110 @@ impl KeyTable {
             lines: Vec::new(),
         };
         for row in 0..table.len() {
-            let (line, found) = (table.line(row), table.width(row));
-            if found != width {
-                return Err(KeyTableError::Columns {
-                    line,
-                    found,
-                    first,
-                    expected: width,
-                });
-            }
             for column in 0..width {
                 let Ok(Some(number)) = table.number(row, column) else {
-                    return Err(KeyTableError::Number {
-                        line,
-                        column: column + 1,
-                        name: keys.names[column].clone(),
+                    return Err(KeyTableError::Table(TableError::Number {
+                        line: table.line(row),
+                        column: format!("{} ({})", column + 1, keys.names[column]),
                         text: table.text(row, column).to_owned(),
-                    });
+                    }));
                 };
                 match column.checked_sub(1) {
                     None => keys.times.push(number),
                     Some(channel) => keys.channels[channel].push(number),
                 }
             }
-            keys.lines.push(line);
+            keys.lines.push(table.line(row));
         }
         Ok(keys)
     }
 
+    /// A cubic spline through the keys of each channel.
+    ///
+    /// # Errors
+    /// [`KeyTableError::Slopes`], [`KeyTableError::NotPeriodic`], [`KeyTableError::Key`] and
+    /// [`KeyTableError::Curve`].
+    ///
+    /// ```
+    /// use ga_anim::curve::table::KeyTable;
+    ///
+    /// let tent = KeyTable::decode(b"t,x\n0,0\n1,1\n2,0\n")?;
+    /// // (3t − t³)/2 and its mirror image.
+    /// assert_eq!(tent.splines(&"natural".parse()?)?[0].value(0.5), 0.6875);
+    ///
+    /// let open = KeyTable::decode(b"t,x\n0,0\n1,1\n2,2\n")?;
+    /// let error = open.splines(&"periodic".parse()?).unwrap_err().to_string();
+    /// assert!(error.starts_with("line 4, column 2 (x): a periodic curve ends where it begins"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn splines(&self, ends: &ChannelEnds) -> Result<Vec<Curve<f64>>, KeyTableError> {
+        let count = self.channels.len();
+        if let ChannelEnds::Slopes(slopes) = ends
+            && ends.of_channel(0, count).is_none()
+        {
+            return Err(KeyTableError::Slopes {
+                found: slopes.len(),
+                expected: 2 * count,
+            });
+        }
+        let system = SplineSystem::new(&self.times, ends.kind());
+        let system = system.map_err(|problem| self.located(problem, 0))?;
+        let channels = self.channels.iter().enumerate();
+        channels
+            .map(|(channel, values)| {
+                match ends.of_channel(channel, count) {
+                    Some(Ends::Slopes(slopes)) => system.fit_with_slopes(values, slopes),
+                    _ => system.fit(values),
+                }
+                .map_err(|problem| self.located(problem, channel + 1))
+            })
+            .collect()
+    }
+
+    /// An error with the line and the column that it is about.
+    fn located(&self, problem: CurveError, column: usize) -> KeyTableError {
+        let key = match problem {
+            CurveError::Time { key, .. }
+            | CurveError::NotRising { key, .. }
+            | CurveError::NotFinite { key, .. }
+            | CurveError::OutOfRange { key } => key,
+            CurveError::NotPeriodic { .. } => self.lines.len().saturating_sub(1),
+            other => return other.into(),
+        };
+        let Some(&line) = self.lines.get(key) else {
+            return problem.into();
+        };
+        let column = self.column(column);
+        match problem {
+            CurveError::NotPeriodic { first, last, .. } => KeyTableError::NotPeriodic {
+                line,
+                column,
+                first,
+                last,
+            },
+            problem => KeyTableError::Key {
+                line,
+                column,
+                problem,
+            },
+        }
+    }
+
     /// How a message names a column, by its index.
-    pub fn column(&self, column: usize) -> String {
+    fn column(&self, column: usize) -> String {
         format!("column {} ({})", column + 1, self.names[column])
     }
 
-    /// Rows under the names of this table, as CSV. Each number reads back exactly.
-    pub fn with_rows(&self, rows: &Resampled<Vec<f64>>) -> String {
+    /// Times, and the values of the channels at each, under the names of this table, as CSV. Each
+    /// number reads back exactly.
+    #[must_use]
+    pub fn with_rows(&self, times: &[f64], values: &[Vec<f64>]) -> String {
         let mut text = String::new();
         if self.has_header {
             let names = self.names.iter().cloned().map(Cell::Text);
             text += &row(names, Separator::Comma);
         }
-        for (time, values) in rows.times.iter().zip(&rows.values) {
+        for (time, values) in times.iter().zip(values) {
             let numbers = std::iter::once(time).chain(values);
             text += &row(numbers.copied().map(Cell::exact), Separator::Comma);
         }

@@ -19,6 +19,8 @@
 //!
 //! The numbers of the file are single precision, and everything is computed in double precision.
 //!
+//! A [`Moment`] is all that at one time as a mesh.
+//!
 //! A [`character`] is what the skins of a document move: a mesh, a skeleton and weights.
 //!
 //! # Written files
@@ -40,6 +42,7 @@
 mod character;
 mod export;
 mod lengths;
+mod moment;
 mod placement;
 mod player;
 mod rigged;
@@ -47,6 +50,7 @@ mod sampler;
 
 pub use character::character;
 pub use export::{animation, joint_nodes, vertex_weights};
+pub use moment::{Bounds, Moment, MomentPart};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
 pub use rigged::Rigged;

@@ -28,13 +28,13 @@ ga! { ga_runtime::cga3;
 /// the radius, and then from the root to the end in the same way.
 ///
 /// ```
-/// use ga_anim::inverse_kinematics::{Fabrik, FabrikSettings};
+/// use ga_anim::inverse_kinematics::{Fabrik, FabrikOptions};
 /// use ga_runtime::cga3::Point;
 ///
 /// let chain = Fabrik::new(vec![1.0, 1.0, 1.0])?;
 /// let mut joints = [0.0, 1.0, 2.0, 3.0].map(|x| Point::new(x, 0.0, 0.0));
 /// let target = Point::new(1.0, 1.5, 0.5);
-/// let report = chain.solve(&mut joints, target, &FabrikSettings::default())?;
+/// let report = chain.solve(&mut joints, target, &FabrikOptions::default())?;
 /// assert!(report.distance <= 1e-6 && joints[3].distance(target) <= 1e-6);
 /// assert!((joints[1].distance(joints[2]) - 1.0).abs() < 1e-15);
 /// # Ok::<(), ga_anim::kinematics::KinematicsError>(())
@@ -47,14 +47,14 @@ pub struct Fabrik {
 
 /// When an iteration ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FabrikSettings {
+pub struct FabrikOptions {
     /// The end is at the target when it is no farther away than this.
     pub tolerance: f64,
     /// The greatest number of iterations.
     pub iterations: usize,
 }
 
-impl Default for FabrikSettings {
+impl Default for FabrikOptions {
     /// 1e-6 and 100 iterations.
     fn default() -> Self {
         Self {
@@ -117,9 +117,9 @@ impl Fabrik {
         &self,
         joints: &mut [Point<f64>],
         target: Point<f64>,
-        settings: &FabrikSettings,
+        options: &FabrikOptions,
     ) -> Result<FabrikReport, KinematicsError> {
-        check_tolerance(settings.tolerance)?;
+        check_tolerance(options.tolerance)?;
         self.check(joints, target)?;
         let last = self.lengths.len();
         if joints[0].distance(target) >= self.total {
@@ -133,7 +133,7 @@ impl Fabrik {
         self.leave_line(joints, target, 0);
         let mut iterations = 0;
         let mut distance = self.restore(joints, target);
-        while distance > settings.tolerance && iterations < settings.iterations {
+        while distance > options.tolerance && iterations < options.iterations {
             self.iterate(joints, target);
             distance = joints[last].distance(target);
             iterations += 1;
@@ -261,7 +261,7 @@ fn towards(centre: Point<f64>, point: Point<f64>, length: f64) -> Point<f64> {
 /// [`KinematicsError::Tolerance`].
 ///
 /// ```
-/// use ga_anim::inverse_kinematics::{FabrikSettings, reach_with_chain};
+/// use ga_anim::inverse_kinematics::{FabrikOptions, reach_with_chain};
 /// use ga_anim::pose::Pose;
 /// use ga_anim::skeleton::{Joint, Skeleton};
 /// use ga_runtime::cga3::Point;
@@ -280,8 +280,8 @@ fn towards(centre: Point<f64>, point: Point<f64>, length: f64) -> Point<f64> {
 /// ])?;
 /// let mut pose = Pose::rest(4);
 /// let target = Point::new(1.0, 1.0, 1.0);
-/// let settings = FabrikSettings::default();
-/// reach_with_chain(&tail, None, &mut pose, &[0, 1, 2, 3], target, &settings)?;
+/// let options = FabrikOptions::default();
+/// reach_with_chain(&tail, None, &mut pose, &[0, 1, 2, 3], target, &options)?;
 /// assert!(target.distance(pose.bones(&tail)?[3][0].into()) <= 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -291,9 +291,9 @@ pub fn reach_with_chain(
     pose: &mut Pose,
     chain: &[usize],
     target: Point<f64>,
-    settings: &FabrikSettings,
+    options: &FabrikOptions,
 ) -> Result<FabrikReport, KinematicsError> {
-    check_tolerance(settings.tolerance)?;
+    check_tolerance(options.tolerance)?;
     for &joint in chain {
         exists(skeleton, joint)?;
     }
@@ -309,7 +309,7 @@ pub fn reach_with_chain(
     }
     let fabrik = Fabrik::new(lengths)?;
     let Some(limits) = limits else {
-        let report = fabrik.solve(&mut joints, target, settings)?;
+        let report = fabrik.solve(&mut joints, target, options)?;
         let start = pose.clone();
         rotate_bones(skeleton, None, pose, &start, chain, &joints);
         return Ok(report);
@@ -326,7 +326,7 @@ pub fn reach_with_chain(
             chain,
             places,
             target,
-            settings,
+            options,
         );
         let distance = found.report.distance;
         if best
@@ -335,7 +335,7 @@ pub fn reach_with_chain(
         {
             best = Some(found);
         }
-        if !was_on_line || distance <= settings.tolerance {
+        if !was_on_line || distance <= options.tolerance {
             break;
         }
     }
@@ -366,7 +366,7 @@ fn limited(
     chain: &[usize],
     mut joints: Vec<Point<f64>>,
     target: Point<f64>,
-    settings: &FabrikSettings,
+    options: &FabrikOptions,
 ) -> Search {
     let last = chain.len() - 1;
     let mut trial = start.clone();
@@ -378,7 +378,7 @@ fn limited(
     let mut distance = reach(&mut joints, &mut trial);
     let mut best = trial.clone();
     let mut iterations = 0;
-    while distance > settings.tolerance && iterations < settings.iterations {
+    while distance > options.tolerance && iterations < options.iterations {
         fabrik.reach_backward(&mut joints, target);
         let mut found = reach(&mut joints, &mut trial);
         iterations += 1;

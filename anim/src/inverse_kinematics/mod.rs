@@ -27,10 +27,10 @@ mod two_bone;
 mod whole_pose;
 
 pub use aim::{Aim, aim_joint};
-pub use fabrik::{Fabrik, FabrikReport, FabrikSettings, reach_with_chain};
+pub use fabrik::{Fabrik, FabrikOptions, FabrikReport, reach_with_chain};
 pub use limb::bend_limb;
 pub use two_bone::{Bent, Reach, TwoBone};
-pub use whole_pose::{Marker, PoseFit, PoseFitReport, PoseFitSettings, Target};
+pub use whole_pose::{Marker, PoseFit, PoseFitOptions, PoseFitReport, Target};
 
 pub(crate) use limb::place_limb;
 pub(crate) use two_bone::middle_joint;

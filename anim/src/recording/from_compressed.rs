@@ -17,7 +17,7 @@ impl Recording {
     /// # Examples
     ///
     /// ```
-    /// use ga_anim::clip::compressed::{Settings, compress};
+    /// use ga_anim::clip::compressed::{Options, compress};
     /// use ga_anim::recording::Recording;
     ///
     /// let motion = ga_anim::bvh::decode(
@@ -27,7 +27,7 @@ impl Recording {
     ///       4",
     /// )?;
     /// let recording = Recording::from_bvh(&motion, 1.0)?;
-    /// let clip = compress(&recording, &Settings::default(), |_, _| {})?;
+    /// let clip = compress(&recording, &Options::default(), |_, _| {})?;
     /// let decoded = Recording::from_compressed(&clip)?;
     /// let arm = &decoded.frame(1).ok_or("no frame")?[0];
     /// assert!((arm.translation().coordinates()[0] - 4.0).abs() <= 1e-4);

@@ -238,7 +238,7 @@ impl<'a> GltfMotion<'a> {
     }
 
     /// How far a recording at this rate is from the document: the greatest error of a joint in a
-    /// frame, in metres, as [`Settings`](crate::clip::compressed::Settings) describes it, for
+    /// frame, in metres, as [`Options`](crate::clip::compressed::Options) describes it, for
     /// points within `shell` metres. A matrix of a node may have a little shear by its rounding,
     /// which the factors of a recording do not have.
     ///

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use serde::Serialize;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::Value;
 
@@ -42,6 +43,18 @@ use crate::skeleton::Skeleton;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointMap {
     source_of: Vec<Option<usize>>,
+}
+
+/// Where a [`JointMap`] comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MapOrigin {
+    /// The names of the joints.
+    Names,
+    /// The structure of the skeletons.
+    Structure,
+    /// A file.
+    File,
 }
 
 impl JointMap {
@@ -175,6 +188,17 @@ impl JointMap {
                 source_of[targets[0]] = Some(sources[0]);
             }
         }
+    }
+
+    /// The map of [`by_names_or_structure`](Self::by_names_or_structure), and which of both it is by.
+    #[must_use]
+    pub fn found(source: &dyn Source, target: &Skeleton) -> (Self, MapOrigin) {
+        let map = Self::by_names_or_structure(source, target);
+        let origin = match map == Self::by_names(source, target) {
+            true => MapOrigin::Names,
+            false => MapOrigin::Structure,
+        };
+        (map, origin)
     }
 
     /// The map as JSON, in the form that [`JointMap::decode`] reads.

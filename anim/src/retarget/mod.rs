@@ -55,7 +55,10 @@ mod foot_locking;
 mod joint_map;
 mod soles;
 mod source;
+mod standing;
 mod structure;
+mod target;
+mod transfer;
 
 use std::ops::RangeInclusive;
 
@@ -71,9 +74,12 @@ use correspondence::Correspondence;
 
 pub use correspondence::Alignment;
 pub use foot_locking::{Contact, FootLocking, LockedFeet};
-pub use joint_map::JointMap;
+pub use joint_map::{JointMap, MapOrigin};
 pub use soles::Soles;
 pub use source::Source;
+pub use standing::StandingFoot;
+pub use target::Target;
+pub use transfer::{Options, Transfer};
 
 /// A recording prepared to move a skeleton.
 #[derive(Clone, Debug)]

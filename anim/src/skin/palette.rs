@@ -3,12 +3,14 @@
 use ga_runtime::batch::skin::{AffinePalette, MotorPalette, Skin, SkinScalar};
 use ga_runtime::cga3::Motor;
 use ga_runtime::geometry::Affine;
+use serde::Serialize;
 
 use super::stretch::Stretched;
 use crate::weights::error::SkinError;
 
 /// How the motions of several joints are combined into that of a vertex.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// The weighted mean of the positions to which the joints would take the vertex.
     #[default]

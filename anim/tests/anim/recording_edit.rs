@@ -2,7 +2,7 @@
 
 use ga_anim::bvh;
 use ga_anim::clip::Mirror;
-use ga_anim::clip::compressed::{Settings, compress};
+use ga_anim::clip::compressed::{Options, compress};
 use ga_anim::recording::{
     RecordedJoint, Recording, RecordingError, ScalarTrack, blend, model_maps, model_motors,
 };
@@ -285,7 +285,7 @@ fn a_compressed_clip_is_read_back_within_its_bound() {
           0.4 1.1 0 40 20",
     );
     let recording = Recording::from_bvh(&motion.unwrap(), 1.0).unwrap();
-    let clip = compress(&recording, &Settings::default(), |_, _| {}).unwrap();
+    let clip = compress(&recording, &Options::default(), |_, _| {}).unwrap();
     let decoded = Recording::from_compressed(&clip).unwrap();
     assert_eq!(decoded.frame_count(), 4);
     assert_eq!(decoded.frame_time(), 0.02);

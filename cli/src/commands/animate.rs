@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail, ensure};
-use ga_anim::bvh::Bvh;
+use ga_anim::bvh::{self, Bvh};
 use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::retarget::{FootLocking, JointMap, Retarget, Soles};
@@ -13,7 +13,6 @@ use ga_character::{Animation, Figure, Storyboard};
 use crate::frame::{Command, Context};
 use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
-use crate::recording::begins_with_calibration;
 use crate::report::{Input, MotionInput, Performed};
 
 /// Animate your own figure with a recorded motion.
@@ -250,7 +249,7 @@ fn frames(arguments: &Arguments, motion: &Bvh) -> Result<Range> {
     }
     let to = arguments.to.unwrap_or(count - 1);
     let calibration_left_out =
-        arguments.from.is_none() && to > 0 && begins_with_calibration(motion);
+        arguments.from.is_none() && to > 0 && bvh::begins_with_calibration(motion);
     Ok(Range {
         from: arguments.from.unwrap_or(calibration_left_out.into()),
         to,

@@ -1,14 +1,12 @@
 //! `nullcone skin`: one moment of an animated glTF model as a mesh.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
-use ga_anim::gltf::{Part, Placement, Player};
+use ga_anim::gltf::Moment;
 use ga_anim::skin;
-use ga_mesh::gltf::{self, Animation, Document};
-use ga_mesh::{Mesh, obj};
+use ga_mesh::{gltf, obj};
 use serde::Serialize;
 
 use crate::format::Format;
@@ -29,7 +27,7 @@ pub(crate) struct Arguments {
     model: PathBuf,
     /// The number of the animation, from 0, or `rest` for the pose of the nodes alone. The default
     /// is 0, and `rest` for a model without animations.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = choice)]
     animation: Option<Choice>,
     /// The time in seconds. Before the first key of a channel the first key counts, after the last
     /// key the last.
@@ -43,29 +41,20 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-/// What moves the nodes.
-#[derive(Clone, Copy, Debug)]
-enum Choice {
-    Animation(usize),
-    Rest,
-}
+/// The number of an animation, or none for the pose of the nodes.
+type Choice = Option<usize>;
 
-impl FromStr for Choice {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "rest" => Ok(Self::Rest),
-            number => match number.parse() {
-                Ok(animation) => Ok(Self::Animation(animation)),
-                Err(_) => Err("must be a number from 0, or `rest`".to_owned()),
-            },
-        }
+fn choice(text: &str) -> Result<Choice, &'static str> {
+    match text {
+        "rest" => Ok(None),
+        number => match number.parse() {
+            Ok(animation) => Ok(Some(animation)),
+            Err(_) => Err("must be a number from 0, or `rest`"),
+        },
     }
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum Method {
     /// The mean of the places to which the joints would take the vertex. A joint that twists takes
     /// volume away.
@@ -100,31 +89,20 @@ impl Command for Arguments {
         let mut files = context.files([&arguments.model])?;
         files.write("--out", &arguments.out, &[Format::Obj])?;
         let document = gltf::read(&arguments.model)?;
-        let animation = match arguments.animation {
-            Some(Choice::Animation(animation)) => Some(animation),
-            Some(Choice::Rest) => None,
-            None => (!document.animations.is_empty()).then_some(0),
-        };
-        let in_model = || arguments.model.display().to_string();
-        let player = Player::new(&document).with_context(in_model)?;
-        let pose = player
-            .pose(animation, arguments.time)
-            .with_context(in_model)?;
-        let placement = Placement::new(&player).with_context(in_model)?;
-        let placed = placement
-            .place(&pose, arguments.method.into())
-            .with_context(in_model)?;
-        ensure!(
-            !placement.parts().is_empty(),
-            "{}: no node has a mesh",
-            arguments.model.display()
+        let first = || (!document.animations.is_empty()).then_some(0);
+        let animation = arguments.animation.unwrap_or_else(first);
+        let moment = Moment::new(
+            &document,
+            animation,
+            arguments.time,
+            arguments.method.into(),
         );
-        let mesh = placement.mesh(&placed).with_context(in_model)?;
-        let text = obj::encode(&mesh);
-        output::write(&arguments.out, text.as_bytes())?;
-        Ok(Report::new(
-            arguments, &document, animation, &placement, &mesh,
-        ))
+        let moment = moment.with_context(|| arguments.model.display().to_string())?;
+        output::write(&arguments.out, obj::encode(&moment.mesh).as_bytes())?;
+        Ok(Report {
+            out: arguments.out.display().to_string(),
+            moment,
+        })
     }
 }
 
@@ -132,89 +110,23 @@ impl Command for Arguments {
 #[derive(Debug, Serialize)]
 pub(crate) struct Report {
     out: String,
-    /// `null` for the pose of the nodes alone.
-    animation: Option<usize>,
-    animation_name: Option<String>,
-    /// How many animations the model has.
-    animations: usize,
-    /// The time of the animation's last key.
-    duration_seconds: Option<f64>,
-    time_seconds: f64,
-    method: Method,
-    vertices: usize,
-    faces: usize,
-    bounds: Option<Bounds>,
-    parts: Vec<PartReport>,
-}
-
-/// The least and the greatest coordinates, in the unit of the model.
-#[derive(Debug, Serialize)]
-struct Bounds {
-    min: [f64; 3],
-    max: [f64; 3],
-}
-
-/// The vertices of a primitive of the mesh of a node.
-#[derive(Debug, Serialize)]
-struct PartReport {
-    node: usize,
-    node_name: Option<String>,
-    mesh: usize,
-    primitive: usize,
-    skin: Option<usize>,
-    first_vertex: usize,
-    vertices: usize,
-}
-
-impl Report {
-    fn new(
-        arguments: &Arguments,
-        document: &Document,
-        animation: Option<usize>,
-        placement: &Placement,
-        mesh: &Mesh,
-    ) -> Self {
-        let played = animation.and_then(|index| document.animations.get(index));
-        let part = |part: &Part| {
-            let node = &document.nodes[part.node];
-            PartReport {
-                node: part.node,
-                node_name: node.name.clone(),
-                mesh: part.mesh,
-                primitive: part.primitive,
-                skin: node.skin,
-                first_vertex: part.vertices.start,
-                vertices: part.vertices.len(),
-            }
-        };
-        Self {
-            out: arguments.out.display().to_string(),
-            animation,
-            animation_name: played.and_then(|animation| animation.name.clone()),
-            animations: document.animations.len(),
-            duration_seconds: played.map(Animation::duration),
-            time_seconds: arguments.time,
-            method: arguments.method,
-            vertices: mesh.vertex_count(),
-            faces: mesh.faces().len(),
-            bounds: mesh.bounds().map(|[min, max]| Bounds { min, max }),
-            parts: placement.parts().iter().map(part).collect(),
-        }
-    }
+    #[serde(flatten)]
+    moment: Moment,
 }
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let moment = match (self.animation, self.duration_seconds) {
+        let Self { out, moment } = self;
+        let shown = match (moment.animation, moment.duration_seconds) {
             (Some(animation), Some(duration)) => {
-                let name = self.animation_name.as_ref();
+                let name = moment.animation_name.as_ref();
                 let name = name.map_or(String::new(), |name| format!(" ({name})"));
-                let time = self.time_seconds;
+                let time = moment.time_seconds;
                 format!("animation {animation}{name} at {time} s of {duration} s")
             }
             _ => "the pose of the nodes".to_owned(),
         };
-        let (out, vertices, faces) = (&self.out, self.vertices, self.faces);
-        format!("wrote {out}: {vertices} vertices and {faces} faces, {moment}\n")
+        let (vertices, faces) = (moment.vertices, moment.faces);
+        format!("wrote {out}: {vertices} vertices and {faces} faces, {shown}\n")
     }
 }

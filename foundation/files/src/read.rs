@@ -25,6 +25,20 @@ pub enum ReadError<E> {
     },
 }
 
+impl<E> ReadError<E> {
+    /// The error of the same file with its problem as a part of a larger family.
+    #[must_use]
+    pub fn map<F>(self, into: impl FnOnce(E) -> F) -> ReadError<F> {
+        match self {
+            Self::Io { path, source } => ReadError::Io { path, source },
+            Self::Contents { path, problem } => ReadError::Contents {
+                path,
+                problem: into(problem),
+            },
+        }
+    }
+}
+
 /// Reads a whole file and hands its bytes to `parse`.
 ///
 /// # Errors

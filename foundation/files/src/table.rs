@@ -48,6 +48,19 @@ pub enum TableError {
         /// How many columns have names.
         expected: usize,
     },
+    /// A row of a [rectangular](Table::rectangular) table has another number of columns than the
+    /// first line.
+    #[error("line {line}: {found} columns, but line {first} has {expected}")]
+    Columns {
+        /// The line.
+        line: usize,
+        /// The first line.
+        first: usize,
+        /// How many columns it has.
+        found: usize,
+        /// How many columns the first line has.
+        expected: usize,
+    },
     /// The table has no rows, so that no line names its columns.
     #[error("the table is empty")]
     Empty,
@@ -162,24 +175,7 @@ impl Table {
     /// # Errors
     /// The bytes are no such table.
     pub fn with_names(bytes: &[u8]) -> Result<Self, TableError> {
-        let mut table = Self::without_names(bytes)?;
-        if table.rows.is_empty() {
-            return Err(TableError::Empty);
-        }
-        let first = table.rows.remove(0);
-        (table.names, table.names_line) = (first.cells, first.line);
-        let expected = table.names.len();
-        for Row { line, cells, .. } in &table.rows {
-            if cells.len() != expected {
-                return Err(TableError::Cells {
-                    line: *line,
-                    first: table.names_line,
-                    found: cells.len(),
-                    expected,
-                });
-            }
-        }
-        Ok(table)
+        Self::without_names(bytes)?.named()?.checked()
     }
 
     /// A table whose first row names its columns where none of its cells is a number, also one that
@@ -189,6 +185,44 @@ impl Table {
     /// # Errors
     /// The bytes are no such table.
     pub fn parse(bytes: &[u8]) -> Result<Self, TableError> {
+        let table = Self::perhaps_named(bytes)?;
+        match table.names.is_empty() {
+            true => Ok(table),
+            false => table.checked(),
+        }
+    }
+
+    /// A table as of [`parse`](Self::parse) whose rows all have as many cells as the first line, be
+    /// it one of names or not.
+    ///
+    /// # Errors
+    /// [`TableError::Columns`], and where the bytes are no such table.
+    ///
+    /// ```
+    /// use ga_files::table::Table;
+    ///
+    /// let message = |bytes| Table::rectangular(bytes).err().map(|error| error.to_string());
+    /// assert_eq!(message(b"0,1\n2,3\n"), None);
+    /// let ragged = message(b"0,1\n\n2,3,4\n").ok_or("no error")?;
+    /// assert_eq!(ragged, "line 3: 3 columns, but line 1 has 2");
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn rectangular(bytes: &[u8]) -> Result<Self, TableError> {
+        let table = Self::perhaps_named(bytes)?;
+        let (first, expected) = table.first_line();
+        match table.row_unlike(expected) {
+            None => Ok(table),
+            Some(Row { line, cells, .. }) => Err(TableError::Columns {
+                line: *line,
+                first,
+                found: cells.len(),
+                expected,
+            }),
+        }
+    }
+
+    /// A table with names where its first row seems to be one of names.
+    fn perhaps_named(bytes: &[u8]) -> Result<Self, TableError> {
         let table = Self::without_names(bytes)?;
         let Some(first) = table.rows.first() else {
             return Ok(table);
@@ -200,7 +234,46 @@ impl Table {
         let begins_as_number = letters.next().is_some_and(|letter| letter.is_ascii_digit());
         match begins_as_number || first.cells.iter().any(is_number) {
             true => Ok(table),
-            false => Self::with_names(bytes),
+            false => table.named(),
+        }
+    }
+
+    /// The same with the first row as names.
+    fn named(mut self) -> Result<Self, TableError> {
+        if self.rows.is_empty() {
+            return Err(TableError::Empty);
+        }
+        let first = self.rows.remove(0);
+        (self.names, self.names_line) = (first.cells, first.line);
+        Ok(self)
+    }
+
+    /// The same, unless a row has another number of cells than there are names.
+    fn checked(self) -> Result<Self, TableError> {
+        let (first, expected) = self.first_line();
+        match self.row_unlike(expected) {
+            None => Ok(self),
+            Some(Row { line, cells, .. }) => Err(TableError::Cells {
+                line: *line,
+                first,
+                found: cells.len(),
+                expected,
+            }),
+        }
+    }
+
+    /// The first row that has another number of cells.
+    fn row_unlike(&self, width: usize) -> Option<&Row> {
+        self.rows.iter().find(|row| row.cells.len() != width)
+    }
+
+    /// The line of the names, or of the first row where there are none, from 1, and how many cells
+    /// it has; zeros for an empty table.
+    #[must_use]
+    pub fn first_line(&self) -> (usize, usize) {
+        match self.names.len() {
+            0 => (self.line(0), self.width(0)),
+            width => (self.names_line, width),
         }
     }
 
@@ -237,12 +310,6 @@ impl Table {
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
-    }
-
-    /// The line of the names, from 1; 0 where the table has none.
-    #[must_use]
-    pub fn names_line(&self) -> usize {
-        self.names_line
     }
 
     /// The number of cells of a row; 0 for a row that is not there.

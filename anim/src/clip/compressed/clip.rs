@@ -6,7 +6,7 @@ use ga_files::{ReadError, WriteError};
 
 use super::file::{self, Parsed};
 use super::layout::JointLayout;
-use super::settings::Settings;
+use super::options::Options;
 use super::tables::Tables;
 use crate::clip::ClipError;
 use crate::transform::Transform;
@@ -118,8 +118,8 @@ impl CompressedClip {
 
     /// The bounds that hold on every frame.
     #[must_use]
-    pub fn settings(&self) -> &Settings {
-        &self.header.settings
+    pub fn options(&self) -> &Options {
+        &self.header.options
     }
 
     /// How many numbers change from frame to frame.

@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 use super::CompressedClip;
 use super::basis::SEGMENT;
+use super::options::JointBound;
 use super::pack::{frames_of, segment_count};
 use super::sampler::Sampler;
-use super::settings::JointBound;
 use super::shell::{Sizes, relative_difference};
 use crate::recording::{Recording, model_maps};
 use crate::transform::Transform;
@@ -16,7 +16,7 @@ use crate::transform::Transform;
 /// How far a compressed clip is from its recording, measured on what the decoder makes of it in
 /// single precision, composed to model space in double precision.
 ///
-/// Errors are ‖Δt‖ + shell ‖ΔL L⁻¹‖ in model space, as [`Settings`](super::Settings) describes: an
+/// Errors are ‖Δt‖ + shell ‖ΔL L⁻¹‖ in model space, as [`Options`](super::Options) describes: an
 /// upper bound of the greatest distance of any point within the shell of a joint from its true
 /// place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +61,7 @@ pub fn measure(recording: &Recording, clip: &CompressedClip) -> Option<Measured>
     if !fits {
         return None;
     }
-    let bounds = clip.settings().bounds(recording.joints().len());
+    let bounds = clip.options().bounds(recording.joints().len());
     let sizes = Sizes::new(recording).ok()?;
     let segments = by_segment(recording, clip, &bounds, &sizes);
     Some(segments.into_iter().fold(NOTHING, greater))

@@ -22,7 +22,7 @@
 //!
 //! # File
 //!
-//! All numbers are little-endian. A header of fixed length with counts, settings and the lengths of
+//! All numbers are little-endian. A header of fixed length with counts, options and the lengths of
 //! the sections, then three sections: names, joints, segments. The header and each section end with
 //! a CRC-32, so a file that is cut or changed anywhere is a [`ClipError`](crate::clip::ClipError).
 
@@ -33,19 +33,25 @@ mod encode;
 mod file;
 mod layout;
 mod measure;
+mod named_bound;
+mod options;
 mod pack;
 mod piece;
 mod sampler;
-mod settings;
 mod shell;
+mod size;
 mod skin;
+mod summary;
 mod tables;
 
 pub use clip::CompressedClip;
 pub use encode::compress;
 pub(crate) use layout::double_transform;
 pub use measure::{Measured, measure};
+pub use named_bound::{NamedBound, NamedBoundError};
+pub use options::{JointBound, Options};
 pub use sampler::Sampler;
-pub use settings::{JointBound, Settings};
 pub(crate) use shell::ShellError;
+pub use size::{MeshSize, Size};
 pub use skin::{SkinMismatch, error_at_skin};
+pub use summary::{Accuracy, BoundSummary, Summary};

@@ -1,9 +1,12 @@
 //! The proven distance between a chord and the part of a curve that it replaces.
 
+use serde::Serialize;
+
 use super::path::Path;
 
 /// Which distance between a curve and the polyline through its vertices is bounded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Distance {
     /// From each point of the curve to the nearest point of the chord that replaces it. The curve
     /// is a path in space, and times do not matter.

@@ -3,7 +3,7 @@
 mod alignment;
 mod levers;
 mod marker;
-mod settings;
+mod options;
 
 use super::check::{check_tolerance, exists, finite, fits};
 use super::motion::with_rotation;
@@ -20,7 +20,7 @@ use crate::pose::{Pose, moved};
 use crate::skeleton::{JointLimits, Skeleton};
 use levers::{Levers, extent, levers, movers};
 pub use marker::{Marker, Target};
-pub use settings::PoseFitSettings;
+pub use options::PoseFitOptions;
 
 /// How well a pose fits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub struct PoseFitReport {
 /// in the pose that the search starts from: no step has a part in such a direction.
 ///
 /// ```
-/// use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings, Target};
+/// use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitOptions, Target};
 /// use ga_anim::pose::Pose;
 /// use ga_anim::skeleton::{Joint, Skeleton};
 /// use ga_runtime::cga3::{Motor, Point, Rotor};
@@ -79,7 +79,7 @@ pub struct PoseFitReport {
 ///     weight: 1.0,
 /// });
 /// let mut pose = Pose::rest(2);
-/// let report = fit.solve(&targets, &mut pose, &PoseFitSettings::default())?;
+/// let report = fit.solve(&targets, &mut pose, &PoseFitOptions::default())?;
 /// assert!(report.greatest_error < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -193,30 +193,30 @@ impl<'a> PoseFit<'a> {
         &mut self,
         targets: &[Target],
         pose: &mut Pose,
-        settings: &PoseFitSettings,
+        options: &PoseFitOptions,
     ) -> Result<PoseFitReport, KinematicsError> {
-        check_tolerance(settings.tolerance)?;
+        check_tolerance(options.tolerance)?;
         self.check(targets, pose)?;
         let mut best = pose.clone();
         self.clamp(&mut best);
         let mut cost = self.cost(&best, targets);
-        if settings.align_first {
+        if options.align_first {
             let mut aligned = best.clone();
-            self.align(&mut aligned, targets, settings.root_motion);
+            self.align(&mut aligned, targets, options.root_motion);
             let found = self.cost(&aligned, targets);
             if found < cost {
                 (best, cost) = (aligned, found);
             }
         }
-        self.linearise(&best, targets, settings.root_motion);
+        self.linearise(&best, targets, options.root_motion);
         let mut descent = Descending {
             fit: self,
             targets,
-            settings,
+            options,
             best,
         };
         let mut search = Search::new(cost, DAMPING);
-        let found = search.run(&mut descent, settings.iterations);
+        let found = search.run(&mut descent, options.iterations);
         let (best, iterations) = (descent.best, found.steps);
         let converged = found.has_converged || search.is_exhausted();
         let report = self.report(&best, targets, iterations, converged);
@@ -457,7 +457,7 @@ impl<'a> PoseFit<'a> {
 struct Descending<'f, 'a> {
     fit: &'f mut PoseFit<'a>,
     targets: &'f [Target],
-    settings: &'f PoseFitSettings,
+    options: &'f PoseFitOptions,
     best: Pose,
 }
 
@@ -465,7 +465,7 @@ impl Descent for Descending<'_, '_> {
     fn attempt(&mut self, damping: f64) -> Attempt {
         let attempt = self.fit.search(&self.best, self.targets, damping);
         Attempt {
-            is_small: attempt.size <= self.settings.tolerance,
+            is_small: attempt.size <= self.options.tolerance,
             ..attempt
         }
     }
@@ -474,6 +474,6 @@ impl Descent for Descending<'_, '_> {
         self.best.root = self.fit.candidate.root;
         self.best.joints.copy_from_slice(&self.fit.candidate.joints);
         self.fit
-            .linearise(&self.best, self.targets, self.settings.root_motion);
+            .linearise(&self.best, self.targets, self.options.root_motion);
     }
 }

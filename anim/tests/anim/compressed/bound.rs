@@ -1,7 +1,7 @@
 //! The bound holds on made recordings of every kind.
 
 use ga_anim::clip::ClipError;
-use ga_anim::clip::compressed::{JointBound, Sampler, Settings, compress, measure};
+use ga_anim::clip::compressed::{JointBound, Options, Sampler, compress, measure};
 use ga_anim::recording::{Recording, ScalarTrack};
 use ga_anim::transform::Transform;
 use ga_runtime::vga3::Vector;
@@ -15,7 +15,7 @@ use super::{
 /// ratio.
 #[track_caller]
 fn check(recording: &Recording, tolerance: f64, shell: f64) -> f64 {
-    let clip = compressed(recording, &Settings::new(tolerance, shell));
+    let clip = compressed(recording, &Options::new(tolerance, shell));
     let found = greatest_error(recording, &clip, shell);
     let measured = measure(recording, &clip).unwrap();
     assert!(found <= tolerance, "{found} is beyond {tolerance}");
@@ -68,7 +68,7 @@ fn still_motion_costs_nothing() {
     let short = recording(&tree(20), 0.01, 40, still);
     let long = recording(&tree(20), 0.01, 4000, still);
     check(&short, 1e-4, 0.03);
-    let bytes = |recording| compressed(recording, &Settings::default()).as_bytes().len();
+    let bytes = |recording| compressed(recording, &Options::default()).as_bytes().len();
     assert_eq!(bytes(&short), bytes(&long));
 }
 
@@ -116,7 +116,7 @@ fn a_still_chain_of_thousands_of_joints() {
     check(&recording(&chain(4096), 0.01, 1, still), 1e-4, 0.03);
     let error = compress(
         &recording(&chain(20_000), 0.01, 1, still),
-        &Settings::default(),
+        &Options::default(),
         |_, _| (),
     );
     assert_eq!(
@@ -241,7 +241,7 @@ fn joints_that_shrink_to_nothing() {
         Transform::from_parts(transform.translation(), transform.rotor(), factors)
     };
     let recording = recording(&chain(3), 0.01, 60, shrinking);
-    let clip = compressed(&recording, &Settings::default());
+    let clip = compressed(&recording, &Options::default());
     let mut sampler = Sampler::new(&clip);
     for frame in 0..recording.frame_count() {
         sampler.sample_frame(frame);
@@ -268,14 +268,14 @@ fn joints_that_shrink_to_nothing() {
 fn joints_with_bounds_of_their_own() {
     let recording = recording(&tree(15), 0.01, 100, noisy);
     let (joint, tolerance, shell) = (14, 1e-5, 0.2);
-    let mut settings = Settings::new(1e-3, 0.03);
-    settings.joints.push(JointBound {
+    let mut options = Options::new(1e-3, 0.03);
+    options.joints.push(JointBound {
         joint,
         tolerance,
         shell,
     });
-    let clip = compressed(&recording, &settings);
-    assert_eq!(clip.settings(), &settings);
+    let clip = compressed(&recording, &options);
+    assert_eq!(clip.options(), &options);
     let mut sampler = Sampler::new(&clip);
     for frame in 0..recording.frame_count() {
         sampler.sample_frame(frame);
@@ -284,7 +284,7 @@ fn joints_with_bounds_of_their_own() {
         assert!(shell_error(&found[joint], &truth[joint], shell) <= tolerance);
         assert!(shell_error(&found[3], &truth[3], 0.03) <= 1e-3);
     }
-    let alike = compressed(&recording, &Settings::new(1e-3, 0.03));
+    let alike = compressed(&recording, &Options::new(1e-3, 0.03));
     assert!(alike.as_bytes().len() < clip.as_bytes().len());
 }
 
@@ -309,11 +309,11 @@ fn scalar_tracks_stay_within_their_tolerance() {
         tracks,
     )
     .unwrap();
-    let settings = Settings {
+    let options = Options {
         track_tolerance: 1e-3,
-        ..Settings::default()
+        ..Options::default()
     };
-    let clip = compressed(&recording, &settings);
+    let clip = compressed(&recording, &options);
     assert!(
         clip.track_names()
             .eq(["smile", "noise", "constant", "switch"])
@@ -341,7 +341,7 @@ fn what_cannot_be_kept_is_an_error_that_names_it() {
         };
         rigid(place, noisy(frame, joint).rotor())
     });
-    let error = compress(&far, &Settings::default(), |_, _| ()).unwrap_err();
+    let error = compress(&far, &Options::default(), |_, _| ()).unwrap_err();
     let names_it = matches!(
         &error,
         ClipError::Bound { joint, .. } | ClipError::Precision { joint, .. }
@@ -350,7 +350,7 @@ fn what_cannot_be_kept_is_an_error_that_names_it() {
     assert!(names_it, "{error}");
     let small = recording(&chain(2), 0.01, 4, smooth);
     for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = compress(&small, &Settings::new(value, 0.03), |_, _| ()).unwrap_err();
+        let error = compress(&small, &Options::new(value, 0.03), |_, _| ()).unwrap_err();
         assert!(
             error
                 .to_string()
@@ -358,18 +358,18 @@ fn what_cannot_be_kept_is_an_error_that_names_it() {
             "{error}"
         );
     }
-    let error = compress(&small, &Settings::new(1e-4, -1.0), |_, _| ()).unwrap_err();
+    let error = compress(&small, &Options::new(1e-4, -1.0), |_, _| ()).unwrap_err();
     assert!(
         error.to_string().starts_with("the shell must be positive"),
         "{error}"
     );
-    let mut settings = Settings::default();
-    settings.joints.push(JointBound {
+    let mut options = Options::default();
+    options.joints.push(JointBound {
         joint: 2,
         tolerance: 1.0,
         shell: 1.0,
     });
-    let error = compress(&small, &settings, |_, _| ()).unwrap_err();
+    let error = compress(&small, &options, |_, _| ()).unwrap_err();
     assert_eq!(
         error,
         ClipError::BoundJoint {
@@ -388,7 +388,7 @@ fn any_number_of_threads_writes_the_same_bytes() {
             .build()
             .unwrap();
         pool.install(|| {
-            compressed(&recording, &Settings::default())
+            compressed(&recording, &Options::default())
                 .as_bytes()
                 .to_vec()
         })
@@ -421,7 +421,7 @@ proptest! {
             .collect();
         let recording = recording(&parents, 0.01, frames, local);
         let tolerance = 10f64.powf(exponent);
-        let clip = compressed(&recording, &Settings::new(tolerance, shell));
+        let clip = compressed(&recording, &Options::new(tolerance, shell));
         let found = greatest_error(&recording, &clip, shell);
         prop_assert!(found <= tolerance, "{} is beyond {}", found, tolerance);
     }

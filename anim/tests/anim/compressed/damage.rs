@@ -1,7 +1,7 @@
 //! Files that are cut or changed.
 
 use ga_anim::clip::ClipError;
-use ga_anim::clip::compressed::{CompressedClip, Settings};
+use ga_anim::clip::compressed::{CompressedClip, Options};
 use proptest::prelude::*;
 
 use super::{compressed, noise, recording, rigid, rotation, tree};
@@ -11,7 +11,7 @@ fn small() -> CompressedClip {
         let angles = [0, 1, 2].map(|k| 0.01 * noise(frame, joint, k));
         rigid([0.1 * joint as f64, 0.2, 0.0], rotation(angles))
     });
-    compressed(&recording, &Settings::default())
+    compressed(&recording, &Options::default())
 }
 
 #[test]

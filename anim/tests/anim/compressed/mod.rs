@@ -5,7 +5,7 @@ mod damage;
 mod real;
 mod sampling;
 
-use ga_anim::clip::compressed::{CompressedClip, Sampler, Settings, compress};
+use ga_anim::clip::compressed::{CompressedClip, Options, Sampler, compress};
 use ga_anim::recording::{RecordedJoint, Recording};
 use ga_anim::transform::Transform;
 use ga_runtime::cga3::Rotor;
@@ -61,8 +61,8 @@ fn noise(a: usize, b: usize, c: usize) -> f64 {
     (x >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-fn compressed(recording: &Recording, settings: &Settings) -> CompressedClip {
-    compress(recording, settings, |_, _| ()).unwrap()
+fn compressed(recording: &Recording, options: &Options) -> CompressedClip {
+    compress(recording, options, |_, _| ()).unwrap()
 }
 
 /// The ratio of 40 bytes for each joint and frame to the file without the names of joints.

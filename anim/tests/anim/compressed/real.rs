@@ -1,7 +1,7 @@
 //! The figures on a real recording.
 
 use ga_anim::bvh;
-use ga_anim::clip::compressed::{Sampler, Settings, error_at_skin, measure};
+use ga_anim::clip::compressed::{Options, Sampler, error_at_skin, measure};
 use ga_anim::recording::Recording;
 use ga_anim::weights::SkinWeights;
 use ga_runtime::cga3::Point;
@@ -17,7 +17,7 @@ fn a_real_recording_keeps_its_bound_in_a_twenty_first_of_its_bytes() {
     };
     let motion = bvh::read(path).unwrap();
     let recording = Recording::from_bvh(&motion, 0.056_444).unwrap();
-    let clip = compressed(&recording, &Settings::default());
+    let clip = compressed(&recording, &Options::default());
     assert!(ratio(&clip) >= 21.0, "{}", ratio(&clip));
 
     let mut sampler = Sampler::new(&clip);
@@ -73,7 +73,7 @@ fn the_error_at_a_skin_is_that_of_its_vertices() {
         whole.locals()[..100 * count].to_vec(),
     );
     let recording = Recording::new(joints, whole.frame_time(), locals, Vec::new()).unwrap();
-    let clip = compressed(&recording, &Settings::default());
+    let clip = compressed(&recording, &Options::default());
 
     // A vertex 2 cm from each joint, moved by it alone, is within the shell.
     let rest: Vec<_> = recording

@@ -1,6 +1,6 @@
 //! Sampling between frames, in any order.
 
-use ga_anim::clip::compressed::{Sampler, Settings};
+use ga_anim::clip::compressed::{Options, Sampler};
 use ga_runtime::cga3::Rotor;
 use glam::DQuat;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ proptest! {
             let angles = [0, 1, 2].map(|k| 0.2 * noise(frame / 3, joint, k));
             rigid([noise(frame, joint, 7), 0.2, 0.0], rotation(angles))
         });
-        let clip = compressed(&recording, &Settings::new(1e-3, 0.03));
+        let clip = compressed(&recording, &Options::new(1e-3, 0.03));
         let mut sampler = Sampler::new(&clip);
         for time in times {
             sampler.sample(time);
@@ -43,7 +43,7 @@ proptest! {
         let recording = recording(&chain(1), 1.0, 2, |frame, _| {
             rigid([0.0; 3], rotation([0.3, frame as f64 * angle, 0.1]))
         });
-        let clip = compressed(&recording, &Settings::new(1e-6, 0.03));
+        let clip = compressed(&recording, &Options::new(1e-6, 0.03));
         let mut sampler = Sampler::new(&clip);
         let mut at = |time| {
             sampler.sample(time);
@@ -65,7 +65,7 @@ fn beyond_the_ends_the_pose_is_that_of_the_end() {
             rotation([noise(frame, joint, 1), 0.0, 0.0]),
         )
     });
-    let clip = compressed(&recording, &Settings::default());
+    let clip = compressed(&recording, &Options::default());
     let at = |time| {
         let mut sampler = Sampler::new(&clip);
         sampler.sample(time);

@@ -1,4 +1,4 @@
-use ga_anim::inverse_kinematics::{Fabrik, FabrikSettings, reach_with_chain};
+use ga_anim::inverse_kinematics::{Fabrik, FabrikOptions, reach_with_chain};
 use ga_anim::kinematics::KinematicsError;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{JointLimits, Limit};
@@ -30,8 +30,8 @@ fn plain(joints: &mut [[f64; 3]], lengths: &[f64], target: [f64; 3]) {
     }
 }
 
-fn settings() -> FabrikSettings {
-    FabrikSettings {
+fn options() -> FabrikOptions {
+    FabrikOptions {
         tolerance: 1e-9,
         iterations: 2000,
     }
@@ -68,7 +68,7 @@ proptest! {
         let fabrik = Fabrik::new(lengths.clone()).unwrap();
         let target = Point::from(Vector::from(joints[0]) + target.normalized().unwrap() * (part * total));
         let (root, mut found) = (joints[0], joints);
-        let report = fabrik.solve(&mut found, target, &settings()).unwrap();
+        let report = fabrik.solve(&mut found, target, &options()).unwrap();
         prop_assert_eq!(found[0], root);
         for (ends, length) in found.windows(2).zip(&lengths) {
             prop_assert!((ends[0].distance(ends[1]) - length).abs() < 1e-13);
@@ -106,7 +106,7 @@ proptest! {
         let target = Point::from(pose_of(rotors).bones(&skeleton).unwrap()[4][0]);
         let start = start.iter().map(|v| Rotor::from_rotation_vector((*v).into()).unwrap());
         let mut pose = pose_of(start.collect());
-        let report = reach_with_chain(&skeleton, Some(&limits), &mut pose, &[0, 1, 2, 3, 4], target, &settings()).unwrap();
+        let report = reach_with_chain(&skeleton, Some(&limits), &mut pose, &[0, 1, 2, 3, 4], target, &options()).unwrap();
         let end = Point::from(pose.bones(&skeleton).unwrap()[4][0]);
         prop_assert!((end.distance(target) - report.distance).abs() < 1e-12);
         for joint in 0..4 {
@@ -125,7 +125,7 @@ fn a_straight_chain_leaves_its_line() {
     let mut joints: Vec<_> = (0..5).map(|x| Point::new(f64::from(x), 0.0, 0.0)).collect();
     for target in [2.5, -1.0, 0.01] {
         let target = Point::new(target, 0.0, 0.0);
-        let report = fabrik.solve(&mut joints, target, &settings()).unwrap();
+        let report = fabrik.solve(&mut joints, target, &options()).unwrap();
         assert!(report.distance <= 1e-9, "{report:?}");
         joints = (0..5).map(|x| Point::new(f64::from(x), 0.0, 0.0)).collect();
     }
@@ -150,7 +150,7 @@ fn a_straight_chain_leaves_its_line() {
             &mut pose,
             &[0, 1, 2, 3],
             target,
-            &settings(),
+            &options(),
         )
         .unwrap();
         assert!(report.distance <= 1e-6, "{axis:?}: {report:?}");
@@ -179,34 +179,34 @@ fn faults_of_chains() {
         points: 2,
     };
     assert_eq!(
-        fabrik.solve(&mut joints[..2], at(1.0), &settings()),
+        fabrik.solve(&mut joints[..2], at(1.0), &options()),
         Err(chain_error)
     );
     assert!(matches!(
-        fabrik.solve(&mut joints, at(f64::NAN), &settings()),
+        fabrik.solve(&mut joints, at(f64::NAN), &options()),
         Err(KinematicsError::NotFinite {
             what: "the target",
             ..
         })
     ));
     for tolerance in [f64::NAN, -1.0] {
-        let wrong = FabrikSettings {
+        let wrong = FabrikOptions {
             tolerance,
-            ..settings()
+            ..options()
         };
         let found = fabrik.solve(&mut joints, at(1.0), &wrong);
         assert!(matches!(found, Err(KinematicsError::Tolerance(_))));
     }
     // Coincident joints and a target at the root are solved as well.
     let mut joints = [at(0.0); 3];
-    let report = fabrik.solve(&mut joints, at(0.0), &settings()).unwrap();
+    let report = fabrik.solve(&mut joints, at(0.0), &options()).unwrap();
     assert!(report.distance <= 1e-9);
     assert!((joints[1].distance(joints[2]) - 1.0).abs() < 1e-14);
 
     let skeleton = chain(&[[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]]);
     let reach = |chain: &[usize]| {
         let mut pose = Pose::rest(3);
-        reach_with_chain(&skeleton, None, &mut pose, chain, at(0.5), &settings()).unwrap_err()
+        reach_with_chain(&skeleton, None, &mut pose, chain, at(0.5), &options()).unwrap_err()
     };
     assert_eq!(
         reach(&[0, 1, 2]),

@@ -1,5 +1,5 @@
 use ga_anim::bvh;
-use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitSettings, Target};
+use ga_anim::inverse_kinematics::{Marker, PoseFit, PoseFitOptions, Target};
 use ga_anim::kinematics::KinematicsError;
 use ga_anim::pose::Pose;
 use ga_anim::skeleton::{Joint, JointLimits, Limit, Skeleton};
@@ -61,8 +61,8 @@ fn the_poses_of_a_recording_come_back_from_the_places_of_its_joints() {
             let frame = sample * (motion.frame_count() - 1) / 49;
             let truth = places(&skeleton, &motion.pose(frame).unwrap(), markers);
             let mut pose = Pose::rest(skeleton.len());
-            let settings = PoseFitSettings::default();
-            let report = fit.solve(&seen(&truth), &mut pose, &settings).unwrap();
+            let options = PoseFitOptions::default();
+            let report = fit.solve(&seen(&truth), &mut pose, &options).unwrap();
             let error = METRES * mean_error(&places(&skeleton, &pose, markers), &truth);
             assert!(error <= 1e-6, "frame {frame}: {error} m, {report:?}");
             assert!(report.converged && report.iterations < 30, "{report:?}");
@@ -86,8 +86,8 @@ fn every_pose_of_a_recording_comes_back() {
         let fitted = frames.map_init(new, |fit, frame| {
             let truth = places(&skeleton, &motion.pose(frame).unwrap(), markers);
             let mut pose = Pose::rest(skeleton.len());
-            let settings = PoseFitSettings::default();
-            let report = fit.solve(&seen(&truth), &mut pose, &settings).unwrap();
+            let options = PoseFitOptions::default();
+            let report = fit.solve(&seen(&truth), &mut pose, &options).unwrap();
             let error = METRES * mean_error(&places(&skeleton, &pose, markers), &truth);
             (frame, error, report)
         });
@@ -132,11 +132,11 @@ fn steps_alone_find_the_next_frame_and_keep_what_places_do_not_show() {
     start.joints[1] *= Motor::about(Point::new(0.0, 1.0, 0.0), rotor([0.05, 0.0, -0.03]));
     for align_first in [false, true] {
         let mut pose = start.clone();
-        let settings = PoseFitSettings {
+        let options = PoseFitOptions {
             align_first,
-            ..PoseFitSettings::default()
+            ..PoseFitOptions::default()
         };
-        let report = fit.solve(&targets, &mut pose, &settings).unwrap();
+        let report = fit.solve(&targets, &mut pose, &options).unwrap();
         assert!(report.greatest_error < 1e-9, "{report:?}");
         // The last joint has nothing below: it does not rotate at all.
         assert_eq!(pose.joints[3].rotor(), start.joints[3].rotor());
@@ -204,12 +204,12 @@ proptest! {
         let truth = places(&skeleton, &truth, &markers);
         let mut fit = PoseFit::new(&skeleton, None, markers).unwrap();
         let mut pose = Pose::rest(6);
-        let report = fit.solve(&seen(&truth), &mut pose, &PoseFitSettings::default()).unwrap();
+        let report = fit.solve(&seen(&truth), &mut pose, &PoseFitOptions::default()).unwrap();
         prop_assert!(report.greatest_error < 1e-8, "{report:?}");
         // Without the closed form at the start it is found as well, or a lesser pose is reported.
         let mut stepped = Pose::rest(6);
-        let settings = PoseFitSettings { align_first: false, ..PoseFitSettings::default() };
-        let report = fit.solve(&seen(&truth), &mut stepped, &settings).unwrap();
+        let options = PoseFitOptions { align_first: false, ..PoseFitOptions::default() };
+        let report = fit.solve(&seen(&truth), &mut stepped, &options).unwrap();
         let found = places(&skeleton, &stepped, fit.markers());
         let greatest = found.iter().zip(&truth).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         prop_assert!((greatest - report.greatest_error).abs() < 1e-12);
@@ -242,8 +242,8 @@ proptest! {
         ] {
             let mut fit = PoseFit::new(&skeleton, Some(limits), markers.clone()).unwrap();
             let mut pose = start.clone();
-            let settings = PoseFitSettings { align_first, ..PoseFitSettings::default() };
-            let report = fit.solve(&targets, &mut pose, &settings).unwrap();
+            let options = PoseFitOptions { align_first, ..PoseFitOptions::default() };
+            let report = fit.solve(&targets, &mut pose, &options).unwrap();
             let least = cost(&pose);
             prop_assert!(least <= cost(&start) + 1e-12);
             prop_assert!((least / total - report.root_mean_square_error.powi(2)).abs() < 1e-12);
@@ -282,13 +282,13 @@ fn unseen_markers_and_a_fixed_root_are_respected() {
         position: hand,
         weight: 2.0,
     };
-    let settings = PoseFitSettings {
+    let options = PoseFitOptions {
         root_motion: false,
         align_first: false,
-        ..PoseFitSettings::default()
+        ..PoseFitOptions::default()
     };
     let mut pose = Pose::rest(6);
-    let report = fit.solve(&targets, &mut pose, &settings).unwrap();
+    let report = fit.solve(&targets, &mut pose, &options).unwrap();
     assert!(report.greatest_error < 1e-9, "{report:?}");
     assert_eq!(pose.root, Motor::default());
     assert_eq!(pose.joints[4], Motor::default());
@@ -339,7 +339,7 @@ fn faults_are_named() {
     let mut solve = |targets: &[Target], joints| {
         let mut pose = Pose::rest(joints);
         let error = fit
-            .solve(targets, &mut pose, &PoseFitSettings::default())
+            .solve(targets, &mut pose, &PoseFitOptions::default())
             .unwrap_err();
         assert_eq!(pose, Pose::rest(joints));
         error

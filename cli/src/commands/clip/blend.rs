@@ -1,11 +1,12 @@
 //! `nullcone clip blend`: several motions of the same joints at once.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
+use ga_anim::motion_file::Format;
 use ga_anim::recording::{Recording, blend};
 
-use super::input::{Kind, MotionArguments};
+use super::input::MotionArguments;
 use super::target::{Report, TargetArguments};
 use crate::frame::{Command, Context};
 
@@ -85,26 +86,28 @@ impl Command for Arguments {
         let animations = of_each("--animation", &self.animation, motions)?;
         let progress = context.progress(100);
         progress.step("reading the motions");
-        let mut recordings = Vec::with_capacity(motions.len());
-        let (mut settings, mut warnings) = (None, Vec::new());
+        let (mut recordings, mut warnings) = (Vec::with_capacity(motions.len()), Vec::new());
+        let mut compression = None;
         for ((path, unit), animation) in motions.iter().zip(units).zip(animations) {
             // One value for all motions is for those to which it applies.
-            let (unit, animation) = match Kind::of(path)? {
-                Kind::Bvh => (Some(unit), None),
-                Kind::Gltf => (Some(unit), Some(animation)),
-                Kind::Clip => (None, None),
+            let format = Format::of_path(path)?;
+            let motion = MotionArguments {
+                motion: path.clone(),
+                metres_per_unit: (format != Format::Clip).then_some(unit),
+                animation: (format == Format::Gltf).then_some(animation),
+                rate: None,
             };
-            let motion = MotionArguments::new(path, unit, animation);
-            let (recording, of_motion) = motion.any_recording(&mut warnings)?;
+            let (recording, of_motion) = motion.recording(&mut warnings)?;
             recordings.push(recording);
-            settings.get_or_insert(of_motion);
+            compression.get_or_insert(of_motion);
         }
         let weighted = recordings.iter().zip(weights.iter().copied());
         let weighted: Vec<(&Recording, f64)> = weighted.collect();
-        let file = names(motions);
+        let names = motions.iter().map(|path| path.display().to_string());
+        let file = names.collect::<Vec<_>>().join(", ");
         let mean = blend(&weighted).with_context(|| file.clone())?;
-        let settings = settings.unwrap_or_default();
-        target.write(&mean, file, settings, &progress, warnings)
+        let compression = compression.unwrap_or_default();
+        target.write(&mean, file, compression, &progress, warnings)
     }
 }
 
@@ -119,10 +122,4 @@ fn of_each<T: Copy>(name: &str, values: &[T], motions: &[PathBuf]) -> Result<Vec
             motions.len()
         ),
     }
-}
-
-/// The files as messages name them.
-fn names(motions: &[PathBuf]) -> String {
-    let names = motions.iter().map(|path| Path::display(path).to_string());
-    names.collect::<Vec<_>>().join(", ")
 }

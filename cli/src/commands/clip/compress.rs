@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, ensure};
-use ga_anim::clip::compressed::Settings;
-use ga_anim::recording::Recording;
+use anyhow::{Context as _, Result, ensure};
+use ga_anim::clip::compressed::{NamedBound, Options};
+use ga_anim::motion_file::Format;
 
-use super::input::{Kind, MotionArguments, vertices};
-use super::target::{self, OwnBound, Report};
+use super::input::MotionArguments;
+use super::target::{Compression, Report, add_bounds, check};
 use crate::frame::{Command, Context};
 
 /// Compress a recording so that a bound on its error holds on every frame.
@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     /// A joint with bounds of its own, such as `LeftHand=0.00005` or `LeftHand=0.00005,0.2` for
     /// another shell. May be given several times.
     #[arg(long = "joint", value_name = "NAME=METRES[,SHELL]")]
-    joints: Vec<OwnBound>,
+    joints: Vec<NamedBound>,
     /// The greatest deviation of scalar tracks, such as the weights of morph targets.
     #[arg(
         long,
@@ -74,55 +74,33 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let (motion, file, out) = (&self.motion, self.motion.file(), &self.out);
-        target::check([motion.path()], out, context)?;
+        let (motion, file) = (&self.motion, self.motion.file());
+        check([&motion.motion], &self.out, context)?;
         let progress = context.progress(100);
         progress.step("reading the motion");
+        ensure!(
+            motion.format()? != Format::Clip,
+            "{file}: the motion is already compressed"
+        );
         let mut warnings = Vec::new();
-        let recording = motion.recording(&mut warnings)?;
-        let mut settings = Settings {
+        let read = motion.read(&mut warnings)?;
+        let recording = read.recording().with_context(|| file.clone())?;
+        let mut options = Options {
             tolerance: self.tolerance,
             shell: self.shell,
             track_tolerance: self.track_tolerance,
             joints: Vec::new(),
         };
-        target::add_bounds(&mut settings, &self.joints, &recording, &file)?;
-        let deviation = leave_for_deviation(&mut settings, motion, &recording)?;
-        let mesh_vertices = || -> Result<Option<u64>> {
-            match (self.mesh_vertices, motion.kind()?) {
-                (None, Kind::Gltf) => Ok(Some(vertices(&motion.document()?))),
-                (vertices, _) => Ok(vertices),
-            }
+        add_bounds(&mut options, &self.joints, &recording, &file)?;
+        let deviation = read.deviation(&recording, options.greatest_shell());
+        let deviation = deviation.with_context(|| file.clone())?;
+        options.leave_for(deviation).with_context(|| file.clone())?;
+        let compression = Compression {
+            recording: &recording,
+            options,
+            deviation,
+            mesh_vertices: self.mesh_vertices.or(read.vertex_count()),
         };
-        let report = target::write(&recording, &settings, file, out, &progress, mesh_vertices)?;
-        Ok(report.with_deviation(deviation).with_warnings(warnings))
+        compression.write(file, &self.out, &progress, warnings)
     }
-}
-
-/// How far the recording is from a glTF document, by which the tolerances become smaller, so that
-/// they hold against the document.
-fn leave_for_deviation(
-    settings: &mut Settings,
-    motion: &MotionArguments,
-    recording: &Recording,
-) -> Result<f64> {
-    // Far below single precision.
-    const ROUNDING: f64 = 1e-5;
-    let shells = settings.joints.iter().map(|bound| bound.shell);
-    let shell = shells.fold(settings.shell, f64::max);
-    let deviation = motion.deviation(recording, shell)?;
-    let own = settings.joints.iter_mut().map(|bound| &mut bound.tolerance);
-    for tolerance in own.chain([&mut settings.tolerance]) {
-        // What is not a tolerance is refused later.
-        if *tolerance > 0.0 && deviation > ROUNDING * *tolerance {
-            ensure!(
-                deviation < *tolerance,
-                "{}: shear in matrices of nodes moves points by {deviation} m, which is not within \
-                 {tolerance} m",
-                motion.file()
-            );
-            *tolerance -= deviation;
-        }
-    }
-    Ok(deviation)
 }

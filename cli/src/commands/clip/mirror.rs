@@ -46,19 +46,15 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        self.target.check([self.motion.path()], context)?;
         let normal = match self.axis {
             Axis::X => Vector::new(1.0, 0.0, 0.0),
             Axis::Y => Vector::new(0.0, 1.0, 0.0),
             Axis::Z => Vector::new(0.0, 0.0, 1.0),
         };
-        let progress = context.progress(100);
-        progress.step("reading the motion");
-        let mut warnings = Vec::new();
-        let (recording, settings) = self.motion.any_recording(&mut warnings)?;
-        let file = self.motion.file();
-        let mirrored = recording.mirrored(normal).with_context(|| file.clone())?;
         self.target
-            .write(&mirrored, file, settings, &progress, warnings)
+            .write_changed(&self.motion, context, |recording| {
+                let mirrored = recording.mirrored(normal);
+                mirrored.with_context(|| self.motion.file())
+            })
     }
 }

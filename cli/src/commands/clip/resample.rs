@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
+use ga_anim::motion_file::Format;
 
-use super::input::{Kind, MotionArguments};
+use super::input::MotionArguments;
 use super::target::{Report, TargetArguments};
 use crate::frame::{Command, Context};
 
@@ -44,20 +45,20 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        self.target.check([&self.motion], context)?;
         let rate = self.rate;
-        let motion = MotionArguments::new(&self.motion, self.metres_per_unit, self.animation);
-        let motion = motion.recorded_at(rate)?;
-        let progress = context.progress(100);
-        progress.step("reading the motion");
-        let mut warnings = Vec::new();
-        let (mut recording, settings) = motion.any_recording(&mut warnings)?;
-        if motion.kind()? != Kind::Gltf {
-            recording = recording
-                .resampled(rate)
-                .with_context(|| format!("{}: --rate {rate}", motion.file()))?;
-        }
-        self.target
-            .write(&recording, motion.file(), settings, &progress, warnings)
+        let is_gltf = Format::of_path(&self.motion)? == Format::Gltf;
+        let motion = MotionArguments {
+            motion: self.motion.clone(),
+            metres_per_unit: self.metres_per_unit,
+            animation: self.animation,
+            rate: is_gltf.then_some(rate),
+        };
+        self.target.write_changed(&motion, context, |recording| {
+            if is_gltf {
+                return Ok(recording);
+            }
+            let resampled = recording.resampled(rate);
+            resampled.with_context(|| format!("{}: --rate {rate}", motion.file()))
+        })
     }
 }

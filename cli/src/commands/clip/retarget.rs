@@ -2,20 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
-use ga_anim::bvh::Bvh;
-use ga_anim::clip::Clip;
-use ga_anim::clip::compressed::{self, Settings};
-use ga_anim::gltf::{Rigged, character};
-use ga_anim::recording::Recording;
-use ga_anim::retarget::{Alignment, Contact, FootLocking, JointMap, Retarget, Soles};
-use ga_anim::skeleton::Skeleton;
-use ga_anim::unit::likely_unit;
+use ga_anim::clip::compressed;
+use ga_anim::motion_file::Format as MotionFormat;
+use ga_anim::retarget::{Alignment, JointMap, MapOrigin, Options, StandingFoot, Target, Transfer};
+use ga_anim::unit::{LikelyUnit, likely_unit};
+use ga_mesh::gltf;
 use serde::Serialize;
-use serde_json::Value;
 
-use super::input::{Kind, MotionArguments};
+use super::input::{MotionArguments, checked_unit};
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
 use crate::motion_file;
@@ -100,108 +96,116 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        retarget(self, context)
-    }
-}
-
-fn retarget(arguments: &Arguments, context: &Context) -> Result<Report> {
-    let inputs = [arguments.motion.path(), &arguments.target].into_iter();
-    let inputs = inputs.chain(arguments.map.as_deref());
-    let mut files = context.files(inputs)?;
-    let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
-    let format = files.write("--out", &arguments.out, &formats)?;
-    let progress = context.progress(5);
-    let mut warnings = Vec::new();
-    progress.step("reading the target");
-    let target = Target::read(arguments, &mut warnings)?;
-    progress.step("reading the motion");
-    let (source, _) = arguments.motion.any_recording(&mut warnings)?;
-    let file = arguments.motion.file();
-    let (map, map_by) = map(arguments, &source, &target)?;
-
-    progress.step("transferring the motion");
-    let onto = || format!("{file} cannot move {}", arguments.target.display());
-    let alignment = match arguments.align {
-        Bones::All => Alignment::EveryBone,
-        Bones::Limbs => Alignment::Limbs,
-    };
-    let skeleton = &target.skeleton;
-    let retarget = Retarget::with_alignment(&source, skeleton, &target.soles, &map, alignment)
-        .with_context(onto)?;
-    let source_unit = match (arguments.motion.kind()?, arguments.motion.given_unit()) {
-        (Kind::Bvh, None) => likely_metres(&source, &file, &mut warnings)?,
-        // A recording in metres.
-        _ => 1.0,
-    };
-    let target_unit = match arguments.target_metres_per_unit {
-        None => match &target.bvh {
-            Some(bvh) => {
-                let file = arguments.target.display().to_string();
-                likely_metres(&Recording::from_bvh(bvh, 1.0)?, &file, &mut warnings)?
+        let inputs = [&self.motion.motion, &self.target].into_iter();
+        let mut files = context.files(inputs.chain(&self.map))?;
+        let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
+        let format = files.write("--out", &self.out, &formats)?;
+        let progress = context.progress(5);
+        let mut warnings = Vec::new();
+        progress.step("reading the target");
+        let target = self.target(&mut warnings)?;
+        progress.step("reading the motion");
+        let (source, _) = self.motion.recording(&mut warnings)?;
+        let (file, target_file) = (self.motion.file(), self.target.display().to_string());
+        let skeleton = target.skeleton();
+        let (map, map_by) = match &self.map {
+            Some(path) => {
+                let map = ga_files::read(path, |bytes| JointMap::decode(bytes, &source, skeleton))?;
+                (map, MapOrigin::File)
             }
-            None => 1.0,
-        },
-        Some(unit) => unit,
-    };
-    let locked = retarget
-        .with_foot_locking(&FootLocking::new(source_unit))
-        .with_context(onto)?;
-    let frames = 0..=source.frame_count() - 1;
-    let clip = match arguments.foot_locking {
-        true => locked.clip(frames),
-        false => retarget.clip(frames),
-    };
-    let clip = clip.with_context(onto)?;
-
-    let report = Report {
-        file: file.clone(),
-        target: arguments.target.display().to_string(),
-        out: arguments.out.display().to_string(),
-        frames: clip.frames().len(),
-        joints: skeleton.len(),
-        frame_time_seconds: clip.frame_time(),
-        target_units_per_unit: retarget.scale(),
-        motion_metres_per_unit: source_unit,
-        target_metres_per_unit: target_unit,
-        map_by,
-        map: map.to_json(&source, skeleton),
-        joints_without_counterpart: retarget.unmatched().map(ToOwned::to_owned).collect(),
-        foot_locking: arguments.foot_locking,
-        feet: Vec::new(),
-        warnings,
-        slide_metres: 0.0,
-        slide_free_metres: 0.0,
-        short_by_metres: 0.0,
-    };
-    let report = report.with_feet(locked.contacts(), skeleton, target_unit);
-    progress.step("writing");
-    write(arguments, format, &target, &clip, &progress)?;
-    Ok(report)
+            None => JointMap::found(&source, skeleton),
+        };
+        progress.step("transferring the motion");
+        let source_unit = match (self.motion.format()?, self.motion.metres_per_unit) {
+            (MotionFormat::Bvh, None) => metres(likely_unit(&source), &file, &mut warnings)?,
+            // A recording in metres.
+            _ => 1.0,
+        };
+        let target_unit = match self.target_metres_per_unit {
+            None => metres(target.likely_unit()?, &target_file, &mut warnings)?,
+            Some(unit) => unit,
+        };
+        let options = Options {
+            alignment: match self.align {
+                Bones::All => Alignment::EveryBone,
+                Bones::Limbs => Alignment::Limbs,
+            },
+            foot_locking: self.foot_locking,
+            motion_metres_per_unit: source_unit,
+            target_metres_per_unit: target_unit,
+        };
+        let transfer = Transfer::new(&source, &target, (&map, map_by), &options)
+            .with_context(|| format!("{file} cannot move {target_file}"))?;
+        warnings.extend(transfer.feet.iter().filter_map(too_short));
+        progress.step("writing");
+        self.write(format, &target, &transfer, &progress)?;
+        Ok(Report {
+            file,
+            target: target_file,
+            out: self.out.display().to_string(),
+            transfer,
+            warnings,
+        })
+    }
 }
 
-/// The map of joints, and where it comes from.
-fn map(
-    arguments: &Arguments,
-    source: &Recording,
-    target: &Target,
-) -> Result<(JointMap, &'static str)> {
-    let skeleton = &target.skeleton;
-    if let Some(path) = &arguments.map {
-        let map = ga_files::read(path, |bytes| JointMap::decode(bytes, source, skeleton))?;
-        return Ok((map, "file"));
+impl Arguments {
+    fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
+        let path = &self.target;
+        let shown = || path.display().to_string();
+        let unit = checked_unit("--target-metres-per-unit", self.target_metres_per_unit)?;
+        match MotionFormat::of_path(path).context("--target")? {
+            MotionFormat::Bvh => {
+                let motion = motion_file::read(path, warnings)?;
+                Target::from_bvh(motion, unit).with_context(shown)
+            }
+            MotionFormat::Gltf => {
+                ensure!(
+                    self.target_metres_per_unit.is_none(),
+                    "--target-metres-per-unit does not apply to {}, which is in metres",
+                    path.display()
+                );
+                Target::from_gltf(&gltf::read(path)?).with_context(shown)
+            }
+            MotionFormat::Clip => bail!(
+                "--target {}: a skeleton is a file of the kind .bvh, .glb or .gltf",
+                path.display()
+            ),
+        }
     }
-    let map = JointMap::by_names_or_structure(source, skeleton);
-    let by = if map == JointMap::by_names(source, skeleton) {
-        "names"
-    } else {
-        "structure"
-    };
-    Ok((map, by))
+
+    fn write(
+        &self,
+        format: Format,
+        target: &Target,
+        transfer: &Transfer,
+        progress: &Progress,
+    ) -> Result<()> {
+        let (out, clip, name) = (&self.out, &transfer.clip, ga_files::stem(&self.motion.motion));
+        let shown = || format!("{} cannot be written", out.display());
+        let format = match format {
+            Format::Gltf => {
+                let document = target.to_gltf(&name, clip).with_context(shown)?;
+                return Ok(gltf::write(out, &document)?);
+            }
+            Format::Glb => MotionFormat::Gltf,
+            Format::Clip => MotionFormat::Clip,
+            _ => MotionFormat::Bvh,
+        };
+        let compression = compressed::Options {
+            tolerance: self.tolerance,
+            ..compressed::Options::default()
+        };
+        let bytes = target.encode(format, &name, clip, &compression, |done, steps| {
+            progress.at(done as u64, steps as u64);
+        });
+        output::write(out, &bytes.with_context(shown)?)
+    }
 }
 
 /// The length of a unit in metres where it is not given.
-fn likely_metres(body: &Recording, file: &str, warnings: &mut Vec<Warning>) -> Result<f64> {
-    let unit = likely_unit(body).with_context(|| format!("{file}: the body has no bones"))?;
+fn metres(unit: Option<LikelyUnit>, file: &str, warnings: &mut Vec<Warning>) -> Result<f64> {
+    let unit = unit.with_context(|| format!("{file}: the body has no bones"))?;
     if !unit.is_clear {
         let message = format!(
             "the length of a unit is not clear: {:.6} m is taken, with which the body is as large \
@@ -213,132 +217,20 @@ fn likely_metres(body: &Recording, file: &str, warnings: &mut Vec<Warning>) -> R
     Ok(unit.metres)
 }
 
-/// A skeleton from a file, and what is needed to write motions of it.
-struct Target {
-    skeleton: Skeleton,
-    soles: Soles,
-    bvh: Option<Bvh>,
-    rigged: Option<Rigged>,
-}
-
-impl Target {
-    fn read(arguments: &Arguments, warnings: &mut Vec<Warning>) -> Result<Self> {
-        let path = &arguments.target;
-        let shown = || path.display().to_string();
-        let unit = arguments.target_metres_per_unit;
-        if let Some(unit) = unit {
-            ensure!(
-                unit > 0.0 && unit.is_finite(),
-                "--target-metres-per-unit {unit}: the length of a unit must be greater than 0 and \
-                 finite"
-            );
-        }
-        match Kind::of(path).context("--target")? {
-            Kind::Bvh => {
-                let motion = motion_file::read(path, warnings)?;
-                let skeleton = motion.skeleton().with_context(shown)?;
-                Ok(Self {
-                    soles: Soles::of_skeleton(&skeleton),
-                    skeleton,
-                    bvh: Some(motion),
-                    rigged: None,
-                })
-            }
-            Kind::Gltf => {
-                ensure!(
-                    unit.is_none(),
-                    "--target-metres-per-unit does not apply to {}, which is in metres",
-                    path.display()
-                );
-                let document = ga_mesh::gltf::read(path)?;
-                let rigged = Rigged::new(&document).with_context(shown)?;
-                let skeleton = rigged.skeleton().clone();
-                // The lowest vertices where there is a skin.
-                let soles = match character(&document) {
-                    Ok(body) if body.skeleton == skeleton => {
-                        Soles::of_mesh(body.mesh.positions(), &body.weights).with_context(shown)?
-                    }
-                    _ => Soles::of_skeleton(&skeleton),
-                };
-                Ok(Self {
-                    skeleton,
-                    soles,
-                    bvh: None,
-                    rigged: Some(rigged),
-                })
-            }
-            Kind::Clip => anyhow::bail!(
-                "--target {}: a skeleton is a file of the kind .bvh, .glb or .gltf",
-                path.display()
-            ),
-        }
-    }
-
-    /// The motion as BVH, in the unit of the target.
-    fn to_bvh(&self, clip: &Clip) -> Result<Bvh> {
-        Ok(match &self.bvh {
-            Some(bvh) => bvh.with_clip(&self.skeleton, clip)?,
-            None => Bvh::from_clip(&self.skeleton, clip)?,
-        })
-    }
-
-    /// The motion as glTF.
-    fn to_gltf(&self, name: &str, unit: f64, clip: &Clip) -> Result<ga_mesh::gltf::Document> {
-        if let Some(rigged) = &self.rigged {
-            return Ok(rigged.with_clip(name, clip)?);
-        }
-        let recording = Recording::from_bvh(&self.to_bvh(clip)?, unit)?;
-        let rigged = Rigged::of_skeleton(&recording.to_skeleton()?);
-        Ok(rigged.with_clip(name, &recording.to_clip()?)?)
-    }
-
-    /// The motion with the axes of the target's joints, in metres.
-    fn to_recording(&self, name: &str, unit: f64, clip: &Clip) -> Result<Recording> {
-        if self.rigged.is_some() {
-            let document = self.to_gltf(name, unit, clip)?;
-            return Ok(Recording::from_gltf(&document, 0, 1.0, None)?);
-        }
-        Ok(Recording::from_bvh(&self.to_bvh(clip)?, unit)?)
-    }
-}
-
-fn write(
-    arguments: &Arguments,
-    format: Format,
-    target: &Target,
-    clip: &Clip,
-    progress: &Progress,
-) -> Result<()> {
-    let out = &arguments.out;
-    let name = ga_files::stem(Path::new(&arguments.motion.file()));
-    let unit = arguments.target_metres_per_unit.unwrap_or(1.0);
-    let shown = || format!("{} cannot be written", out.display());
-    match format {
-        Format::Glb => {
-            let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
-            output::write(out, &ga_mesh::gltf::encode(&document).with_context(shown)?)?;
-        }
-        Format::Gltf => {
-            let document = target.to_gltf(&name, unit, clip).with_context(shown)?;
-            ga_mesh::gltf::write(out, &document)?;
-        }
-        Format::Clip => {
-            let recording = target.to_recording(&name, unit, clip).with_context(shown)?;
-            let settings = Settings {
-                tolerance: arguments.tolerance,
-                ..Settings::default()
-            };
-            let clip = compressed::compress(&recording, &settings, |done, steps| {
-                progress.at(done as u64, steps as u64);
-            });
-            output::write(out, clip.with_context(shown)?.as_bytes())?;
-        }
-        _ => {
-            let text = target.to_bvh(clip).with_context(shown)?.encode();
-            output::write(out, text.as_bytes())?;
-        }
-    }
-    Ok(())
+/// The warning of a leg that is too short.
+fn too_short(foot: &StandingFoot) -> Option<Warning> {
+    let frame = foot.is_short_from()?;
+    let message = format!(
+        "the leg above {} is too short: from frame {frame} on, the foot stands {:.1} cm from its \
+         place",
+        foot.joint,
+        100.0 * foot.short_by_metres
+    );
+    Some(Warning {
+        joint: Some(foot.joint.clone()),
+        frame: Some(frame),
+        ..Warning::new("leg_too_short", message)
+    })
 }
 
 /// What was written, with which joints, and how feet stand.
@@ -347,102 +239,10 @@ pub(crate) struct Report {
     file: String,
     target: String,
     out: String,
-    frames: usize,
-    joints: usize,
-    frame_time_seconds: f64,
-    /// How long one unit of the motion is in units of the target.
-    target_units_per_unit: f64,
-    motion_metres_per_unit: f64,
-    target_metres_per_unit: f64,
-    map_by: &'static str,
-    map: Value,
-    joints_without_counterpart: Vec<String>,
-    foot_locking: bool,
-    /// The greatest ones of all feet.
-    slide_metres: f64,
-    slide_free_metres: f64,
-    short_by_metres: f64,
-    feet: Vec<FootReport>,
+    #[serde(flatten)]
+    transfer: Transfer,
     #[serde(skip)]
     warnings: Vec<Warning>,
-}
-
-/// A foot while it stands.
-#[derive(Debug, Serialize)]
-struct FootReport {
-    /// The joint of the target.
-    joint: String,
-    /// How many times it stands, and in how many frames.
-    contacts: usize,
-    standing_frames: usize,
-    /// How far apart two places of the ankle are at most during a contact, as it is written and
-    /// without foot locking.
-    slide_metres: f64,
-    slide_free_metres: f64,
-    /// How far it is at most from where it should stand, and the first frame of that contact.
-    short_by_metres: f64,
-    short_in_frame: Option<usize>,
-}
-
-impl FootReport {
-    /// Where the leg is too short.
-    fn warning(&self) -> Option<Warning> {
-        const NOTABLE: f64 = 0.005;
-        let short = |_: &usize| self.short_by_metres > NOTABLE;
-        let frame = self.short_in_frame.filter(short)?;
-        let message = format!(
-            "the leg above {} is too short: from frame {frame} on, the foot stands {:.1} cm from \
-             its place",
-            self.joint,
-            100.0 * self.short_by_metres
-        );
-        Some(Warning {
-            joint: Some(self.joint.clone()),
-            frame: Some(frame),
-            ..Warning::new("leg_too_short", message)
-        })
-    }
-}
-
-impl Report {
-    fn with_feet(mut self, contacts: &[Contact], skeleton: &Skeleton, unit: f64) -> Self {
-        for contact in contacts {
-            let joint = &skeleton.joints()[contact.ankle].name;
-            if self.feet.last().is_none_or(|foot| foot.joint != *joint) {
-                self.feet.push(FootReport {
-                    joint: joint.clone(),
-                    contacts: 0,
-                    standing_frames: 0,
-                    slide_metres: 0.0,
-                    slide_free_metres: 0.0,
-                    short_by_metres: 0.0,
-                    short_in_frame: None,
-                });
-            }
-            let Some(foot) = self.feet.last_mut() else {
-                continue;
-            };
-            let (slide, short) = match self.foot_locking {
-                true => (contact.slide, contact.short_by),
-                false => (contact.slide_before, 0.0),
-            };
-            foot.contacts += 1;
-            foot.standing_frames += contact.frames.end() + 1 - contact.frames.start();
-            foot.slide_metres = foot.slide_metres.max(slide * unit);
-            foot.slide_free_metres = foot.slide_free_metres.max(contact.slide_before * unit);
-            if short * unit > foot.short_by_metres {
-                foot.short_by_metres = short * unit;
-                foot.short_in_frame = Some(*contact.frames.start());
-            }
-        }
-        let greatest = |of: fn(&FootReport) -> f64| self.feet.iter().map(of).fold(0.0, f64::max);
-        self.slide_metres = greatest(|foot| foot.slide_metres);
-        self.slide_free_metres = greatest(|foot| foot.slide_free_metres);
-        self.short_by_metres = greatest(|foot| foot.short_by_metres);
-        self.warnings
-            .extend(self.feet.iter().filter_map(FootReport::warning));
-        self
-    }
 }
 
 impl frame::Report for Report {
@@ -451,10 +251,7 @@ impl frame::Report for Report {
     }
 
     fn verdict(&self) -> Option<Verdict> {
-        Some(match self.warnings.is_empty() {
-            true => Verdict::Good,
-            false => Verdict::Doubtful,
-        })
+        Some(Verdict::of(&self.warnings))
     }
 
     fn next(&self) -> Option<String> {
@@ -463,33 +260,31 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let matched = self.joints - self.joints_without_counterpart.len();
+        let (out, target, transfer) = (&self.out, &self.target, &self.transfer);
+        let (frames, joints) = (transfer.frames, transfer.joints);
+        let matched = joints - transfer.joints_without_counterpart.len();
+        let by = match transfer.map_by {
+            MapOrigin::Names => "names",
+            MapOrigin::Structure => "structure",
+            MapOrigin::File => "the map",
+        };
         let mut lines = format!(
-            "{}: {} frames on {} of {} joints of {}, matched by {}\n",
-            self.out,
-            self.frames,
-            matched,
-            self.joints,
-            self.target,
-            match self.map_by {
-                "file" => "the map",
-                by => by,
-            }
+            "{out}: {frames} frames on {matched} of {joints} joints of {target}, matched by {by}\n"
         );
-        for foot in &self.feet {
+        for foot in &transfer.feet {
+            let free = match transfer.foot_locking {
+                true => format!(
+                    ", {:.2} mm without foot locking",
+                    1e3 * foot.slide_free_metres
+                ),
+                false => String::new(),
+            };
             lines += &format!(
-                "{:10} stands {} times, in {} frames; slides {:.2} mm at most{}\n",
+                "{:10} stands {} times, in {} frames; slides {:.2} mm at most{free}\n",
                 foot.joint,
                 foot.contacts,
                 foot.standing_frames,
                 1e3 * foot.slide_metres,
-                match self.foot_locking {
-                    true => format!(
-                        ", {:.2} mm without foot locking",
-                        1e3 * foot.slide_free_metres
-                    ),
-                    false => String::new(),
-                }
             );
         }
         lines

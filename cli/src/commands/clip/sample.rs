@@ -1,14 +1,10 @@
 //! `nullcone clip sample`: the frames of joints at given times.
 
 use anyhow::{Context as _, Result, ensure};
-use ga_anim::clip::compressed::{CompressedClip, Sampler};
-use ga_anim::gltf::Player;
-use ga_anim::recording::{Recording, model_maps};
-use ga_anim::transform::Transform;
-use ga_runtime::geometry::Affine;
+use ga_anim::motion_file::{Format, Sample};
 use serde::Serialize;
 
-use super::input::{Kind, MotionArguments};
+use super::input::MotionArguments;
 use crate::frame::{self, Command, Context, Warning};
 
 /// Print the frame of every joint in model space at given times.
@@ -46,19 +42,20 @@ impl Command for Arguments {
     type Report = Samples;
 
     fn run(&self, context: &Context) -> Result<Samples> {
-        let (motion, times) = (&self.motion, &self.times);
-        context.files([motion.path()])?;
+        let (motion, times, file) = (&self.motion, &self.times, self.motion.file());
+        context.files([&motion.motion])?;
         for time in times {
             ensure!(time.is_finite(), "--times {time}: a time must be finite");
         }
+        let is_of_curves = motion.format()? == Format::Gltf;
+        ensure!(
+            !(is_of_curves && motion.rate.is_some()),
+            "{file}: --rate does not apply to the curves of {file}, which have no frames"
+        );
         let mut warnings = Vec::new();
-        let samples = match motion.kind()? {
-            Kind::Clip => of_clip(&motion.clip()?, times),
-            Kind::Gltf => of_gltf(motion, times),
-            Kind::Bvh => of_recording(&motion.recording(&mut warnings)?, times),
-        };
+        let samples = motion.read(&mut warnings)?.samples(times);
         Ok(Samples {
-            samples: samples.with_context(|| motion.file())?,
+            samples: samples.context(file)?,
             warnings,
         })
     }
@@ -81,135 +78,18 @@ impl frame::Report for Samples {
     }
 
     fn text(&self) -> String {
-        self.samples.iter().map(Sample::lines).collect()
+        self.samples.iter().map(lines).collect()
     }
 }
 
-/// A moment.
-#[derive(Debug, Serialize)]
-struct Sample {
-    time: f64,
-    joints: Vec<Joint>,
-    tracks: Vec<Track>,
-}
-
-#[derive(Debug, Serialize)]
-struct Joint {
-    joint: String,
-    matrix: [[f64; 4]; 3],
-}
-
-#[derive(Debug, Serialize)]
-struct Track {
-    track: String,
-    value: f64,
-}
-
-impl Sample {
-    fn lines(&self) -> String {
-        let mut lines = format!("time {}\n", self.time);
-        for Joint { joint, matrix } in &self.joints {
-            let [x, y, z] = matrix.map(|row| row[3]);
-            lines += &format!("  {joint:<24}{x:12.6} {y:12.6} {z:12.6}\n");
-        }
-        for Track { track, value } in &self.tracks {
-            lines += &format!("  {track:<24}{value:12.6}\n");
-        }
-        lines
+fn lines(sample: &Sample) -> String {
+    let mut lines = format!("time {}\n", sample.time);
+    for joint in &sample.joints {
+        let [x, y, z] = joint.matrix.map(|row| row[3]);
+        lines += &format!("  {:<24}{x:12.6} {y:12.6} {z:12.6}\n", joint.joint);
     }
-}
-
-fn of_clip(clip: &CompressedClip, times: &[f64]) -> Result<Vec<Sample>> {
-    let count = clip.parents().len();
-    let mut sampler = Sampler::new(clip);
-    let mut locals = vec![Transform::default(); count];
-    let mut maps: Vec<Affine<f64>> = vec![Affine::default(); count];
-    let mut sample = |&time: &f64| {
-        sampler.sample(time);
-        sampler.locals(&mut locals)?;
-        model_maps(clip.parents(), &locals, &mut maps)?;
-        let names = clip.names().iter().zip(&maps);
-        Ok(Sample {
-            time,
-            joints: names
-                .map(|(name, map)| Joint {
-                    joint: name.clone(),
-                    matrix: matrix(map.linear, map.translation),
-                })
-                .collect(),
-            tracks: clip
-                .track_names()
-                .zip(sampler.tracks())
-                .map(|(track, &value)| Track {
-                    track: track.to_owned(),
-                    value,
-                })
-                .collect(),
-        })
-    };
-    times.iter().map(&mut sample).collect()
-}
-
-fn of_recording(recording: &Recording, times: &[f64]) -> Result<Vec<Sample>> {
-    let count = recording.joints().len();
-    let mut locals = vec![Transform::default(); count];
-    let mut maps: Vec<Affine<f64>> = vec![Affine::default(); count];
-    let mut sample = |&time: &f64| {
-        recording.sample(time, &mut locals)?;
-        model_maps(recording.parents(), &locals, &mut maps)?;
-        let joints = recording.joints().iter().zip(&maps);
-        let tracks = recording.tracks().iter().enumerate();
-        Ok(Sample {
-            time,
-            joints: joints
-                .map(|(joint, map)| Joint {
-                    joint: joint.name.clone(),
-                    matrix: matrix(map.linear, map.translation),
-                })
-                .collect(),
-            tracks: tracks
-                .filter_map(|(index, track)| {
-                    let value = recording.sample_track(index, time)?;
-                    Some(Track {
-                        track: track.name.clone(),
-                        value,
-                    })
-                })
-                .collect(),
-        })
-    };
-    times.iter().map(&mut sample).collect()
-}
-
-/// The frames of a glTF animation by its own curves, without frames in between.
-fn of_gltf(motion: &MotionArguments, times: &[f64]) -> Result<Vec<Sample>> {
-    let document = motion.document()?;
-    let player = Player::new(&document)?;
-    let motion = motion.gltf_motion(&player)?;
-    let sample = |&time: &f64| {
-        let maps = motion.model_maps(time)?;
-        let joints = motion.joints().iter().zip(maps);
-        Ok(Sample {
-            time,
-            joints: joints
-                .map(|(joint, map)| Joint {
-                    joint: joint.name.clone(),
-                    matrix: matrix(map.linear, map.translation),
-                })
-                .collect(),
-            tracks: motion
-                .track_values(time)?
-                .into_iter()
-                .map(|(track, value)| Track { track, value })
-                .collect(),
-        })
-    };
-    times.iter().map(sample).collect()
-}
-
-fn matrix(linear: [[f64; 3]; 3], translation: [f64; 3]) -> [[f64; 4]; 3] {
-    [0, 1, 2].map(|row| {
-        let [x, y, z] = linear[row];
-        [x, y, z, translation[row]]
-    })
+    for track in &sample.tracks {
+        lines += &format!("  {:<24}{:12.6}\n", track.track, track.value);
+    }
+    lines
 }

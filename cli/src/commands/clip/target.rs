@@ -1,14 +1,14 @@
 //! Compressed clips as output: the bounds that they keep, and what is said about them.
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_anim::clip::compressed::{self, JointBound, Settings};
-use ga_anim::recording::{RecordedJoint, Recording};
+use ga_anim::clip::compressed::{self, Accuracy, NamedBound, Options, Size};
+use ga_anim::recording::Recording;
 use serde::Serialize;
 
-use super::info::Size;
+use super::info::lines_of;
+use super::input::MotionArguments;
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
 use crate::output;
@@ -28,7 +28,7 @@ pub(super) struct TargetArguments {
     /// A joint with bounds of its own, such as `LeftHand=0.00005` or `LeftHand=0.00005,0.2` for
     /// another shell. May be given several times. Those of a first motion that is a clip are kept.
     #[arg(long = "joint", value_name = "NAME=METRES[,SHELL]")]
-    joints: Vec<OwnBound>,
+    joints: Vec<NamedBound>,
     /// The greatest deviation of scalar tracks, such as the weights of morph targets; by default
     /// that of the first motion where it is a clip, otherwise 0.0001.
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
@@ -55,19 +55,40 @@ impl TargetArguments {
         &self,
         recording: &Recording,
         file: String,
-        defaults: Settings,
+        defaults: Options,
         progress: &Progress,
         warnings: Vec<Warning>,
     ) -> Result<Report> {
-        let mut settings = Settings {
+        let mut options = Options {
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),
             shell: self.shell.unwrap_or(defaults.shell),
             track_tolerance: self.track_tolerance.unwrap_or(defaults.track_tolerance),
             joints: defaults.joints,
         };
-        add_bounds(&mut settings, &self.joints, recording, &file)?;
-        let report = write(recording, &settings, file, &self.out, progress, || Ok(None))?;
-        Ok(report.with_warnings(warnings))
+        add_bounds(&mut options, &self.joints, recording, &file)?;
+        let compression = Compression {
+            recording,
+            options,
+            deviation: 0.0,
+            mesh_vertices: None,
+        };
+        compression.write(file, &self.out, progress, warnings)
+    }
+
+    /// Reads a motion, and writes what becomes of it.
+    pub(super) fn write_changed(
+        &self,
+        motion: &MotionArguments,
+        context: &Context,
+        change: impl FnOnce(Recording) -> Result<Recording>,
+    ) -> Result<Report> {
+        self.check([&motion.motion], context)?;
+        let progress = context.progress(100);
+        progress.step("reading the motion");
+        let mut warnings = Vec::new();
+        let (recording, defaults) = motion.recording(&mut warnings)?;
+        let changed = change(recording)?;
+        self.write(&changed, motion.file(), defaults, &progress, warnings)
     }
 }
 
@@ -83,90 +104,58 @@ pub(super) fn check<P: AsRef<Path>>(
     Ok(())
 }
 
-/// The bound of one joint, as it is written on the command line.
-#[derive(Clone, Debug)]
-pub(super) struct OwnBound {
-    name: String,
-    tolerance: f64,
-    shell: Option<f64>,
-}
-
-impl FromStr for OwnBound {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || "must be a name, `=`, a tolerance and perhaps `,` and a shell".to_owned();
-        let (name, numbers) = text.rsplit_once('=').ok_or_else(wrong)?;
-        let (tolerance, shell) = match numbers.split_once(',') {
-            Some((tolerance, shell)) => (tolerance, Some(shell)),
-            None => (numbers, None),
-        };
-        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-        Ok(Self {
-            name: name.to_owned(),
-            tolerance: number(tolerance)?,
-            shell: shell.map(number).transpose()?,
-        })
-    }
-}
-
-/// Adds bounds of joints, which are known by name, to settings.
+/// Adds bounds of joints, which are known by name, to options.
 pub(super) fn add_bounds(
-    settings: &mut Settings,
-    bounds: &[OwnBound],
+    options: &mut Options,
+    bounds: &[NamedBound],
     recording: &Recording,
     file: &str,
 ) -> Result<()> {
-    for own in bounds {
-        let named = |(_, joint): &(usize, &RecordedJoint)| joint.name == own.name;
-        let joints = recording.joints().iter().enumerate().filter(named);
-        let before = settings.joints.len();
-        let (tolerance, shell) = (own.tolerance, own.shell.unwrap_or(settings.shell));
-        settings.joints.extend(joints.map(|(joint, _)| JointBound {
-            joint,
-            tolerance,
-            shell,
-        }));
+    for bound in bounds {
         ensure!(
-            settings.joints.len() > before,
+            options.bound_by_name(bound, recording.joints()),
             "--joint {}: {file} has no such joint",
-            own.name
+            bound.name
         );
     }
     Ok(())
 }
 
-/// Compresses a recording and writes it. How many vertices a mesh has that it moves is asked for
-/// before anything is written.
-pub(super) fn write(
-    recording: &Recording,
-    settings: &Settings,
-    file: String,
-    out: &Path,
-    progress: &Progress,
-    mesh_vertices: impl FnOnce() -> Result<Option<u64>>,
-) -> Result<Report> {
-    progress.step("compressing");
-    let clip = compressed::compress(recording, settings, |done, steps| {
-        progress.at(done as u64, steps as u64);
-    })
-    .with_context(|| file.clone())?;
-    let measured = compressed::measure(recording, &clip)
-        .context("the clip does not have the joints and frames of its recording")?;
-    let mesh_vertices = mesh_vertices()?;
-    output::write(out, clip.as_bytes())?;
-    Ok(Report {
-        file,
-        out: out.display().to_string(),
-        size: Size::new(&clip, mesh_vertices),
-        max_error_metres: measured.error,
-        max_error_joint: recording.joints()[measured.joint].name.clone(),
-        max_error_frame: measured.frame,
-        half_frame_error_metres: measured.half_frame_error,
-        tracks: recording.tracks().len(),
-        max_track_error: measured.track_error,
-        warnings: Vec::new(),
-    })
+/// A recording that becomes a clip.
+pub(super) struct Compression<'a> {
+    pub(super) recording: &'a Recording,
+    pub(super) options: Options,
+    /// How far the recording is from what it was made of, in metres.
+    pub(super) deviation: f64,
+    pub(super) mesh_vertices: Option<u64>,
+}
+
+impl Compression<'_> {
+    /// Compresses the recording, which was made of `file`, and writes it.
+    pub(super) fn write(
+        &self,
+        file: String,
+        out: &Path,
+        progress: &Progress,
+        warnings: Vec<Warning>,
+    ) -> Result<Report> {
+        progress.step("compressing");
+        let recording = self.recording;
+        let clip = compressed::compress(recording, &self.options, |done, steps| {
+            progress.at(done as u64, steps as u64);
+        })
+        .with_context(|| file.clone())?;
+        let accuracy = Accuracy::new(recording, &clip, self.deviation)
+            .context("the clip does not have the joints and frames of its recording")?;
+        output::write(out, clip.as_bytes())?;
+        Ok(Report {
+            file,
+            out: out.display().to_string(),
+            size: Size::new(&clip, self.mesh_vertices),
+            accuracy,
+            warnings,
+        })
+    }
 }
 
 /// What was written, and how exact it is.
@@ -176,30 +165,10 @@ pub(crate) struct Report {
     out: String,
     #[serde(flatten)]
     size: Size,
-    max_error_metres: f64,
-    max_error_joint: String,
-    max_error_frame: usize,
-    half_frame_error_metres: f64,
-    tracks: usize,
-    max_track_error: f64,
+    #[serde(flatten)]
+    accuracy: Accuracy,
     #[serde(skip)]
     warnings: Vec<Warning>,
-}
-
-impl Report {
-    /// With errors against what the recording was made from, which is so far from it.
-    pub(super) fn with_deviation(self, metres: f64) -> Self {
-        Self {
-            max_error_metres: self.max_error_metres + metres,
-            half_frame_error_metres: self.half_frame_error_metres + metres,
-            ..self
-        }
-    }
-
-    /// With what is unusual about the motions.
-    pub(super) fn with_warnings(self, warnings: Vec<Warning>) -> Self {
-        Self { warnings, ..self }
-    }
 }
 
 impl frame::Report for Report {
@@ -214,26 +183,30 @@ impl frame::Report for Report {
 
     fn text(&self) -> String {
         let Self {
-            file, out, size, ..
+            file,
+            out,
+            size,
+            accuracy,
+            ..
         } = self;
         let mut lines = format!(
             "{file}: {} frames of {} joints, {} numbers a frame change\n{out}: {}",
             size.frames,
             size.joints,
             size.channels,
-            size.lines(),
+            lines_of(size),
         );
         lines += &format!(
             "error      {:.4} mm at most, of joint {} in frame {}; {:.4} mm half-way between frames\n",
-            1e3 * self.max_error_metres,
-            self.max_error_joint,
-            self.max_error_frame,
-            1e3 * self.half_frame_error_metres,
+            1e3 * accuracy.max_error_metres,
+            accuracy.max_error_joint,
+            accuracy.max_error_frame,
+            1e3 * accuracy.half_frame_error_metres,
         );
-        if self.tracks > 0 {
+        if accuracy.tracks > 0 {
             lines += &format!(
                 "tracks     {}, within {:.1e}\n",
-                self.tracks, self.max_track_error
+                accuracy.tracks, accuracy.max_track_error
             );
         }
         lines

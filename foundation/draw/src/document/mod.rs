@@ -14,8 +14,10 @@
 //! ```
 
 pub mod chart;
+mod line_chart;
 mod page;
 mod svg;
 
+pub use line_chart::{LineChart, LineChartError, Series};
 pub use page::{Cell, Page, Tint, percent};
 pub use svg::{Anchor, Svg, ticks};

@@ -1,6 +1,6 @@
 //! The walk as a compressed clip.
 
-use ga_anim::clip::compressed::{Settings, compress, error_at_skin, measure};
+use ga_anim::clip::compressed::{Options, compress, error_at_skin, measure};
 use ga_anim::recording::Recording;
 use ga_mannequin::walk;
 
@@ -10,7 +10,7 @@ use crate::HUMAN;
 fn the_walk_keeps_its_bound_and_its_skin() {
     let clip = walk(6).resampled(30.0).unwrap();
     let recording = Recording::from_clip(&HUMAN.skeleton, &clip).unwrap();
-    let compressed = compress(&recording, &Settings::default(), |_, _| ()).unwrap();
+    let compressed = compress(&recording, &Options::default(), |_, _| ()).unwrap();
     let measured = measure(&recording, &compressed).unwrap();
     assert!(measured.error <= 1e-4, "{}", measured.error);
 

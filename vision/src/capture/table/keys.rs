@@ -54,14 +54,6 @@ pub enum KeyTableError {
         /// The last vertex of the mesh.
         last: usize,
     },
-    /// A coordinate is not a finite number.
-    #[error("line {line}: {text:?} is not a finite number")]
-    Number {
-        /// The line in the file, from 1.
-        line: usize,
-        /// The text of the field.
-        text: String,
-    },
 }
 
 /// The keys of a table with the columns `point,vertex` or `point,x,y,z`.
@@ -126,11 +118,8 @@ fn vertex(table: &Table, row: usize, mesh: &Mesh) -> Result<Point<f64>, KeyTable
 fn place(table: &Table, row: usize) -> Result<Point<f64>, KeyTableError> {
     let mut place = [0.0; 3];
     for (coordinate, column) in place.iter_mut().zip(1..) {
-        let number = table.number(row, column).ok().flatten();
-        *coordinate = number.ok_or_else(|| KeyTableError::Number {
-            line: table.line(row),
-            text: table.text(row, column).to_owned(),
-        })?;
+        let number = table.number(row, column)?;
+        *coordinate = number.ok_or_else(|| table.not_a_number(row, column))?;
     }
     Ok(place.into())
 }

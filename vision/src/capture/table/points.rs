@@ -76,18 +76,6 @@ pub enum PointTableError {
         /// What was found.
         found: usize,
     },
-    /// A line has another number of columns.
-    #[error("line {line}: {found} columns, but line {first} has {expected}")]
-    Columns {
-        /// The line in the file, from 1.
-        line: usize,
-        /// What was found.
-        found: usize,
-        /// The line that it is compared with.
-        first: usize,
-        /// What is expected.
-        expected: usize,
-    },
     /// A coordinate is not a finite number.
     #[error(
         "line {line}, frame {frame}: {coordinate} of point {point} is {text:?}, not a finite number"
@@ -154,20 +142,7 @@ impl PointTable {
     /// # Errors
     /// What is wrong with the table, with the line.
     pub fn decode(bytes: &[u8]) -> Result<Self, PointTableError> {
-        let table = Table::parse(bytes).map_err(|error| match error {
-            TableError::Cells {
-                line,
-                found,
-                expected,
-                first,
-            } => PointTableError::Columns {
-                line,
-                found,
-                first,
-                expected,
-            },
-            other => other.into(),
-        })?;
+        let table = Table::rectangular(bytes)?;
         let has_names = !table.names().is_empty();
         if !has_names && table.is_empty() {
             return Err(PointTableError::Empty);
@@ -176,17 +151,8 @@ impl PointTable {
             true => Columns::of_names(&table)?,
             false => Columns::without_names(&table)?,
         };
-        let width = table.width(0);
         let mut frames: Vec<PointRow> = Vec::new();
         for row in 0..table.len() {
-            if table.width(row) != width {
-                return Err(PointTableError::Columns {
-                    line: table.line(row),
-                    found: table.width(row),
-                    first: table.line(0),
-                    expected: width,
-                });
-            }
             let frame = columns.frame(&table, row)?;
             let is_later = match (frames.last().and_then(|last| last.time), frame.time) {
                 (Some(before), Some(time)) => time > before,
@@ -257,7 +223,7 @@ fn coordinate(column: &str) -> Option<(&str, usize)> {
 
 impl Columns {
     fn of_names(table: &Table) -> Result<Self, PointTableError> {
-        let (header, line) = (table.names(), table.names_line());
+        let (header, (line, _)) = (table.names(), table.first_line());
         let mut found = Self {
             frame: None,
             time: None,

@@ -12,9 +12,9 @@ use rayon::prelude::*;
 use super::basis::{Basis, SEGMENT};
 use super::file::Contents;
 use super::layout::JointLayout;
+use super::options::Options;
 use super::pack::{Segment, frames_of, segment_count};
 use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
-use super::settings::Settings;
 use super::tables::{Channel, channels};
 use super::{CompressedClip, Measured, file, measure};
 use crate::clip::ClipError;
@@ -50,7 +50,7 @@ const BUDGET: usize = 200;
 /// The most joints that a clip may have. The search keeps about 16 kB for each of them.
 const MOST_JOINTS: usize = 4096;
 
-/// Compresses a recording so that the bounds of the settings hold on every frame.
+/// Compresses a recording so that the bounds of the options hold on every frame.
 ///
 /// They hold for what [`Sampler`](super::Sampler) decodes, transforms relative to the parents in
 /// single precision, composed to model space in double precision; [`measure`](super::measure())
@@ -69,7 +69,7 @@ const MOST_JOINTS: usize = 4096;
 /// # Examples
 ///
 /// ```
-/// use ga_anim::clip::compressed::{self, Sampler, Settings};
+/// use ga_anim::clip::compressed::{self, Sampler, Options};
 /// use ga_anim::recording::{RecordedJoint, Recording};
 /// use ga_anim::transform::Transform;
 /// use ga_runtime::cga3::{Motor, Rotor};
@@ -83,7 +83,7 @@ const MOST_JOINTS: usize = 4096;
 /// let frames = (0..100).filter_map(rotated).collect();
 /// let recording = Recording::new(vec![joint], 0.01, frames, vec![])?;
 ///
-/// let clip = compressed::compress(&recording, &Settings::default(), |_, _| ())?;
+/// let clip = compressed::compress(&recording, &Options::default(), |_, _| ())?;
 /// assert!(40 * 100 / clip.as_bytes().len() > 12);
 /// let mut sampler = Sampler::new(&clip);
 /// sampler.sample(0.5);
@@ -93,18 +93,18 @@ const MOST_JOINTS: usize = 4096;
 /// ```
 pub fn compress(
     recording: &Recording,
-    settings: &Settings,
+    options: &Options,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<CompressedClip, ClipError> {
     let joints = recording.joints().len();
-    settings.check(joints)?;
+    options.check(joints)?;
     if joints > MOST_JOINTS {
         let most = MOST_JOINTS;
         return Err(ClipError::TooManyJoints { joints, most });
     }
     let mut result = Err(ClipError::Bound {
         joint: recording.joints()[0].name.clone(),
-        tolerance: settings.tolerance,
+        tolerance: options.tolerance,
         error: f64::INFINITY,
     });
     let steps = Steps {
@@ -113,7 +113,7 @@ pub fn compress(
         all: AtomicUsize::new(0),
     };
     for negligible in NEGLIGIBLE {
-        result = compress_with(recording, settings, negligible, &steps);
+        result = compress_with(recording, options, negligible, &steps);
         if !matches!(result, Err(ClipError::Bound { .. })) {
             break;
         }
@@ -123,11 +123,11 @@ pub fn compress(
 
 fn compress_with(
     recording: &Recording,
-    settings: &Settings,
+    options: &Options,
     negligible: f64,
     steps: &Steps<impl Fn(usize, usize) + Sync>,
 ) -> Result<CompressedClip, ClipError> {
-    let joint_bounds = settings.bounds(recording.joints().len());
+    let joint_bounds = options.bounds(recording.joints().len());
     let source = Source::new(recording, joint_bounds, negligible)?;
     let frames = recording.frame_count();
     let count = segment_count(frames);
@@ -135,7 +135,7 @@ fn compress_with(
         Basis::new(SEGMENT),
         Basis::new(frames_of(count - 1, frames)),
     ];
-    let tracks = tracks(recording, settings, &bases)?;
+    let tracks = tracks(recording, options, &bases)?;
 
     let changes = tracks.iter().map(|track| !track.pieces.is_empty());
     let encoder = SegmentEncoder {
@@ -168,10 +168,10 @@ fn compress_with(
                 segments[segment] = encoded;
             }
         }
-        let contents = contents(recording, settings, &source.layouts, &tracks);
+        let contents = contents(recording, options, &source.layouts, &tracks);
         let clip = CompressedClip::decode(file::to_bytes(&contents, &segments)?)?;
         let errors = measure::by_segment(recording, &clip, &source.bounds, &source.sizes);
-        check_tracks(recording, settings, &errors)?;
+        check_tracks(recording, options, &errors)?;
         let aims_at_halves = repetition < HALF_FRAME_REPETITIONS;
         let mut again = Vec::new();
         for (segment, found) in errors.iter().enumerate() {
@@ -254,10 +254,10 @@ impl SegmentEncoder<'_> {
 /// Fails where a decoded track is beyond the tolerance.
 fn check_tracks(
     recording: &Recording,
-    settings: &Settings,
+    options: &Options,
     errors: &[Measured],
 ) -> Result<(), ClipError> {
-    let tolerance = settings.track_tolerance;
+    let tolerance = options.track_tolerance;
     match errors.iter().find(|found| found.track_error > tolerance) {
         Some(found) => Err(ClipError::Track {
             track: recording.tracks()[found.track].name.clone(),
@@ -282,11 +282,11 @@ struct Track {
 
 fn tracks(
     recording: &Recording,
-    settings: &Settings,
+    options: &Options,
     bases: &[Basis; 2],
 ) -> Result<Vec<Track>, ClipError> {
     // A little is left for single precision.
-    let tolerance = 0.99 * settings.track_tolerance;
+    let tolerance = 0.99 * options.track_tolerance;
     let mut tracks = Vec::with_capacity(recording.tracks().len());
     for track in recording.tracks() {
         let least = track.values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -308,7 +308,7 @@ fn tracks(
                 let piece =
                     within(basis, &deviations, tolerance).ok_or_else(|| ClipError::Track {
                         track: track.name.clone(),
-                        tolerance: settings.track_tolerance,
+                        tolerance: options.track_tolerance,
                     })?;
                 pieces.push(piece);
             }
@@ -338,13 +338,13 @@ fn within(basis: &Basis, values: &[f64; SEGMENT], tolerance: f64) -> Option<Enco
 
 fn contents<'a>(
     recording: &'a Recording,
-    settings: &'a Settings,
+    options: &'a Options,
     layouts: &'a [JointLayout],
     tracks: &[Track],
 ) -> Contents<'a> {
     Contents {
         recording,
-        settings,
+        options,
         layouts,
         tracks: tracks
             .iter()

@@ -8,7 +8,7 @@ use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::super::layout::{self, JointLayout, Part};
-use super::super::settings::JointBound;
+use super::super::options::JointBound;
 use super::super::shell::{Sizes, least_of};
 use super::hierarchy::Hierarchy;
 use crate::kinematics::KinematicsError;

@@ -1,8 +1,8 @@
 use super::super::basis::{Basis, SEGMENT};
 use super::super::bits::BitReader;
 use super::super::layout::JointLayout;
+use super::super::options::{JointBound, Options};
 use super::super::pack::{Codes, Segment, frames_of, segment_count};
-use super::super::settings::{JointBound, Settings};
 use super::super::tables::{Channel, channels};
 use super::cursor::Cursor;
 use super::{HEADER, MAGIC, MOST_BIVECTOR, MOST_CHANNELS, MOST_LENGTH, VERSION, joints};
@@ -19,7 +19,7 @@ pub(in super::super) struct Parsed {
     pub(in super::super) tracks: Vec<Track>,
     pub(in super::super) frames: usize,
     pub(in super::super) frame_time: f64,
-    pub(in super::super) settings: Settings,
+    pub(in super::super) options: Options,
 }
 
 /// A scalar track.
@@ -72,15 +72,15 @@ pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), Cl
             constant,
         });
     }
-    let mut settings = header.settings.clone();
+    let mut options = header.options.clone();
     for index in 0..header.bounds as usize {
         let bound = bound(&mut cursor).ok_or(invalid("unreadable bound", index))?;
-        settings.joints.push(bound);
+        options.joints.push(bound);
     }
     if !cursor.is_empty() {
         return Err(invalid("unexpected bytes after joint", joint_count));
     }
-    if settings.check(joint_count).is_err() {
+    if options.check(joint_count).is_err() {
         return Err(invalid(
             "the bounds do not fit the joints, whose number is",
             joint_count,
@@ -94,7 +94,7 @@ pub(in super::super) fn parse(bytes: &[u8]) -> Result<(Parsed, Vec<Segment>), Cl
         tracks,
         frames: header.frames as usize,
         frame_time: header.frame_time,
-        settings,
+        options,
     };
     let segments = segments(packed, &parsed)?;
     Ok((parsed, segments))
@@ -108,7 +108,7 @@ struct Header {
     bounds: u32,
     lengths: [u32; 3],
     frame_time: f64,
-    settings: Settings,
+    options: Options,
 }
 
 /// The sections in their order.
@@ -146,7 +146,7 @@ impl Header {
                 .ok_or(ClipError::Header("a number at the beginning is not finite"))
         };
         let frame_time = number()?;
-        let settings = Settings {
+        let options = Options {
             tolerance: number()?,
             shell: number()?,
             track_tolerance: number()?,
@@ -170,7 +170,7 @@ impl Header {
             bounds,
             lengths,
             frame_time,
-            settings,
+            options,
         })
     }
 

@@ -1,7 +1,7 @@
 use super::super::bits::BitWriter;
 use super::super::layout::JointLayout;
+use super::super::options::Options;
 use super::super::pack::{Codes, Segment};
-use super::super::settings::Settings;
 use super::cursor::put_variable;
 use super::{HEADER, MAGIC, VERSION, joints};
 use crate::clip::ClipError;
@@ -10,7 +10,7 @@ use crate::recording::Recording;
 /// What a file says beside its segments.
 pub(in super::super) struct Contents<'a> {
     pub(in super::super) recording: &'a Recording,
-    pub(in super::super) settings: &'a Settings,
+    pub(in super::super) options: &'a Options,
     pub(in super::super) layouts: &'a [JointLayout],
     /// Of each track: whether it changes, and its constant.
     pub(in super::super) tracks: Vec<(bool, f64)>,
@@ -31,19 +31,19 @@ pub(in super::super) fn to_bytes(
         count("joints", recording.joints().len())?,
         count("frames", recording.frame_count())?,
         count("tracks", recording.tracks().len())?,
-        count("bounds", contents.settings.joints.len())?,
+        count("bounds", contents.options.joints.len())?,
         count("bytes of names", sections[0].len())?,
         count("bytes of joints", sections[1].len())?,
         count("bytes of segments", sections[2].len())?,
     ] {
         bytes.extend(number.to_le_bytes());
     }
-    let Settings {
+    let Options {
         tolerance,
         shell,
         track_tolerance,
         ..
-    } = *contents.settings;
+    } = *contents.options;
     for number in [recording.frame_time(), tolerance, shell, track_tolerance] {
         bytes.extend(number.to_le_bytes());
     }
@@ -75,7 +75,7 @@ fn constants(contents: &Contents) -> Vec<u8> {
         bytes.push(changes.into());
         bytes.extend(constant.to_le_bytes());
     }
-    for bound in &contents.settings.joints {
+    for bound in &contents.options.joints {
         put_variable(&mut bytes, bound.joint as u32);
         bytes.extend(bound.tolerance.to_le_bytes());
         bytes.extend(bound.shell.to_le_bytes());

@@ -2,7 +2,7 @@
 
 /// How a fit searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PoseFitSettings {
+pub struct PoseFitOptions {
     /// Whether the body may be translated as a whole. Its rotation is that of its root joints.
     pub root_motion: bool,
     /// Whether the search begins with each joint rotated, from the root on, so that its bones point
@@ -16,7 +16,7 @@ pub struct PoseFitSettings {
     pub tolerance: f64,
 }
 
-impl Default for PoseFitSettings {
+impl Default for PoseFitOptions {
     /// With root motion and alignment, 100 steps, and 1e-10.
     fn default() -> Self {
         Self {

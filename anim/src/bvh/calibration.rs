@@ -1,7 +1,8 @@
-//! The part of a recording that is the motion.
+//! Calibration poses before the motion.
 
-use ga_anim::bvh::Bvh;
 use ga_runtime::vga3::Vector;
+
+use super::Bvh;
 
 /// From a calibration pose a joint moves more than this many times as far as between any two later
 /// frames.
@@ -9,8 +10,9 @@ const JUMP: f64 = 3.0;
 
 /// Whether the first frame is a calibration pose, such as a T, that some converters put before the
 /// motion: from there to the second frame some joint moves more than three times as far as any
-/// joint between two later frames.
-pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
+/// joint between two later frames. Two frames are not enough to tell.
+#[must_use]
+pub fn begins_with_calibration(motion: &Bvh) -> bool {
     let mut steps = (1..motion.frame_count()).filter_map(|frame| {
         let (before, after) = (
             motion.joint_positions(frame - 1)?,
@@ -23,13 +25,11 @@ pub(crate) fn begins_with_calibration(motion: &Bvh) -> bool {
     let Some(first) = steps.next() else {
         return false;
     };
-    // Two frames are not enough to compare steps.
     let greatest = steps.reduce(f64::max).unwrap_or(f64::INFINITY);
     first > JUMP * greatest
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
 
@@ -43,7 +43,7 @@ mod tests {
         for angle in degrees {
             text += &format!("{angle} 0\n");
         }
-        ga_anim::bvh::decode(text.as_bytes()).unwrap()
+        crate::bvh::decode(text.as_bytes()).unwrap()
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! What a compressed clip must keep.
 
+use super::named_bound::NamedBound;
 use crate::clip::ClipError;
+use crate::recording::RecordedJoint;
 
 /// The bounds that a compressed clip keeps on every frame.
 ///
@@ -17,7 +19,7 @@ use crate::clip::ClipError;
 /// recording counts as scaled by 1 % of it, since the points near a joint that shrinks to nothing
 /// have no end.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct Options {
     /// The greatest error of a joint in metres.
     pub tolerance: f64,
     /// The radius of the ball of points about a joint, in metres of model space.
@@ -39,7 +41,7 @@ pub struct JointBound {
     pub shell: f64,
 }
 
-impl Default for Settings {
+impl Default for Options {
     /// 0.1 mm for points within 3 cm, and 10⁻⁴ for scalar tracks.
     fn default() -> Self {
         Self {
@@ -51,7 +53,7 @@ impl Default for Settings {
     }
 }
 
-impl Settings {
+impl Options {
     /// These bounds for all joints alike.
     #[must_use]
     pub fn new(tolerance: f64, shell: f64) -> Self {
@@ -60,6 +62,67 @@ impl Settings {
             shell,
             ..Self::default()
         }
+    }
+
+    /// Adds a bound for all of these joints that have its name. Returns whether there are any.
+    ///
+    /// ```
+    /// use ga_anim::clip::compressed::Options;
+    /// use ga_anim::recording::RecordedJoint;
+    /// use ga_anim::transform::Transform;
+    ///
+    /// let hand = RecordedJoint { name: "hand".into(), parent: None, rest: Transform::default() };
+    /// let mut options = Options::new(1e-3, 0.03);
+    /// assert!(options.bound_by_name(&"hand=0.0001".parse()?, &[hand.clone()]));
+    /// let bound = options.joints[0];
+    /// assert_eq!((bound.joint, bound.tolerance, bound.shell), (0, 0.0001, 0.03));
+    /// assert!(!options.bound_by_name(&"foot=0.0001".parse()?, &[hand]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn bound_by_name(&mut self, bound: &NamedBound, joints: &[RecordedJoint]) -> bool {
+        let before = self.joints.len();
+        let named = joints.iter().enumerate();
+        let named = named.filter(|(_, joint)| joint.name == bound.name);
+        let shell = bound.shell.unwrap_or(self.shell);
+        self.joints.extend(named.map(|(joint, _)| JointBound {
+            joint,
+            tolerance: bound.tolerance,
+            shell,
+        }));
+        self.joints.len() > before
+    }
+
+    /// The greatest shell of a joint.
+    #[must_use]
+    pub fn greatest_shell(&self) -> f64 {
+        let shells = self.joints.iter().map(|bound| bound.shell);
+        shells.fold(self.shell, f64::max)
+    }
+
+    /// Makes the tolerances of joints smaller by how far the recording already is from what it was
+    /// made of, so that they hold against that. A deviation far below a tolerance is rounding and
+    /// does not count.
+    ///
+    /// # Errors
+    ///
+    /// [`ClipError::Deviation`] where one of the tolerances does not leave room for it.
+    pub fn leave_for(&mut self, deviation: f64) -> Result<(), ClipError> {
+        // Far below single precision.
+        const ROUNDING: f64 = 1e-5;
+        let own = self.joints.iter_mut().map(|bound| &mut bound.tolerance);
+        for tolerance in own.chain([&mut self.tolerance]) {
+            // What is not a tolerance is refused later.
+            if *tolerance > 0.0 && deviation > ROUNDING * *tolerance {
+                if deviation >= *tolerance {
+                    return Err(ClipError::Deviation {
+                        deviation,
+                        tolerance: *tolerance,
+                    });
+                }
+                *tolerance -= deviation;
+            }
+        }
+        Ok(())
     }
 
     pub(super) fn check(&self, joints: usize) -> Result<(), ClipError> {
