@@ -5,7 +5,7 @@ use std::fmt;
 use ga_files::ReadError;
 
 use crate::CameraError;
-use crate::rig::RectifiedRigError;
+use crate::rig::RigError;
 
 /// Where in a file of cameras a value stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -146,7 +146,7 @@ pub enum CameraFileError {
         /// The line of the right camera, or of the baseline.
         line: usize,
         /// What is wrong.
-        error: RectifiedRigError,
+        error: Box<RigError>,
     },
     /// The difference of the principal points is not the one that is stated.
     #[error("{place} is {found}, and the principal points differ by {expected}")]

@@ -7,7 +7,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, anyhow};
 use ga_body::evaluation::{Disturbance, Scores, score, simulate, triangulated_points};
 use ga_body::{BodyError, BodyFit, FittedPose};
-use ga_camera::observation::ObservationError;
+use ga_camera::triangulation::TriangulationError;
 use ga_runtime::cga3::Point;
 use serde::Serialize;
 
@@ -231,7 +231,7 @@ fn with_names(error: BodyError, motion: &Motion, stretch: &Stretch) -> anyhow::E
     };
     let frame = stretch.number_in_file(*frame);
     match error.as_ref() {
-        ObservationError::Camera { point, error } => {
+        TriangulationError::Unseen { point, error } => {
             let points = motion.model.points();
             let joint = points.get(*point).map_or("", |point| &point.name);
             anyhow!("frame {frame}, view {view}, joint {joint:?}: {error}")
