@@ -9,8 +9,8 @@ use ga_camera::format::rig;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::calibration::{
-    CalibrationError, CameraSettings, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start,
-    StereoCalibration, StereoSettings, calibrate_stereo, square_edges,
+    CalibrationError, CameraOptions, JointIntrinsics, LEAST_VIEWS, LensTerms, SquareEdges, Start,
+    StereoCalibration, StereoOptions, calibrate_stereo, square_edges,
 };
 use ga_vision::chessboard::{BoardSize, Chessboard, find, pair_picture};
 use serde::Serialize;
@@ -171,12 +171,12 @@ impl Command for Arguments {
             square > 0.0 && square.is_finite(),
             "--square {square}: the side of a square must be positive and finite"
         );
-        let settings = settings(arguments)?;
+        let options = options(arguments)?;
         let files = pairs_of_files(&arguments.left, &arguments.right)?;
         check_outputs(arguments, context, &files)?;
         let other_numbers = warning_of_other_numbers(&files);
         keep_for_failure(other_numbers.as_slice());
-        let mut report = calibrated(arguments, context, &files, &settings)?;
+        let mut report = calibrated(arguments, context, &files, &options)?;
         report.warnings.extend(other_numbers);
         Ok(report)
     }
@@ -187,7 +187,7 @@ fn calibrated(
     arguments: &Arguments,
     context: &Context,
     files: &[[PathBuf; 2]],
-    settings: &StereoSettings,
+    options: &StereoOptions,
 ) -> Result<Report> {
     let square = arguments.square;
     let progress = context.progress(files.len() as u64 + 1);
@@ -212,7 +212,7 @@ fn calibrated(
     };
     let [left, right] = [corners(0), corners(1)];
     let places = arguments.board.places(square);
-    let found = calibrate_stereo([&left, &right], &places, size, settings);
+    let found = calibrate_stereo([&left, &right], &places, size, options);
     let found = found.map_err(|error| {
         let pair = error.view().map(|pair| &files[pairs[pair].index]);
         let error = anyhow::Error::new(error);
@@ -265,7 +265,7 @@ fn next([left, right]: &[PathBuf; 2], rig: &Path) -> String {
     ])
 }
 
-fn settings(arguments: &Arguments) -> Result<StereoSettings> {
+fn options(arguments: &Arguments) -> Result<StereoOptions> {
     let read = |path: &Option<PathBuf>, side: usize| -> Result<Option<Intrinsics>> {
         let Some(path) = path else { return Ok(None) };
         let intrinsics = read_side(path, side)?.intrinsics();
@@ -285,12 +285,12 @@ fn settings(arguments: &Arguments) -> Result<StereoSettings> {
         Some(intrinsics) => Start::Guess(intrinsics),
         None => Start::Boards,
     };
-    let camera = |camera| CameraSettings {
+    let camera = |camera| CameraOptions {
         start: start(camera),
         terms: arguments.distortion,
     };
-    let defaults = StereoSettings::default();
-    Ok(StereoSettings {
+    let defaults = StereoOptions::default();
+    Ok(StereoOptions {
         cameras: cameras.map(camera),
         joint: match arguments.intrinsics {
             IntrinsicsChoice::Joint => JointIntrinsics::Free,
