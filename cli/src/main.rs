@@ -23,7 +23,6 @@ mod overlay;
 mod pipeline;
 mod recording;
 mod report;
-mod rotation;
 mod sheet;
 mod shell;
 mod standard_output;

@@ -235,7 +235,7 @@ fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], ViewGeometryError> 
     }
     let rotor = between.rotor();
     // The root of the short way.
-    let half = if rotor.scalar() < 0.0 { -rotor } else { rotor }.sqrt();
+    let half = rotor.canonical().sqrt();
     let seen_half_way = half
         .reverse()
         .transform(Direction::from_vector(displacement));

@@ -23,7 +23,6 @@ use crate::frame::{
     self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
 };
 use crate::output;
-use crate::rotation::smaller_rotation;
 
 /// Calibrate a stereo rig from pairs of pictures of a chessboard.
 ///
@@ -469,7 +468,7 @@ impl Report {
         rejected: Vec<Rejected>,
     ) -> Self {
         let rig = &found.rig;
-        let (_, degrees) = smaller_rotation(rig.left_to_right().motor.rotor());
+        let rotation = rig.left_to_right().motor.rotor().canonical();
         let mut warnings = Vec::new();
         if found.used.len() < ENOUGH_PAIRS {
             let text = format!(
@@ -499,7 +498,7 @@ impl Report {
             baseline_deviation_metres: found.baseline_deviation,
             square_edge_mean_metres: edges.mean,
             square_edge_rms_error_metres: edges.rms_error,
-            rotation_degrees: degrees,
+            rotation_degrees: rotation.to_axis_angle().1.to_degrees(),
             left: CameraReport::new(&rig.left.intrinsics, &found.deviations[0]),
             right: CameraReport::new(&rig.right.intrinsics, &found.deviations[1]),
             pair_rms_px: found.pair_rms.clone(),

@@ -16,7 +16,6 @@ use serde::Serialize;
 use super::views;
 use crate::camera_file::{about, check_size, read_one};
 use crate::frame::{self, Command, Context, Progress};
-use crate::rotation::smaller_rotation;
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
 ///
@@ -224,11 +223,11 @@ impl Report {
         } = found;
         let motion: Motor<f64> = found.left_to_right.motor;
         let rotor = motion.rotor();
-        let (rotation_axis, rotation_degrees) = smaller_rotation(rotor);
+        let (rotation_axis, angle) = rotor.canonical().to_axis_angle();
         Self {
             rotation_matrix: rotor.to_matrix(),
             rotation_axis,
-            rotation_degrees,
+            rotation_degrees: angle.to_degrees(),
             translation_direction: motion.translator().displacement(),
             rotation_deviation_degrees: found.rotation_deviation().map(f64::to_degrees),
             direction_deviation_degrees: found.direction_deviation().map(f64::to_degrees),
