@@ -76,9 +76,3 @@ pub(crate) fn stage_with(
 pub(crate) fn percent(part: f64) -> f64 {
     (part * 1e8).round() / 1e6
 }
-
-/// Writes the files into a folder, all of them or none.
-pub(crate) fn write_all(folder: &Path, files: &[File]) -> Result<()> {
-    let files = files.iter();
-    write_together(files.map(|file| (folder.join(file.name), &file.contents)))
-}

@@ -28,17 +28,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod board_pairs;
 mod bundle;
 mod error;
 mod lens_terms;
 mod one_camera;
 mod outlier;
+mod pair_names;
 mod square_edges;
 mod stereo;
+mod summary;
 
+pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
 pub use error::{CalibrationError, LEAST_VIEWS};
 pub use lens_terms::LensTerms;
 pub use one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
 pub use outlier::Outlier;
+pub use pair_names::PairNames;
 pub use square_edges::{SquareEdges, square_edges};
 pub use stereo::{JointIntrinsics, StereoCalibration, StereoOptions, calibrate_stereo};
+pub use summary::{CameraParameters, Residuals, RigSummary};

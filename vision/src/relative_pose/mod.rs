@@ -17,6 +17,7 @@ mod fundamental;
 mod matrix;
 mod rotation;
 mod sampson;
+mod summary;
 pub(crate) mod view;
 
 use ga_runtime::cga3::Motor;
@@ -29,6 +30,7 @@ pub use fundamental::{
 };
 pub use matrix::{EssentialMatrix, FundamentalMatrix};
 pub use sampson::BearingPair;
+pub use summary::MotionSummary;
 pub use view::View;
 
 use crate::feature::PixelPair;
@@ -104,6 +106,14 @@ impl RelativePose {
         let sum: f64 = (first..first + 3).map(|k| covariance[k][k]).sum();
         Some(sum.max(0.0).sqrt())
     }
+}
+
+/// Leaves out pairs with a pixel that has no direction, as near the corners of a view, where the
+/// distortion of a wide lens may not be invertible. Returns how many they were.
+pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &Intrinsics) -> usize {
+    let before = pairs.len();
+    pairs.retain(|pair| left.direction(pair.left).is_ok() && right.direction(pair.right).is_ok());
+    before - pairs.len()
 }
 
 /// The motion between two calibrated cameras from pairs of pixels, of which some may be wrong.

@@ -1,6 +1,7 @@
 //! What is wrong with a file of cameras.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use ga_files::ReadError;
 
@@ -228,6 +229,23 @@ pub enum CameraFileError {
         /// The second one.
         right: String,
     },
+}
+
+/// A picture does not have the size that a file of cameras is for.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{} has {} × {} pixels, and {} is for {} × {}",
+    picture.display(), found[0], found[1], file.display(), expected[0], expected[1]
+)]
+pub struct PictureSizeError {
+    /// The picture.
+    pub picture: PathBuf,
+    /// Its columns and rows.
+    pub found: [usize; 2],
+    /// The file of cameras.
+    pub file: PathBuf,
+    /// The columns and rows that it states.
+    pub expected: [usize; 2],
 }
 
 impl Place {

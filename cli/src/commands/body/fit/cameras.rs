@@ -6,7 +6,8 @@ use anyhow::{Result, bail, ensure};
 use ga_body::format::JointViews;
 use ga_camera::Camera;
 use ga_camera::format::{self, NamedCamera};
-use ga_runtime::cga3::{Motor, Rotor};
+use ga_camera::frame::y_up;
+use ga_runtime::cga3::Motor;
 
 use crate::camera_file::{ChosenPair, about};
 
@@ -70,10 +71,8 @@ fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<Camera>>
             path.display()
         ),
     };
-    // From y up and z backwards to y down and z forwards.
-    let half_turn_about_x = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
     let upright = found.into_iter().map(|camera| Camera {
-        world_to_camera: camera.world_to_camera * Motor::from(half_turn_about_x),
+        world_to_camera: camera.world_to_camera * y_up(),
         ..camera
     });
     Ok(upright.collect())
