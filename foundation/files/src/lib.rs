@@ -8,10 +8,12 @@
 //! - [`write_all`] writes several files into a folder, all of them or none.
 //! - [`check`] says before the work whether a file can be written, and [`is_stream`] whether its
 //!   bytes go to a device or a pipe.
+//! - [`list`] finds the files that patterns stand for, in the order of the numbers in their names.
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
+pub mod list;
 mod read;
 pub mod table;
 mod target;

@@ -198,6 +198,17 @@ impl BoardPairs {
     }
 }
 
+impl CalibrationDoubt {
+    /// One word for programs.
+    #[must_use]
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::FewPairs { .. } => "few_pairs",
+            Self::LargeRms { .. } => "large_rms",
+        }
+    }
+}
+
 impl BoardCalibration {
     /// What makes the result doubtful.
     #[must_use]

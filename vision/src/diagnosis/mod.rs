@@ -141,6 +141,17 @@ pub enum DiagnosisFault {
     Exchanged,
 }
 
+impl DiagnosisFault {
+    /// One word for programs.
+    #[must_use]
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::NotRectified { .. } => "not_rectified",
+            Self::Exchanged => "views_exchanged",
+        }
+    }
+}
+
 fn in_degrees<S: Serializer>(angle: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(angle.to_degrees())
 }

@@ -2,21 +2,21 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, anyhow, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
 use ga_camera::format::rig;
+use ga_files::list;
 use ga_image::png;
 use ga_vision::calibration::{
-    BoardPairs, CalibrationDoubt, CameraOptions, JointIntrinsics, LensTerms, PairNames,
-    RejectedPair, Residuals, RigSummary, Start, StereoOptions,
+    BoardPairs, CameraOptions, JointIntrinsics, LensTerms, PairNames, RejectedPair, Residuals,
+    RigSummary, Start, StereoOptions,
 };
 use ga_vision::chessboard::{BoardSize, pair_picture};
 use serde::Serialize;
 
 use super::views;
 use crate::camera_file::{about, read_side};
-use crate::file_list;
 use crate::format::Format;
 use crate::frame::{
     self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
@@ -137,13 +137,8 @@ impl Command for Arguments {
         output::write_together([rig].into_iter().chain(pictures))?;
         drop(progress);
 
-        let doubts = found.doubts().into_iter().map(|doubt| {
-            let kind = match doubt {
-                CalibrationDoubt::FewPairs { .. } => "few_pairs",
-                CalibrationDoubt::LargeRms { .. } => "large_rms",
-            };
-            Warning::new(kind, doubt)
-        });
+        let doubts = found.doubts().into_iter();
+        let doubts = doubts.map(|doubt| Warning::new(doubt.kind(), doubt));
         let [left, right] = &files[found.used[0]];
         Ok(Report {
             next: command_line([
@@ -239,8 +234,8 @@ fn corners_name(index: usize) -> String {
 
 /// The files of the left and the right views, in pairs.
 fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>> {
-    let left = file_list::expand("--left", left)?;
-    let right = file_list::expand("--right", right)?;
+    let expand = |option, texts| list::expand(texts).map_err(|error| anyhow!("{option} {error}"));
+    let (left, right) = (expand("--left", left)?, expand("--right", right)?);
     ensure!(
         left.len() == right.len(),
         "{} left views and {} right ones do not make pairs",
@@ -251,20 +246,8 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
     Ok(pairs.map(|(left, right)| [left, right]).collect())
 }
 
-/// A warning of the first pair whose names do not belong together by their numbers: where a number
-/// of the left name differs from that of the right one, it does so as in the first pair, as 0 and 1
-/// in
-/// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
 fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
-    let changes = |pair: &[PathBuf; 2]| {
-        let [left, right] = pair.each_ref().map(|path| file_list::numbers(path));
-        let is_comparable = left.len() == right.len();
-        let both = left.into_iter().zip(right).filter(|_| is_comparable);
-        both.map(|(left, right)| (left != right).then_some((left, right)))
-            .collect::<Vec<_>>()
-    };
-    let first = pairs.first().map(changes);
-    let [left, right] = pairs.iter().find(|pair| Some(changes(pair)) != first)?;
+    let [left, right] = list::first_unlike_pair(pairs)?;
     let text = format!(
         "{} and {} are a pair by their places in the lists, but their numbers differ otherwise \
          than those of the first pair",

@@ -2,7 +2,7 @@
 
 use anyhow::{Error, Result};
 use ga_vision::ViewGeometryError;
-use ga_vision::diagnosis::{Diagnosis, DiagnosisFault, DiagnosisOptions};
+use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
 use ga_vision::feature::{ViewOptions, match_views};
 use serde::Serialize;
 
@@ -91,17 +91,13 @@ impl Command for Arguments {
             };
             Error::new(error).context(context)
         })?;
-        let warning = |fault: DiagnosisFault| {
-            let kind = match fault {
-                DiagnosisFault::NotRectified { .. } => "not_rectified",
-                DiagnosisFault::Exchanged => "views_exchanged",
-            };
-            Warning::new(kind, fault)
-        };
+        let faults = found.faults().into_iter();
         Ok(Report {
             rectified: found.is_rectified(),
             views_exchanged: found.is_exchanged(),
-            warnings: found.faults().into_iter().map(warning).collect(),
+            warnings: faults
+                .map(|fault| Warning::new(fault.kind(), fault))
+                .collect(),
             found,
         })
     }

@@ -6,10 +6,9 @@ use anyhow::{Context as _, Result, ensure};
 use ga_image::png;
 use ga_vision::disparity::evaluation::{ErrorMap, ErrorMeasures};
 use ga_vision::disparity::{file, picture};
-use serde::Serialize;
 
 use crate::format::Format;
-use crate::frame::{self, Command, Context};
+use crate::frame::{Command, Context, Report};
 use crate::output;
 
 /// Compare a disparity map with the truth.
@@ -45,17 +44,10 @@ pub(crate) struct Arguments {
     picture: Option<PathBuf>,
 }
 
-/// What is printed.
-#[derive(Serialize)]
-pub(crate) struct Report {
-    #[serde(flatten)]
-    measures: ErrorMeasures,
-}
-
 impl Command for Arguments {
-    type Report = Report;
+    type Report = ErrorMeasures;
 
-    fn run(&self, context: &Context) -> Result<Report> {
+    fn run(&self, context: &Context) -> Result<ErrorMeasures> {
         let scale = self.scale;
         ensure!(
             scale > 0.0 && scale.is_finite(),
@@ -73,23 +65,20 @@ impl Command for Arguments {
             let sheet = picture::comparison(&map, &truth, &errors);
             output::write(path, &png::encode(&sheet)?)?;
         }
-        Ok(Report {
-            measures: errors.measures(),
-        })
+        Ok(errors.measures())
     }
 }
 
-impl frame::Report for Report {
+impl Report for ErrorMeasures {
     fn text(&self) -> String {
-        let found = &self.measures;
-        let average = match found.average_px {
+        let average = match self.average_px {
             Some(average) => format!("{average:.3} px"),
             None => "none is known".into(),
         };
         format!(
             "bad 0.5   {:7.3} %\nbad 1     {:7.3} %\nbad 2     {:7.3} %\nbad 3     {:7.3} %\n\
              average   {average}\ndensity   {:7.3} % of {} pixels with truth\n",
-            found.bad_0_5, found.bad_1, found.bad_2, found.bad_3, found.density, found.truth_pixels
+            self.bad_0_5, self.bad_1, self.bad_2, self.bad_3, self.density, self.truth_pixels
         )
     }
 }

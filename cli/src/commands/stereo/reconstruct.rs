@@ -1,15 +1,12 @@
 //! `nullcone stereo reconstruct`: two views as a cloud of points or a surface in metres.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_camera::frame::y_up;
-use ga_image::plane::Plane;
 use ga_image::png;
-use ga_mesh::Mesh;
 use ga_mesh::format::Options;
 use ga_runtime::cga3::Motor;
 use ga_vision::surface::{DepthSummary, PairOptions, RectifiedPair, Surface, SurfaceOptions};
@@ -133,7 +130,7 @@ impl Command for Arguments {
         let mut files = context.files(self.views.paths().into_iter().chain([&*self.rig]))?;
         let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
         let format = files.write("--out", &self.out, &formats)?;
-        let kind = Kind::new(self, format)?;
+        self.check(format)?;
         let begin = Instant::now();
         let progress = context.progress(5);
         progress.step("reading the views");
@@ -168,7 +165,14 @@ impl Command for Arguments {
             .with_context(|| format!("{} with {}", self.views.named(), self.rig.display()))?;
         let depths = surface.summary();
         let surface = surface.moved(&(self.axes.motor() * pair.to_left()));
-        let mesh = kind.mesh(&surface, &pair.views()[0])?;
+        let view = &pair.views()[0];
+        let mesh = if self.cloud || (format == Format::Ply && !self.surface) {
+            surface.to_cloud(view)?
+        } else if self.texture {
+            surface.to_textured_mesh("image/png", png::encode(view)?.into())?
+        } else {
+            surface.to_mesh(view)?
+        };
         progress.step("writing");
         let files = mesh_file::files(&self.out, format, &mesh, &Options::default())?;
         output::write_together(files)?;
@@ -192,46 +196,20 @@ impl Command for Arguments {
     }
 }
 
-/// What is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Cloud,
-    Coloured,
-    Textured,
-}
-
-impl Kind {
-    /// By the flags, or by the ending of the file.
-    fn new(arguments: &Arguments, format: Format) -> Result<Self> {
+impl Arguments {
+    /// Fails where the arguments contradict each other.
+    fn check(&self, format: Format) -> Result<()> {
         ensure!(
-            (0.0..=1.0).contains(&arguments.min_confidence),
+            (0.0..=1.0).contains(&self.min_confidence),
             "--min-confidence {} is not from 0 to 1",
-            arguments.min_confidence
+            self.min_confidence
         );
-        if arguments.texture && format == Format::Ply {
-            bail!(
-                "{}: PLY holds no pictures; --texture needs .obj or .glb",
-                arguments.out.display()
-            );
-        }
-        let by_ending = format == Format::Ply && !arguments.surface;
-        Ok(if arguments.cloud || by_ending {
-            Self::Cloud
-        } else if arguments.texture {
-            Self::Textured
-        } else {
-            Self::Coloured
-        })
-    }
-
-    fn mesh(self, surface: &Surface, view: &Plane<[u8; 3]>) -> Result<Mesh> {
-        Ok(match self {
-            Self::Cloud => surface.to_cloud(view)?,
-            Self::Coloured => surface.to_mesh(view)?,
-            Self::Textured => {
-                surface.to_textured_mesh("image/png", Arc::from(png::encode(view)?))?
-            }
-        })
+        ensure!(
+            !(self.texture && format == Format::Ply),
+            "{}: PLY holds no pictures; --texture needs .obj or .glb",
+            self.out.display()
+        );
+        Ok(())
     }
 }
 

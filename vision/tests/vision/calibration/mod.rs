@@ -3,6 +3,7 @@
 mod errors;
 mod opencv;
 mod outliers;
+mod pairs;
 
 use ga_camera::frame::In;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
