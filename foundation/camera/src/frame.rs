@@ -36,8 +36,8 @@ use std::marker::PhantomData;
 use ga_runtime::cga3::{Motor, Rotor};
 use ga_runtime::products::Sandwich;
 
-/// From a camera's frame, with y down and z forward, into one with y up and z towards the viewer, as
-/// glTF has it, and back: a rotation by π about x.
+/// From a camera's frame, with y down and z forward, into one with y up and z towards the viewer,
+/// as glTF has it, and back: a rotation by π about x.
 ///
 /// ```
 /// use ga_camera::frame::y_up;

@@ -88,8 +88,8 @@ impl BoardPairs {
         }
     }
 
-    /// Looks for the board in the next pair of pictures, and returns the boards where it is in both,
-    /// with their corners in the same order.
+    /// Looks for the board in the next pair of pictures, and returns the boards where it is in
+    /// both, with their corners in the same order.
     ///
     /// # Errors
     /// [`CalibrationError::PictureSizes`] for pictures of other sizes than the first.

@@ -20,8 +20,8 @@
 //! - [`PrincipalShapes`]: a sequence of expressions as morph targets with weights;
 //! - [`HeadSurface`]: the mesh of a head that does all this, and its motion as glTF.
 //!
-//! [`table`] reads points and keys, and writes poses and expressions; [`summary`] says how far points
-//! and surface move.
+//! [`table`] reads points and keys, and writes poses and expressions; [`summary`] says how far
+//! points and surface move.
 //!
 //! Where the points are known only as pixels of one camera, [`estimate`] finds the pose.
 //!

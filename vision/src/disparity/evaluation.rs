@@ -38,8 +38,8 @@ pub struct ErrorMap {
     known: usize,
 }
 
-/// The measures of the Middlebury evaluation, as percentages of the evaluated pixels unless the name
-/// has a unit.
+/// The measures of the Middlebury evaluation, as percentages of the evaluated pixels unless the
+/// name has a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorMeasures {
     /// Errors of more than 0.5 px; see [`ErrorMap::bad`].

@@ -91,8 +91,8 @@ impl PointColumns {
     /// Checks that all points are in front of both cameras.
     ///
     /// # Errors
-    /// [`TriangulationError::Point`] with [`TriangulationError::Behind`] for the first point that is
-    /// not.
+    /// [`TriangulationError::Point`] with [`TriangulationError::Behind`] for the first point that
+    /// is not.
     pub fn check_in_front(&self) -> Result<(), TriangulationError> {
         let depths = self.depth_left.iter().zip(&self.depth_right);
         for (point, (left, right)) in depths.enumerate() {

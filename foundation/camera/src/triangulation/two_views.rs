@@ -147,8 +147,8 @@ impl TwoViews {
     /// for as many before, nothing is allocated. After an error its contents have no meaning.
     ///
     /// # Errors
-    /// [`TriangulationError`] for columns of different lengths, and for the first pair of pixels that are
-    /// not finite or whose rays are parallel.
+    /// [`TriangulationError`] for columns of different lengths, and for the first pair of pixels
+    /// that are not finite or whose rays are parallel.
     pub fn triangulate(
         &self,
         method: Method,
@@ -179,8 +179,8 @@ impl TwoViews {
     ///
     /// # Errors
     /// [`TriangulationError::Noise`] for noise that is not positive and finite, and
-    /// [`TriangulationError::Point`] for the first point that is not finite, or lies in the plane of a
-    /// camera's centre or on the line of both centres.
+    /// [`TriangulationError::Point`] for the first point that is not finite, or lies in the plane of
+    /// a camera's centre or on the line of both centres.
     ///
     /// ```
     /// use ga_camera::Intrinsics;

@@ -152,8 +152,8 @@ impl HeadSurface {
         })
     }
 
-    /// The surface in one frame, where the head is in a pose; without one, in the coordinates of the
-    /// mesh.
+    /// The surface in one frame, where the head is in a pose; without one, in the coordinates of
+    /// the mesh.
     ///
     /// # Errors
     /// [`CaptureError::NoPlace`] for a motion beyond the range of the numbers, and
