@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use ga_numerics::least_squares::{
-    Attempt, Columns, Damping, Descent, Equations, Problem, Search, Settings, minimise,
+    Attempt, Columns, Damping, Descent, Equations, Options, Problem, Search, minimise,
 };
 use nalgebra_035::{Matrix3, Vector3};
 
@@ -173,8 +173,8 @@ fn circle_of_points(criterion: &mut Criterion) {
         bencher.iter(|| by_search(black_box(&points), black_box(start)));
     });
     group.bench_function("minimise", |bencher| {
-        let settings = Settings::default();
-        bencher.iter(|| minimise(black_box(&points), black_box(start), &settings));
+        let options = Options::default();
+        bencher.iter(|| minimise(black_box(&points), black_box(start), &options));
     });
     group.finish();
 }

@@ -4,7 +4,7 @@ use ga_anim::MotionFileError;
 use ga_anim::kinematics::KinematicsError;
 use ga_anim::skeleton::SkeletonError;
 use ga_camera::CameraError;
-use ga_camera::observation::ObservationError;
+use ga_camera::triangulation::TriangulationError;
 use ga_numerics::least_squares::LeastSquaresError;
 use ga_runtime::geometry::FitError;
 
@@ -234,7 +234,7 @@ pub enum BodyError {
         /// Which view, from 0.
         view: usize,
         /// What is wrong.
-        error: Box<ObservationError>,
+        error: Box<TriangulationError>,
     },
     /// A probability is not between 0 and 1.
     #[error("{0} is not a probability that a joint is missing")]

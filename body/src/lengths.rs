@@ -9,7 +9,7 @@ use super::model::{BodyModel, BodyPoint};
 use super::{BodyFit, Observation};
 use crate::BodyError;
 use ga_camera::Camera;
-use ga_numerics::least_squares::{Columns, Equations, Problem, Settings, minimise};
+use ga_numerics::least_squares::{Columns, Equations, Options, Problem, minimise};
 
 /// Which lengths are unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -132,14 +132,14 @@ pub fn fit_lengths(
         bones: &bones,
         lengths,
     };
-    let settings = Settings {
+    let options = Options {
         steps: 300,
         relative_tolerance: 1e-6,
         absolute_tolerance: INSIGNIFICANT,
         loss: fit.likelihood().loss,
     };
     let start = Unknowns { logarithms, poses };
-    let found = minimise(&problem, start, &settings)?.state;
+    let found = minimise(&problem, start, &options)?.state;
     let own: Vec<f64> = bones
         .of_joint
         .iter()

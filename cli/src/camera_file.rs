@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use anyhow::{Error, Result, bail, ensure};
-use ga_camera::format::{self, CameraFile, CameraFileError, NamedCamera, Rectified};
-use ga_camera::rig::StereoRig;
+use anyhow::{Error, Result, bail};
+use ga_camera::format::{self, CameraFileError, NamedCamera, NamedRig};
 
 /// Which cameras of a file are taken.
 #[derive(Clone, Debug, clap::Args)]
@@ -13,15 +12,6 @@ pub(crate) struct ChosenPair {
     /// its name or by its number from 0: --view A --view B.
     #[arg(long = "view", value_name = "NAME", action = clap::ArgAction::Append)]
     names: Vec<String>,
-}
-
-/// A rig of a file.
-pub(crate) struct Rig {
-    /// The cameras, in the frame of the left one.
-    pub(crate) rig: StereoRig,
-    /// What the file says of rectified pictures, where the views are such.
-    pub(crate) rectified: Option<Rectified>,
-    sizes: [Option<[usize; 2]>; 2],
 }
 
 /// The camera of a file that has one, or that of a name.
@@ -35,34 +25,8 @@ pub(crate) fn read_one(path: &Path, name: Option<&str>) -> Result<NamedCamera> {
 /// place, 0 on the left and 1 on the right.
 pub(crate) fn read_side(path: &Path, side: usize) -> Result<NamedCamera> {
     let file = format::read(path)?;
-    let camera = match file.cameras.as_slice() {
-        [left, right] => Ok([left, right][side.min(1)]),
-        _ => file.one(None),
-    };
-    Ok(camera.map_err(|error| about(path, error))?.clone())
-}
-
-/// Fails where a picture does not have the size that a file of cameras is for.
-pub(crate) fn check_size(
-    expected: Option<[usize; 2]>,
-    found: [usize; 2],
-    picture: &Path,
-    cameras: &Path,
-) -> Result<()> {
-    let Some(expected) = expected else {
-        return Ok(());
-    };
-    ensure!(
-        found == expected,
-        "{} has {} × {} pixels, and {} is for {} × {}",
-        picture.display(),
-        found[0],
-        found[1],
-        cameras.display(),
-        expected[0],
-        expected[1]
-    );
-    Ok(())
+    let camera = file.side(side).map_err(|error| about(path, error))?;
+    Ok(camera.clone())
 }
 
 /// An error of a file, which it names.
@@ -78,9 +42,9 @@ pub(crate) fn about(path: &Path, error: CameraFileError) -> Error {
 
 impl ChosenPair {
     /// Reads a rig.
-    pub(crate) fn read(&self, path: &Path) -> Result<Rig> {
-        let file = format::read(path)?;
-        self.rig(&file).map_err(|error| about(path, error))
+    pub(crate) fn read(&self, path: &Path) -> Result<NamedRig> {
+        let rig = format::read(path)?.named_rig(&self.names);
+        rig.map_err(|error| about(path, error))
     }
 
     /// Reads the camera of one view, by its name where one is given.
@@ -101,29 +65,5 @@ impl ChosenPair {
             Some(name) => bail!("--view {name}: {reason}"),
             None => Ok(()),
         }
-    }
-
-    fn rig(&self, file: &CameraFile) -> Result<Rig, CameraFileError> {
-        let pair = file.pair(&self.names)?;
-        let rig = file.rig(&self.names)?;
-        let as_listed = pair.into_iter().eq(file.cameras.iter());
-        Ok(Rig {
-            rig,
-            rectified: file.rectified.filter(|_| as_listed),
-            sizes: pair.map(|camera| camera.size),
-        })
-    }
-}
-
-impl Rig {
-    /// Fails where views do not have the sizes that the file states.
-    pub(crate) fn check_sizes(
-        &self,
-        found: [usize; 2],
-        views: [&Path; 2],
-        path: &Path,
-    ) -> Result<()> {
-        let mut sides = self.sizes.into_iter().zip(views);
-        sides.try_for_each(|(size, view)| check_size(size, found, view, path))
     }
 }

@@ -15,7 +15,6 @@ mod motion_file;
 mod output;
 mod pipeline;
 mod report;
-mod rotation;
 mod shell;
 mod standard_output;
 

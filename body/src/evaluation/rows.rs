@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use ga_camera::observation::ObservationError;
+use ga_camera::triangulation::TriangulationError;
 use ga_runtime::cga3::Point;
 use serde::Serialize;
 
@@ -228,7 +228,7 @@ fn with_names(error: BodyError, motion: &Motion, stretch: &Stretch) -> Evaluatio
     };
     let frame = stretch.number_in_file(frame);
     match *error {
-        ObservationError::Camera { point, error } => {
+        TriangulationError::Unseen { point, error } => {
             let points = motion.model.points();
             let joint = points.get(point).map(|point| point.name.clone());
             EvaluationError::Joint {

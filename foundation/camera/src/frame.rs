@@ -33,8 +33,21 @@
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-use ga_runtime::cga3::Motor;
+use ga_runtime::cga3::{Motor, Rotor};
 use ga_runtime::products::Sandwich;
+
+/// From a camera's frame, with y down and z forward, into one with y up and z towards the viewer,
+/// as glTF has it, and back: a rotation by π about x.
+///
+/// ```
+/// use ga_camera::frame::y_up;
+/// use ga_runtime::cga3::Point;
+/// assert_eq!(y_up().transform(Point::new(1.0, 2.0, 3.0)), Point::new(1.0, -2.0, -3.0));
+/// ```
+#[must_use]
+pub fn y_up() -> Motor<f64> {
+    Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0).into()
+}
 
 /// A frame of reference, as a type without values. Any type that is `Copy`, `Debug` and `PartialEq`
 /// may name one.

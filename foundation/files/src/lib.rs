@@ -9,11 +9,13 @@
 //! - [`check`] says before the work whether a file can be written, and [`is_stream`] whether its
 //!   bytes go to a device or a pipe.
 //! - [`name`] and [`stem`] are the name of a file without its folders.
+//! - [`list`] finds the files that patterns stand for, in the order of the numbers in their names.
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
 mod name;
+pub mod list;
 mod read;
 pub mod table;
 mod target;

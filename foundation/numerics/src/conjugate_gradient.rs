@@ -3,7 +3,7 @@
 
 /// When the search ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct Options {
     /// The greatest number of steps.
     pub steps: usize,
     /// The search ends when the residual is no longer than this part of the one at the beginning…
@@ -31,14 +31,14 @@ pub struct NotConverged {
 /// Hestenes and E. Stiefel, "Methods of conjugate gradients for solving linear systems", 1952).
 ///
 /// ```
-/// use ga_numerics::conjugate_gradient::{Settings, solve};
+/// use ga_numerics::conjugate_gradient::{Options, solve};
 ///
 /// let mut x = [0.0; 2];
-/// let settings = Settings { steps: 2, relative_tolerance: 1e-12, absolute_tolerance: 0.0 };
+/// let options = Options { steps: 2, relative_tolerance: 1e-12, absolute_tolerance: 0.0 };
 /// let image = |x: &[f64], to: &mut [f64]| {
 ///     (to[0], to[1]) = (4.0 * x[0] + x[1], x[0] + 3.0 * x[1]);
 /// };
-/// let steps = solve(&[6.0, 7.0], &mut x, image, |r, to| to.copy_from_slice(r), &settings)?;
+/// let steps = solve(&[6.0, 7.0], &mut x, image, |r, to| to.copy_from_slice(r), &options)?;
 /// assert!(steps <= 2 && (x[0] - 1.0).abs() < 1e-12 && (x[1] - 2.0).abs() < 1e-12);
 /// # Ok::<(), ga_numerics::conjugate_gradient::NotConverged>(())
 /// ```
@@ -54,7 +54,7 @@ pub fn solve(
     x: &mut [f64],
     mut image: impl FnMut(&[f64], &mut [f64]),
     mut precondition: impl FnMut(&[f64], &mut [f64]),
-    settings: &Settings,
+    options: &Options,
 ) -> Result<usize, NotConverged> {
     assert_eq!(right.len(), x.len(), "as many numbers as unknowns");
     let [mut of_direction, mut improved, mut direction] = [(); 3].map(|()| vec![0.0; x.len()]);
@@ -65,7 +65,7 @@ pub fn solve(
         .map(|(b, a)| b - a)
         .collect();
     let start = length(&residual);
-    let enough = (settings.relative_tolerance * start).max(settings.absolute_tolerance);
+    let enough = (options.relative_tolerance * start).max(options.absolute_tolerance);
     let mut before = f64::INFINITY;
     let mut steps = 0;
     loop {
@@ -77,7 +77,7 @@ pub fn solve(
             steps,
             residual: left / start,
         };
-        if steps == settings.steps {
+        if steps == options.steps {
             return Err(not_converged);
         }
         precondition(&residual, &mut improved);

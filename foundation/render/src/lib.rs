@@ -4,7 +4,8 @@
 //! ground that shows their shadow, and lines and dots over them. It returns the picture and its
 //! [`DepthMap`]. [`Buffers`] are what is seen at the centre of each pixel as numbers: which
 //! triangle, how far away, with which texture coordinates. [`sheet`] puts the pictures of an
-//! animation side by side; [`text`] writes on pictures.
+//! animation side by side, [`panel`] pictures of numbers with their scales; [`text`] writes on
+//! pictures.
 //!
 //! | type | what it is |
 //! | --- | --- |
@@ -56,6 +57,7 @@ mod layers;
 mod lens;
 pub mod model;
 mod occlusion;
+pub mod panel;
 mod raster;
 mod resolve;
 mod scene;

@@ -1,7 +1,9 @@
 //! Why calibrations fail.
 
 use super::outlier::Outlier;
+use super::pair_names::PairNames;
 use ga_camera::CameraError;
+use ga_camera::rig::RigError;
 use ga_image::plane::PlaneError;
 use ga_numerics::least_squares::LeastSquaresError;
 
@@ -128,6 +130,45 @@ pub enum CalibrationError {
     /// The blur of a picture failed.
     #[error(transparent)]
     Blur(#[from] PlaneError),
+    /// Pictures have different sizes.
+    #[error(
+        "the views differ in size: {name} has {} × {} pixels and {first} has {} × {}",
+        size[0], size[1], expected[0], expected[1]
+    )]
+    PictureSizes {
+        /// The name of a picture.
+        name: String,
+        /// Its columns and rows.
+        size: [usize; 2],
+        /// The name of the first picture.
+        first: String,
+        /// Its columns and rows.
+        expected: [usize; 2],
+    },
+    /// The board was found in too few pairs of pictures.
+    #[error(
+        "the board was found in {found} of {pairs} pairs, and {LEAST_VIEWS} are needed{}",
+        first.as_ref().map(|first| format!("; first: {first}")).unwrap_or_default()
+    )]
+    TooFewBoards {
+        /// In how many pairs.
+        found: usize,
+        /// How many there are.
+        pairs: usize,
+        /// Why it was not found in the first of the others.
+        first: Option<String>,
+    },
+    /// A pair of pictures is to blame.
+    #[error("{names}: {error}")]
+    Pair {
+        /// The names of the pictures.
+        names: PairNames,
+        /// What is wrong, where pairs with a board count from 0.
+        error: Box<CalibrationError>,
+    },
+    /// The edges of the squares cannot be measured with the rig.
+    #[error("the edges of the squares cannot be measured: {0}")]
+    Edges(Box<RigError>),
 }
 
 /// The least number of boards from which a camera is calibrated.

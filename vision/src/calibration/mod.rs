@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use ga_runtime::cga3::{Rotor, Translator};
-//! use ga_vision::calibration::{CameraSettings, calibrate_camera};
+//! use ga_vision::calibration::{CameraOptions, calibrate_camera};
 //! use ga_camera::{Camera, Intrinsics};
 //! use ga_vision::chessboard::BoardSize;
 //!
@@ -23,22 +23,28 @@
 //!     let camera = Camera { intrinsics, world_to_camera };
 //!     views.push(camera.project_all(&places).map_err(|(_, error)| error)?);
 //! }
-//! let found = calibrate_camera(&views, &places, [640, 480], &CameraSettings::default())?;
+//! let found = calibrate_camera(&views, &places, [640, 480], &CameraOptions::default())?;
 //! assert!((found.intrinsics.focal()[0] - 810.0).abs() < 1e-6 && found.rms < 1e-8);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod board_pairs;
 mod bundle;
 mod error;
 mod lens_terms;
 mod one_camera;
 mod outlier;
+mod pair_names;
 mod square_edges;
 mod stereo;
+mod summary;
 
+pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
 pub use error::{CalibrationError, LEAST_VIEWS};
 pub use lens_terms::LensTerms;
-pub use one_camera::{CameraCalibration, CameraSettings, Start, calibrate_camera};
+pub use one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
 pub use outlier::Outlier;
+pub use pair_names::PairNames;
 pub use square_edges::{SquareEdges, square_edges};
-pub use stereo::{JointIntrinsics, StereoCalibration, StereoSettings, calibrate_stereo};
+pub use stereo::{JointIntrinsics, StereoCalibration, StereoOptions, calibrate_stereo};
+pub use summary::{CameraParameters, Residuals, RigSummary};

@@ -10,7 +10,7 @@ use crate::calibration::CalibrationError;
 use crate::homography::{Homography, in_plane};
 use ga_camera::frame::{Board, CameraFrame, Pose};
 use ga_camera::{CameraError, Intrinsics};
-use ga_numerics::least_squares::{Covariance, Loss, Minimum, Settings, minimise};
+use ga_numerics::least_squares::{Covariance, Loss, Minimum, Options, minimise};
 
 /// Where the intrinsic parameters of a camera come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,7 +27,7 @@ pub enum Start {
 
 /// How a camera is calibrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CameraSettings {
+pub struct CameraOptions {
     /// Where the intrinsic parameters come from.
     pub start: Start,
     /// The kind of the lens, and which of its coefficients vary.
@@ -52,7 +52,7 @@ pub struct CameraCalibration {
     pub view_rms: Vec<f64>,
 }
 
-impl CameraSettings {
+impl CameraOptions {
     /// The camera at which the search begins, and its parameters that vary.
     fn start(
         &self,
@@ -99,10 +99,10 @@ pub fn calibrate_camera(
     views: &[Vec<[f64; 2]>],
     places: &[Point<f64>],
     size: [usize; 2],
-    settings: &CameraSettings,
+    options: &CameraOptions,
 ) -> Result<CameraCalibration, CalibrationError> {
     check(views, places)?;
-    let (intrinsics, free) = settings.start(views, places, size)?;
+    let (intrinsics, free) = options.start(views, places, size)?;
     let boards = initial_boards(views, places, &intrinsics)?;
     let bundle = Bundle {
         places,
@@ -115,15 +115,15 @@ pub fn calibrate_camera(
         boards,
     };
     // While the distortion is not known, far corners would drag the motors away.
-    let rough = Settings {
+    let rough = Options {
         loss: Loss::Huber(2.0),
         relative_tolerance: 1e-3,
-        ..Settings::default()
+        ..Options::default()
     };
     if let Ok(found) = minimise(&bundle, state.clone(), &rough) {
         state = found.state;
     }
-    let minimum = minimise(&bundle, state, &Settings::default())?;
+    let minimum = minimise(&bundle, state, &Options::default())?;
     let covariance = covariance(&bundle, &minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
     let errors = bundle.squared_errors(&minimum.state);

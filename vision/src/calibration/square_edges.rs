@@ -44,7 +44,6 @@ pub struct SquareEdges {
 /// assert!((edges.mean - 0.025).abs() < 1e-12 && edges.greatest_error < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[expect(clippy::result_large_err, reason = "a call measures hundreds of edges")]
 pub fn square_edges(
     rig: &StereoRig,
     views: [&[Vec<[f64; 2]>]; 2],

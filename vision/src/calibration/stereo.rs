@@ -8,13 +8,13 @@ use ga_runtime::cga3::{Motor, Point};
 use super::LEAST_VIEWS;
 use super::bundle::{Bundle, BundleState, TWIST};
 use super::one_camera::{
-    CameraCalibration, CameraSettings, calibrate_camera, covariance, deviations,
+    CameraCalibration, CameraOptions, calibrate_camera, covariance, deviations,
 };
 use crate::calibration::CalibrationError;
 use ga_camera::frame::{Board, Frame, LeftCamera, Pose};
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics};
-use ga_numerics::least_squares::{Covariance, Loss, Settings, minimise};
+use ga_numerics::least_squares::{Covariance, Loss, Options, minimise};
 
 /// What becomes of the intrinsic parameters when both cameras are calibrated together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,9 +29,9 @@ pub enum JointIntrinsics {
 
 /// How a rig is calibrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StereoSettings {
+pub struct StereoOptions {
     /// The calibrations of the left and the right camera.
-    pub cameras: [CameraSettings; 2],
+    pub cameras: [CameraOptions; 2],
     /// What the joint calibration varies.
     pub joint: JointIntrinsics,
     /// A pair is left out where its root mean square distance is more than this times the median of
@@ -39,11 +39,11 @@ pub struct StereoSettings {
     pub outlier_ratio: Option<f64>,
 }
 
-impl Default for StereoSettings {
+impl Default for StereoOptions {
     /// Free intrinsic parameters, and pairs up to 4 times the median.
     fn default() -> Self {
         Self {
-            cameras: [CameraSettings::default(); 2],
+            cameras: [CameraOptions::default(); 2],
             joint: JointIntrinsics::default(),
             outlier_ratio: Some(4.0),
         }
@@ -92,7 +92,7 @@ pub struct StereoCalibration {
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
-/// use ga_vision::calibration::{StereoSettings, calibrate_stereo};
+/// use ga_vision::calibration::{StereoOptions, calibrate_stereo};
 /// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::chessboard::BoardSize;
 ///
@@ -111,7 +111,7 @@ pub struct StereoCalibration {
 ///     }
 /// }
 /// let views = [&views[0][..], &views[1][..]];
-/// let found = calibrate_stereo(views, &places, [640, 480], &StereoSettings::default())?;
+/// let found = calibrate_stereo(views, &places, [640, 480], &StereoOptions::default())?;
 /// assert!((found.rig.baseline() - 0.12).abs() < 1e-6 && found.rms < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -119,7 +119,7 @@ pub fn calibrate_stereo(
     views: [&[Vec<[f64; 2]>]; 2],
     places: &[Point<f64>],
     size: [usize; 2],
-    settings: &StereoSettings,
+    options: &StereoOptions,
 ) -> Result<StereoCalibration, CalibrationError> {
     let [left, right] = views.map(<[_]>::len);
     if left != right {
@@ -129,11 +129,11 @@ pub fn calibrate_stereo(
     let mut outliers = Vec::new();
     loop {
         let chosen = views.map(|views| used.iter().map(|&k| views[k].clone()).collect());
-        let rig = Rig::new(&chosen, places, size, settings);
+        let rig = Rig::new(&chosen, places, size, options);
         let rig = rig.map_err(|error| error.in_pairs(&used))?;
         // A pair with a board in another place than the rest would keep the rest from converging.
         let before = rig.pair_rms(&rig.state);
-        let rough = settings.outlier_ratio.map(|ratio| 5.0 * ratio);
+        let rough = options.outlier_ratio.map(|ratio| 5.0 * ratio);
         if let Some(outlier) = worst(&before, &used, rough) {
             check_majority(outlier, used.len(), left)?;
             used.retain(|pair| *pair != outlier.pair);
@@ -144,7 +144,7 @@ pub fn calibrate_stereo(
             return Err(CalibrationError::Unseen { pair: used[unseen] });
         }
         let after = rig.pair_rms(&rig.robust_state());
-        let Some(outlier) = worst(&after, &used, settings.outlier_ratio) else {
+        let Some(outlier) = worst(&after, &used, options.outlier_ratio) else {
             let found = rig.adjusted(&used)?;
             return Ok(StereoCalibration { outliers, ..found });
         };
@@ -225,11 +225,11 @@ impl<'a> Rig<'a> {
         views: &'a [Vec<Vec<[f64; 2]>>; 2],
         places: &'a [Point<f64>],
         size: [usize; 2],
-        settings: &StereoSettings,
+        options: &StereoOptions,
     ) -> Result<Self, CalibrationError> {
-        let calibrate = |k: usize| calibrate_camera(&views[k], places, size, &settings.cameras[k]);
+        let calibrate = |k: usize| calibrate_camera(&views[k], places, size, &options.cameras[k]);
         let [left, right] = [calibrate(0)?, calibrate(1)?];
-        let free = settings.cameras.map(|camera| match settings.joint {
+        let free = options.cameras.map(|camera| match options.joint {
             JointIntrinsics::Free => camera.free(),
             JointIntrinsics::Fixed => Vec::new(),
         });
@@ -267,17 +267,17 @@ impl<'a> Rig<'a> {
 
     /// The state where the losses of Huber are least, to which outliers matter less.
     fn robust_state(&self) -> BundleState {
-        let settings = Settings {
+        let options = Options {
             loss: Loss::Huber(0.5),
             relative_tolerance: 1e-3,
-            ..Settings::default()
+            ..Options::default()
         };
-        let found = minimise(&self.bundle, self.state.clone(), &settings);
+        let found = minimise(&self.bundle, self.state.clone(), &options);
         found.map_or_else(|_| self.state.clone(), |minimum| minimum.state)
     }
 
     fn adjusted(self, used: &[usize]) -> Result<StereoCalibration, CalibrationError> {
-        let minimum = minimise(&self.bundle, self.state.clone(), &Settings::default())?;
+        let minimum = minimise(&self.bundle, self.state.clone(), &Options::default())?;
         let covariance = covariance(&self.bundle, &minimum)?;
         let state = &minimum.state;
         let errors = self.bundle.squared_errors(state);

@@ -1,6 +1,6 @@
 //! Why points of a head do not determine its pose or its expression.
 
-use ga_mesh::MeshError;
+use ga_mesh::{FormatError, MeshError};
 use ga_runtime::geometry::FitError;
 
 /// Why a head cannot be captured: points that do not determine a rigid motion, frames, and surfaces
@@ -238,6 +238,62 @@ pub enum CaptureError {
         /// How many there are.
         vertices: usize,
     },
+    /// A key of a head's surface does not move it.
+    #[error("key {name} {problem}")]
+    Key {
+        /// The name of its point.
+        name: String,
+        /// What is wrong with it.
+        problem: KeyProblem,
+    },
+    /// Two keys of a head's surface have the same direction.
+    #[error(
+        "keys {first} and {second} are seen in the same direction from the centre of gravity of \
+         the mesh"
+    )]
+    KeysInOneDirection {
+        /// The name of the first point.
+        first: String,
+        /// The name of the second point.
+        second: String,
+    },
+    /// The points at rest and the keys on the mesh have no scale in common.
+    #[error("the points at rest and the keys have no scale in common")]
+    NoScale,
+    /// A point by whose name an area is chosen is not a key.
+    #[error("{0:?} is not a key")]
+    NotKey(String),
+    /// A text is not a key and a radius.
+    #[error("expected a key and a positive radius, such as chin:0.04")]
+    AreaText,
+    /// A surface cannot follow a frame of a table.
+    #[error("{place}: {problem}")]
+    Row {
+        /// The line and the name of the frame.
+        place: String,
+        /// What is wrong with it.
+        problem: Box<CaptureError>,
+    },
+    /// A frame shows no key.
+    #[error("no key is seen")]
+    NoKeySeen,
+    /// The motion takes the mesh beyond the range of the numbers.
+    #[error("the mesh has no place at rest")]
+    NoPlace,
+    /// The surface and its motion cannot be a file.
+    #[error(transparent)]
+    Format(Box<FormatError>),
+}
+
+/// Why a key does not move the surface of a head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum KeyProblem {
+    /// A coordinate is infinite or not a number.
+    #[error("is not finite")]
+    NotFinite,
+    /// It has no direction from the centre.
+    #[error("is at the centre of gravity of the mesh")]
+    AtCentre,
 }
 
 /// The least number of calibrated points.

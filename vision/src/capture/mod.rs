@@ -17,9 +17,11 @@
 //!   [`SphericalSpline`];
 //! - [`LocalArea`]: a part of the surface that moves while the rest stays, with its centre of
 //!   gravity;
-//! - [`PrincipalShapes`]: a sequence of expressions as morph targets with weights.
+//! - [`PrincipalShapes`]: a sequence of expressions as morph targets with weights;
+//! - [`HeadSurface`]: the mesh of a head that does all this, and its motion as glTF.
 //!
-//! [`table`] reads points and keys, and writes poses and expressions.
+//! [`table`] reads points and keys, and writes poses and expressions; [`summary`] says how far
+//! points and surface move.
 //!
 //! Where the points are known only as pixels of one camera, [`estimate`] finds the pose.
 //!
@@ -28,18 +30,21 @@
 mod area;
 mod description;
 mod error;
+mod head;
 mod pose;
 mod principal;
 mod sequence;
 mod sphere;
 mod spline;
+pub mod summary;
 mod surface_mesh;
 mod surface_motion;
 pub mod table;
 
 pub use area::LocalArea;
 pub use description::description_constant;
-pub use error::{CaptureError, PointSet};
+pub use error::{CaptureError, KeyProblem, PointSet};
+pub use head::{HeadMotion, HeadSurface, KeyArea, KeyFit};
 pub use pose::{PoseOptions, RigidPose, rigid_pose};
 pub use principal::PrincipalShapes;
 pub use sequence::{Capture, CaptureMatrix, CapturedFrame};

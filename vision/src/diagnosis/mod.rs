@@ -40,6 +40,7 @@ use crate::geometry_error::ViewGeometryError;
 use ga_numerics::order_statistics::{Sorted, median};
 use ga_numerics::ransac::Search;
 use row_model::{RowModel, Rows};
+use serde::{Serialize, Serializer};
 
 /// The vertical disparity, in pixels, that nearly all points of rectified views stay below.
 pub const RECTIFIED_LIMIT: f64 = 1.0;
@@ -66,36 +67,93 @@ impl Default for DiagnosisOptions {
     }
 }
 
-/// How the right view deviates from a rectified one, in pixels and radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// How the right view deviates from a rectified one, in pixels and radians; in JSON, angles are in
+/// degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Diagnosis {
-    /// How many pairs were given.
-    pub pairs: usize,
-    /// How many agree with the model; the others are taken for mismatches.
-    pub agreeing: usize,
     /// By how much the middle row of the left view is lower in the middle of the right view.
+    #[serde(rename = "vertical_offset_px")]
     pub vertical_offset: f64,
     /// The angle ρ by which the right view is rotated, from u towards v: clockwise.
+    #[serde(rename = "rotation_degrees", serialize_with = "in_degrees")]
     pub rotation: f64,
     /// The magnification s of the right view against the left.
     pub zoom: f64,
     /// The vertical disparities `v_right − v_left` of the agreeing pairs.
+    #[serde(flatten)]
     pub vertical: VerticalDisparity,
     /// The root of the mean squared difference of rows that the model does not explain.
+    #[serde(rename = "unexplained_rms_px")]
     pub residual_rms: f64,
-    /// The disparities `u_left − u_right` of the agreeing pairs: least, median and greatest.
-    pub disparity: [f64; 3],
+    /// The disparities `u_left − u_right` of the agreeing pairs.
+    #[serde(flatten)]
+    pub disparity: HorizontalDisparity,
+    /// How many pairs were given.
+    #[serde(rename = "matches")]
+    pub pairs: usize,
+    /// How many agree with the model; the others are taken for mismatches.
+    #[serde(rename = "matches_used")]
+    pub agreeing: usize,
 }
 
 /// Vertical disparities of a pair of views, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct VerticalDisparity {
     /// The median.
+    #[serde(rename = "vertical_disparity_median_px")]
     pub median: f64,
     /// The root of the mean square.
+    #[serde(rename = "vertical_disparity_rms_px")]
     pub rms: f64,
     /// What 95 % of the absolute values stay below.
+    #[serde(rename = "vertical_disparity_95_percent_px")]
     pub most: f64,
+}
+
+/// Disparities along the rows, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HorizontalDisparity {
+    /// The least.
+    #[serde(rename = "disparity_least_px")]
+    pub least: f64,
+    /// The median.
+    #[serde(rename = "disparity_median_px")]
+    pub median: f64,
+    /// The greatest.
+    #[serde(rename = "disparity_greatest_px")]
+    pub greatest: f64,
+}
+
+/// What makes views other than rectified ones.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum DiagnosisFault {
+    /// The vertical disparities are too large.
+    #[error(
+        "the views are not rectified: 95 % of the vertical disparities are below {most:.3} px, and \
+         should be below 1 px"
+    )]
+    NotRectified {
+        /// What 95 % of the absolute values stay below, in pixels.
+        most: f64,
+    },
+    /// Most disparities are negative.
+    #[error("the disparities are negative: the views seem to be exchanged")]
+    Exchanged,
+}
+
+impl DiagnosisFault {
+    /// One word for programs.
+    #[must_use]
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::NotRectified { .. } => "not_rectified",
+            Self::Exchanged => "views_exchanged",
+        }
+    }
+}
+
+fn in_degrees<S: Serializer>(angle: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(angle.to_degrees())
 }
 
 impl Diagnosis {
@@ -172,7 +230,11 @@ impl Diagnosis {
                 most: sizes(0.95),
             },
             residual_rms: root_mean_square(residuals),
-            disparity: [0.0, 0.5, 1.0].map(disparity),
+            disparity: HorizontalDisparity {
+                least: disparity(0.0),
+                median: disparity(0.5),
+                greatest: disparity(1.0),
+            },
         }
     }
 
@@ -186,7 +248,16 @@ impl Diagnosis {
     /// Whether most points are further right in the right view, as if the views were exchanged.
     #[must_use]
     pub fn is_exchanged(&self) -> bool {
-        self.disparity[1] < 0.0
+        self.disparity.median < 0.0
+    }
+
+    /// What is wrong with the views.
+    #[must_use]
+    pub fn faults(&self) -> Vec<DiagnosisFault> {
+        let most = self.vertical.most;
+        let uneven = (!self.is_rectified()).then_some(DiagnosisFault::NotRectified { most });
+        let exchanged = self.is_exchanged().then_some(DiagnosisFault::Exchanged);
+        uneven.into_iter().chain(exchanged).collect()
     }
 }
 

@@ -2,6 +2,9 @@
 
 use ga_files::WriteError;
 use ga_image::file::FormatError;
+use ga_image::plane::PlaneError;
+
+use crate::geometry_error::ViewGeometryError;
 
 /// Why views cannot be matched, or a file does not take or hold a disparity map.
 #[derive(Debug, thiserror::Error)]
@@ -81,6 +84,12 @@ pub enum StereoError {
         /// The scale.
         scale: f64,
     },
+    /// The cameras cannot be rectified.
+    #[error(transparent)]
+    Geometry(Box<ViewGeometryError>),
+    /// Pictures of views have different sizes.
+    #[error(transparent)]
+    Plane(#[from] PlaneError),
     /// The file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),

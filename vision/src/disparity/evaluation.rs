@@ -4,6 +4,8 @@
 
 use ga_image::plane::{Plane, PlaneView, same_size};
 
+use serde::Serialize;
+
 use super::DisparityMap;
 use crate::disparity::DisparityMapError;
 
@@ -34,6 +36,26 @@ pub struct ErrorMap {
     errors: Plane<f64>,
     pixels: usize,
     known: usize,
+}
+
+/// The measures of the Middlebury evaluation, as percentages of the evaluated pixels unless the
+/// name has a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ErrorMeasures {
+    /// Errors of more than 0.5 px; see [`ErrorMap::bad`].
+    pub bad_0_5: f64,
+    /// Errors of more than 1 px.
+    pub bad_1: f64,
+    /// Errors of more than 2 px.
+    pub bad_2: f64,
+    /// Errors of more than 3 px.
+    pub bad_3: f64,
+    /// The mean error; see [`ErrorMap::average_px`].
+    pub average_px: Option<f64>,
+    /// Pixels whose disparity is known.
+    pub density: f64,
+    /// How many pixels are evaluated.
+    pub truth_pixels: usize,
 }
 
 impl ErrorMap {
@@ -104,6 +126,20 @@ impl ErrorMap {
     #[must_use]
     pub fn density(&self) -> f64 {
         self.percentage(self.known)
+    }
+
+    /// All measures.
+    #[must_use]
+    pub fn measures(&self) -> ErrorMeasures {
+        ErrorMeasures {
+            bad_0_5: self.bad(0.5),
+            bad_1: self.bad(1.0),
+            bad_2: self.bad(2.0),
+            bad_3: self.bad(3.0),
+            average_px: self.average_px(),
+            density: self.density(),
+            truth_pixels: self.pixels(),
+        }
     }
 
     fn percentage(&self, count: usize) -> f64 {

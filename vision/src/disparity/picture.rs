@@ -1,6 +1,7 @@
 //! Disparity maps and their errors in colours, to be looked at.
 
 use ga_image::plane::{Plane, PlaneView};
+use ga_render::panel::{Panel, beside};
 
 use super::DisparityMap;
 use super::evaluation::ErrorMap;
@@ -105,4 +106,50 @@ fn picture<T: Copy>(
     Plane::from_fn(view.width(), view.height(), |column, row| {
         colour([column, row], view.row(row)[column])
     })
+}
+
+/// Errors of this number of pixels and more have the last colour of a comparison.
+const MOST_ERROR_PX: f64 = 4.0;
+
+/// A map in the colours of its own range, with a caption and its scale.
+#[must_use]
+pub fn captioned(map: &DisparityMap) -> Plane<[u8; 3]> {
+    let scale = ColourScale::viridis(map.range().unwrap_or_default().map(f64::from));
+    beside(&[of_disparities("disparity", map, scale)])
+}
+
+/// A map and the truth in the colours of one scale, and the errors, each with a caption and its
+/// scale.
+#[must_use]
+pub fn comparison(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> Plane<[u8; 3]> {
+    // A truth of 0 is as unknown as one that is not finite.
+    let known = |value: f32| if value == 0.0 { f32::NAN } else { value };
+    let truth = DisparityMap::new(truth.plane().map(known));
+    let scale = ColourScale::viridis(truth.range().unwrap_or_default().map(f64::from));
+    let of_errors = ColourScale::inferno([0.0, MOST_ERROR_PX]);
+    beside(&[
+        of_disparities("disparity", map, scale),
+        of_disparities("truth", &truth, scale),
+        Panel {
+            caption: format!("error, bad 2 = {:.2} %", errors.bad(2.0)),
+            picture: of_errors.errors(errors),
+            colours: Box::new(move |share| of_errors.colour(share * MOST_ERROR_PX)),
+            ends: ["0.0 px".into(), format!("{MOST_ERROR_PX:.1} px or more")],
+            marks: vec![
+                (ColourScale::unknown, "disparity unknown"),
+                (|_| ColourScale::left_out(), "no truth"),
+            ],
+        },
+    ])
+}
+
+fn of_disparities(caption: &str, map: &DisparityMap, scale: ColourScale) -> Panel {
+    let [first, last] = scale.range();
+    Panel {
+        caption: caption.into(),
+        picture: scale.disparities(map),
+        colours: Box::new(move |share| scale.colour(first + share * (last - first))),
+        ends: [first, last].map(|end| format!("{end:.1} px")),
+        marks: vec![(ColourScale::unknown, "unknown")],
+    }
 }

@@ -68,6 +68,7 @@ use refine::speckle::Islands;
 use refine::visibility::VisibilityFill;
 use refine::weighted::WeightedMedian;
 use refine::{check, fill, median, smooth};
+use serde::Serialize;
 use strips::Strips;
 use sweep::{Found, Task};
 use view::View;
@@ -107,6 +108,38 @@ pub struct Match {
     /// its cost and S′ the least cost of candidates that are not beside it. It is 0 where there are
     /// none, and where the disparity was filled in.
     pub confidence: Plane<f32>,
+}
+
+/// What a matcher finds in numbers, under the names of JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MatchSummary {
+    /// The least disparity in pixels.
+    #[serde(rename = "least_px")]
+    pub least: Option<f32>,
+    /// The greatest disparity in pixels.
+    #[serde(rename = "greatest_px")]
+    pub greatest: Option<f32>,
+    /// The percentage of the pixels whose disparity is known.
+    pub density: f64,
+    /// The mean of the confidences, from 0 to 1.
+    pub mean_confidence: f64,
+}
+
+impl Match {
+    /// The disparities and confidences in numbers.
+    #[must_use]
+    pub fn summary(&self) -> MatchSummary {
+        let map = &self.disparity;
+        let range = map.range();
+        let pixels = (map.width() * map.height()) as f64;
+        let values = self.confidence.values().iter();
+        MatchSummary {
+            least: range.map(|[least, _]| least),
+            greatest: range.map(|[_, greatest]| greatest),
+            density: 100.0 * map.known() as f64 / pixels,
+            mean_confidence: values.map(|c| f64::from(*c)).sum::<f64>() / pixels,
+        }
+    }
 }
 
 /// The least number of columns and rows of a view: the census reaches over 9 × 7 pixels.

@@ -15,7 +15,7 @@ pub use three_points::three_points;
 use crate::geometry_error::ViewGeometryError;
 use ga_camera::{Camera, Intrinsics};
 use ga_numerics::least_squares::{
-    Columns, Covariance, Equations, Minimum, Problem, Settings, minimise,
+    self, Columns, Covariance, Equations, Minimum, Problem, minimise,
 };
 pub use ga_numerics::ransac::PoseOptions as Options;
 use ga_numerics::ransac::{Consensus, Search};
@@ -206,7 +206,7 @@ fn refine_best(problem: &Observed<'_>, search: &Search) -> Option<Refined> {
                 observations: &selected,
                 ..*problem
             };
-            let Ok(minimum) = minimise(&part, motor, &Settings::default()) else {
+            let Ok(minimum) = minimise(&part, motor, &least_squares::Options::default()) else {
                 break;
             };
             motor = minimum.state;

@@ -10,13 +10,16 @@
 //! [`RectificationOptions`].
 
 mod storage;
+mod summary;
 mod undistortion;
 mod view;
 
+pub use summary::RectificationSummary;
 pub use undistortion::Undistortion;
 
 use ga_image::warp::Warp;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
+use serde::Serialize;
 
 use crate::geometry_error::ViewGeometryError;
 use ga_camera::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCamera};
@@ -53,7 +56,7 @@ impl Default for RectificationOptions {
 }
 
 /// A part of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Rectangle {
     /// The first column.
     pub left: usize,
@@ -235,7 +238,7 @@ fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], ViewGeometryError> 
     }
     let rotor = between.rotor();
     // The root of the short way.
-    let half = if rotor.scalar() < 0.0 { -rotor } else { rotor }.sqrt();
+    let half = rotor.canonical().sqrt();
     let seen_half_way = half
         .reverse()
         .transform(Direction::from_vector(displacement));

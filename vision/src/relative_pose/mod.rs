@@ -17,6 +17,7 @@ mod fundamental;
 mod matrix;
 mod rotation;
 mod sampson;
+mod summary;
 pub(crate) mod view;
 
 use ga_runtime::cga3::Motor;
@@ -29,13 +30,14 @@ pub use fundamental::{
 };
 pub use matrix::{EssentialMatrix, FundamentalMatrix};
 pub use sampson::BearingPair;
+pub use summary::MotionSummary;
 pub use view::View;
 
 use crate::feature::PixelPair;
 use crate::geometry_error::ViewGeometryError;
 use ga_camera::Intrinsics;
 use ga_camera::frame::{LeftCamera, Pose, RightCamera};
-use ga_numerics::least_squares::{Covariance, Minimum, Settings, minimise};
+use ga_numerics::least_squares::{self, Covariance, Minimum, minimise};
 use ga_numerics::ransac::{Consensus, Search};
 use sampson::{SampsonCost, across_translation};
 
@@ -104,6 +106,14 @@ impl RelativePose {
         let sum: f64 = (first..first + 3).map(|k| covariance[k][k]).sum();
         Some(sum.max(0.0).sqrt())
     }
+}
+
+/// Leaves out pairs with a pixel that has no direction, as near the corners of a view, where the
+/// distortion of a wide lens may not be invertible. Returns how many they were.
+pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &Intrinsics) -> usize {
+    let before = pairs.len();
+    pairs.retain(|pair| left.direction(pair.left).is_ok() && right.direction(pair.right).is_ok());
+    before - pairs.len()
 }
 
 /// The motion between two calibrated cameras from pairs of pixels, of which some may be wrong.
@@ -231,7 +241,7 @@ pub fn estimate_from_bearings(
     }
     // The same minimum, in the coordinates of the motion that was chosen.
     let problem = SampsonCost { pairs: &selected };
-    let minimum = minimise(&problem, nearest, &Settings::default())
+    let minimum = minimise(&problem, nearest, &least_squares::Options::default())
         .map_err(|_| ViewGeometryError::Undetermined)?;
     let covariance = variance.and_then(|variance| minimum.covariance(variance));
     Ok(RelativePose {
@@ -263,7 +273,7 @@ fn refine_best(pairs: &[BearingPair], search: &Search) -> Option<Refined> {
     const ROUNDS: usize = 10;
 
     let problem = Bearings(pairs);
-    let settings = Settings::default();
+    let options = least_squares::Options::default();
     let rate = |motor: Motor<f64>| {
         let essential = EssentialMatrix::from_motor(motor)?;
         let candidate = search.rate(&problem, essential, f64::INFINITY)?;
@@ -277,7 +287,7 @@ fn refine_best(pairs: &[BearingPair], search: &Search) -> Option<Refined> {
             let stride = agreeing.len().div_ceil(FEW).max(1);
             let few: Vec<_> = agreeing.iter().step_by(stride).map(|&k| pairs[k]).collect();
             let start = candidate.model.motors()?[0];
-            let refined = minimise(&SampsonCost { pairs: &few }, start, &settings);
+            let refined = minimise(&SampsonCost { pairs: &few }, start, &options);
             rate(refined.map_or(start, |minimum| minimum.state))
         });
     let mut starts: Vec<_> = starts.collect();
@@ -298,7 +308,7 @@ fn refine_best(pairs: &[BearingPair], search: &Search) -> Option<Refined> {
             }
             let selected: Vec<_> = inliers.iter().map(|&k| pairs[k]).collect();
             last.clone_from(&inliers);
-            let Ok(minimum) = minimise(&SampsonCost { pairs: &selected }, motor, &settings) else {
+            let Ok(minimum) = minimise(&SampsonCost { pairs: &selected }, motor, &options) else {
                 break;
             };
             motor = minimum.state;

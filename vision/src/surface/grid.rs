@@ -2,9 +2,11 @@
 
 use ga_image::plane::Plane;
 use ga_mesh::normals::area_vector;
+use ga_numerics::order_statistics::Sorted;
 use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
+use serde::Serialize;
 
 use crate::disparity::{DisparityMap, DisparityMapError};
 use ga_camera::rig::RectifiedRig;
@@ -39,6 +41,24 @@ pub struct Surface {
     pixels: Vec<[u32; 2]>,
     triangles: Vec<[u32; 3]>,
     size: [usize; 2],
+    step: usize,
+}
+
+/// The depths of a surface in metres, under the names of JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DepthSummary {
+    /// The percentage of the pixels that are points, of those that could be by
+    /// [`SurfaceOptions::step`].
+    pub density: f64,
+    /// The least depth.
+    #[serde(rename = "nearest_metres")]
+    pub nearest: f64,
+    /// The median.
+    #[serde(rename = "median_metres")]
+    pub median: f64,
+    /// The greatest depth.
+    #[serde(rename = "farthest_metres")]
+    pub farthest: f64,
 }
 
 /// The index of a pixel without a point.
@@ -110,6 +130,7 @@ impl Surface {
             pixels,
             triangles,
             size,
+            step,
         })
     }
 
@@ -135,6 +156,22 @@ impl Surface {
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         self.size
+    }
+
+    /// How many pixels are points, and how deep they are: along e3, which is the axis of the left
+    /// camera before the surface is [`moved`](Self::moved).
+    #[must_use]
+    pub fn summary(&self) -> DepthSummary {
+        let [columns, rows] = self.size.map(|count| count.div_ceil(self.step));
+        let mut depths: Vec<f64> = self.points.iter().map(|point| point.e3()).collect();
+        let sorted = Sorted::new(&mut depths);
+        let quantile = |share| sorted.map_or(f64::NAN, |sorted| sorted.quantile(share));
+        DepthSummary {
+            density: 100.0 * self.points.len() as f64 / (columns * rows) as f64,
+            nearest: quantile(0.0),
+            median: quantile(0.5),
+            farthest: quantile(1.0),
+        }
     }
 
     /// The same surface moved.
@@ -192,6 +229,7 @@ impl Surface {
             points,
             pixels,
             size: self.size,
+            step: self.step,
         })
     }
 }

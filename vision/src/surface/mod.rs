@@ -41,6 +41,8 @@
 mod grid;
 mod model;
 mod pair;
+mod rectified_pair;
 
-pub use grid::{Surface, SurfaceOptions};
+pub use grid::{DepthSummary, Surface, SurfaceOptions};
 pub use pair::{disparity_range, seen_by_both};
+pub use rectified_pair::{PairOptions, RectifiedPair};

@@ -4,14 +4,14 @@ use super::blend::{Blend, NONE};
 use super::covered::Covered;
 use super::target::{Seam, Target};
 use super::weight::Grade;
-use ga_numerics::conjugate_gradient::{self, Settings};
+use ga_numerics::conjugate_gradient::{self, Options};
 
 /// How strongly a texel at the edge of what is seen keeps its colour, compared with the difference
 /// from one neighbour: it gives way to better ones within about ten texels.
 const HOLD: f64 = 0.01;
 
 /// The membrane is solved until its residual is a thousandth of what it was at first.
-const SOLVER: Settings = Settings {
+const SOLVER: Options = Options {
     steps: 400,
     relative_tolerance: 1e-3,
     absolute_tolerance: 1e-6,

@@ -2,11 +2,13 @@
 
 use std::f64::consts::PI;
 
-use ga_runtime::cga3::Point;
+use ga_mesh::{Faces, Mesh};
+use ga_runtime::cga3::{Motor, Point, Translator};
 use ga_runtime::vga3::Vector;
+use ga_vision::capture::table::{Key, PointRow, PointTable};
 use ga_vision::capture::{
-    CaptureError, LocalArea, PrincipalShapes, SphericalParameterisation, SphericalSpline,
-    SurfaceMesh, SurfaceMotion,
+    CaptureError, CapturedFrame, HeadSurface, KeyFit, LocalArea, PrincipalShapes, RigidPose,
+    SphericalParameterisation, SphericalSpline, SurfaceMesh, SurfaceMotion,
 };
 use proptest::prelude::*;
 
@@ -497,4 +499,72 @@ fn surfaces_and_keys_that_cannot_be_used_are_refused() {
         Err(CaptureError::KeyNotFinite { key: 1 })
     );
     assert!(motion.displacements(&three[..2], &mut moved[..5]).is_err());
+}
+
+/// A mesh in millimetres, whose keys all move by 10 mm while the head is carried 1 m away.
+#[test]
+fn a_head_moves_with_its_keys_and_its_pose() {
+    let (places, triangles) = ellipsoid([80.0, 120.0, 100.0], [0.0; 3]);
+    let faces = Faces::from_uniform(triangles).unwrap();
+    let mesh = Mesh::new(places.clone(), faces).unwrap();
+    let keys: Vec<Key> = [0, 100, 300, 500, 700, 829]
+        .into_iter()
+        .enumerate()
+        .map(|(point, vertex): (_, usize)| Key {
+            point,
+            place: places[vertex],
+        })
+        .collect();
+    let metres = |place: Point<f64>| Point::from(place.coordinates().map(|x| 1e-3 * x));
+    let rest: Vec<_> = keys.iter().map(|key| metres(key.place)).collect();
+    let fit = KeyFit::new(&keys, &rest, true).unwrap();
+    let points = PointTable {
+        names: (0..6).map(|k| format!("p{k}")).collect(),
+        frames: vec![PointRow {
+            line: 2,
+            label: "0".into(),
+            time: None,
+            points: vec![None; 6],
+        }],
+    };
+    let motor: Motor<f64> = Translator::from_displacement([0.0, 0.0, 1.0]).into();
+    let rise = Vector::new(0.0, 0.01, 0.0);
+    let mut frame = CapturedFrame {
+        pose: RigidPose {
+            motor,
+            inliers: vec![0, 1, 2, 3],
+            root_mean_square: 0.0,
+        },
+        still: vec![None; 6],
+        expression: vec![Some(rise); 6],
+    };
+    frame.expression[3] = None;
+    let head = HeadSurface::new(mesh, keys, fit, &points).unwrap();
+    let motion = head.follow(&[frame.clone()], &points, 1e-9).unwrap();
+    let moved = |pose| head.mesh_in_frame(&motion, 0, pose).unwrap();
+    for (in_mesh, (there, place)) in moved(None)
+        .positions()
+        .iter()
+        .zip(moved(Some(motor)).positions().iter().zip(&places))
+    {
+        let [x, y, z] = place.coordinates();
+        assert!(in_mesh.distance(Point::new(x, y + 10.0, z)) < 1e-9);
+        let expected = Point::new(1e-3 * x, 1e-3 * y + 0.01, 1e-3 * z + 1.0);
+        assert!(there.distance(expected) < 1e-12);
+    }
+    let found = head.summary(&motion);
+    assert_eq!(
+        (found.keys, found.keys_filled, found.morph_targets),
+        (6, 1, 1)
+    );
+    assert!((found.metres_per_mesh_unit - 1e-3).abs() < 1e-15);
+    assert!(Vector::from(found.area.centre_displacement[0]).distance(rise) < 1e-12);
+
+    frame.expression = vec![None; 6];
+    let error = head.follow(&[frame], &points, 1e-9).unwrap_err();
+    assert_eq!(error.to_string(), "line 2, frame 0: no key is seen");
+    let unknown = head
+        .with_area("p9:1".parse().unwrap(), &points)
+        .unwrap_err();
+    assert_eq!(unknown.to_string(), "\"p9\" is not a key");
 }

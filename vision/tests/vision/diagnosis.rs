@@ -1,7 +1,7 @@
 //! Diagnoses of pairs of points with known deviations.
 
 use ga_vision::ViewGeometryError;
-use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
+use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions, HorizontalDisparity};
 use ga_vision::feature::PixelPair;
 use proptest::prelude::*;
 
@@ -85,7 +85,11 @@ fn rectified_views_are_recognised() {
     let found = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
     assert!(found.is_rectified() && !found.is_exchanged());
     assert!(found.vertical.rms < 1e-12 && found.vertical.most < 1e-12);
-    let [least, median, greatest] = found.disparity;
+    let HorizontalDisparity {
+        least,
+        median,
+        greatest,
+    } = found.disparity;
     assert!((0.0..5.0).contains(&least) && (50.0..60.0).contains(&greatest));
     assert!((20.0..40.0).contains(&median));
     let exchanged: Vec<PixelPair> = pairs

@@ -1,7 +1,7 @@
 //! Rectification against OpenCV, against its own definition, and against points that are known.
 
 use ga_camera::rig::StereoRig;
-use ga_camera::rig::{RectifiedRig, RectifiedRigError};
+use ga_camera::rig::{RectifiedRig, RigError};
 use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
@@ -334,24 +334,24 @@ fn rigs_that_are_not_rectified() {
     let other = Intrinsics::new([501.0, 500.0], [320.0, 240.0]).unwrap();
     assert!(matches!(
         RectifiedRig::new(camera(), other, 0.1),
-        Err(RectifiedRigError::Focal { .. })
+        Err(RigError::Focal { .. })
     ));
     let lower = Intrinsics::new([500.0, 500.0], [320.0, 241.0]).unwrap();
     assert!(matches!(
         RectifiedRig::new(camera(), lower, 0.1),
-        Err(RectifiedRigError::Rows {
+        Err(RigError::Rows {
             left: 240.0,
             right: 241.0
         })
     ));
     for baseline in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         let refused = RectifiedRig::new(camera(), camera(), baseline);
-        assert!(matches!(refused, Err(RectifiedRigError::Baseline(_))));
+        assert!(matches!(refused, Err(RigError::Baseline(_))));
     }
     let lens = RadialTangential::new(&[0.1, 0.0, 0.0, 0.0]).unwrap();
     assert!(matches!(
         RectifiedRig::new(camera(), camera().with_lens(lens), 0.1),
-        Err(RectifiedRigError::Lens { view: "right" })
+        Err(RigError::Lens { view: "right" })
     ));
     let rig = RectifiedRig::new(camera(), camera(), 0.1).unwrap();
     for disparity in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-320] {

@@ -9,7 +9,9 @@ use ga_mesh::format;
 use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor};
 use ga_vision::disparity::{DisparityMap, DisparityMapError};
 use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
-use ga_vision::surface::{Surface, SurfaceOptions, disparity_range, seen_by_both};
+use ga_vision::surface::{
+    PairOptions, RectifiedPair, Surface, SurfaceOptions, disparity_range, seen_by_both,
+};
 use proptest::prelude::*;
 
 const SIZE: [usize; 2] = [48, 32];
@@ -350,4 +352,50 @@ fn faulty_surfaces_are_errors() {
         Err(DisparityMapError::NoTriangles)
     ));
     assert_eq!(torn.to_cloud(&picture).unwrap().vertex_count(), 64);
+}
+
+/// Random blocks, and the same at a disparity of 21 px.
+#[test]
+fn a_rectified_pair_has_its_disparities_where_they_are_certain() {
+    let grey = |u: usize, v: usize| {
+        let block = (u / 4 + 1) * 7919 + (v / 4 + 1) * 104_729;
+        [(block * block / 977 % 200) as u8; 3]
+    };
+    let view = |shift: usize| Plane::from_fn(400, 160, |u, v| grey(u + shift, v));
+    let pair = RectifiedPair::new([view(0), view(21)], rig());
+    let options = PairOptions {
+        threads: 1,
+        ..PairOptions::default()
+    };
+    let (map, range) = pair.disparities(&options).unwrap();
+    assert!(range > 21, "{range}");
+    let right = (0..160).flat_map(|v| (40..400).map(move |u| (u, v)));
+    let near = right.filter(|&(u, v)| map.get(u, v).is_some_and(|d| (d - 21.0).abs() < 0.5));
+    assert!(near.count() > 160 * 360 * 9 / 10);
+    let (none, range) = pair
+        .disparities(&PairOptions {
+            max_disparity: Some(32),
+            least_confidence: 1.5,
+            ..options
+        })
+        .unwrap();
+    assert_eq!((none.known(), range), (0, 32));
+}
+
+#[test]
+fn depths_are_summed_up() {
+    // A wall at 0.1 · 500/25 = 2 m, with one pixel at 1 m and one that is not known.
+    let camera = Intrinsics::new([500.0, 500.0], [1.5, 1.0]).unwrap();
+    let rig = RectifiedRig::new(camera, camera, 0.1).unwrap();
+    let mut values = vec![25.0; 12];
+    values[5] = 50.0;
+    values[6] = f32::NAN;
+    let map = DisparityMap::new(Plane::from_values(4, 3, values).unwrap());
+    let found = Surface::new(&map, &rig, &SurfaceOptions::default());
+    let found = found.unwrap().summary();
+    assert_eq!(
+        [found.nearest, found.median, found.farthest],
+        [1.0, 2.0, 2.0]
+    );
+    assert!((found.density - 100.0 * 11.0 / 12.0).abs() < 1e-12);
 }

@@ -152,9 +152,7 @@ pub(super) fn middle(rotors: impl Iterator<Item = Rotor<f64>> + Clone) -> Rotor<
 
 /// B of the rotation in steps of 2⁻¹⁵ or so: a rotor of six bytes instead of sixteen.
 pub(super) fn to_steps(rotor: Rotor<f32>) -> [i16; 3] {
-    let rotor = double_rotor(rotor);
-    let rotor = if rotor.scalar() < 0.0 { -rotor } else { rotor };
-    stereographic(rotor).map(|b| (b * STEPS).round() as i16)
+    stereographic(double_rotor(rotor).canonical()).map(|b| (b * STEPS).round() as i16)
 }
 
 /// The rotor of [`to_steps`].

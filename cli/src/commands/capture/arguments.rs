@@ -1,10 +1,8 @@
 //! The options of the command.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
-use anyhow::Result;
-use ga_vision::capture::PoseOptions;
+use ga_vision::capture::{KeyArea, PoseOptions};
 
 /// Separate captured points of a face into the pose of the head and its expression.
 ///
@@ -76,7 +74,7 @@ pub(crate) struct Arguments {
     /// Move only what is within a radius of a key along the surface, in the unit of the mesh. The
     /// motion falls smoothly to zero at the edge.
     #[arg(long, value_name = "KEY:RADIUS", requires = "mesh")]
-    pub(super) area: Option<Area>,
+    pub(super) area: Option<KeyArea>,
     /// Keep the centre of gravity of the area, or of the whole surface, where it is at rest.
     #[arg(long, requires = "mesh")]
     pub(super) keep_centre: bool,
@@ -112,31 +110,4 @@ pub(crate) struct Arguments {
     /// with the pose taken out.
     #[arg(long, value_name = "FILE.csv")]
     pub(super) matrix: Option<PathBuf>,
-}
-
-/// What is within a radius of a key.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Area {
-    pub(super) key: String,
-    pub(super) radius: f64,
-}
-
-impl FromStr for Area {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parts = text.rsplit_once(':');
-        let radius = |word: &str| {
-            word.parse()
-                .ok()
-                .filter(|r: &f64| r.is_finite() && *r > 0.0)
-        };
-        match parts.map(|(key, word)| (key, radius(word))) {
-            Some((key, Some(radius))) if !key.is_empty() => Ok(Self {
-                key: key.to_owned(),
-                radius,
-            }),
-            _ => Err("expected a key and a positive radius, such as chin:0.04".to_owned()),
-        }
-    }
 }

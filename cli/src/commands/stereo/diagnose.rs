@@ -1,14 +1,12 @@
 //! `nullcone stereo diagnose`: what is wrong with a pair that should be rectified.
 
-use std::path::PathBuf;
-
 use anyhow::{Error, Result};
 use ga_vision::ViewGeometryError;
 use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions};
 use ga_vision::feature::{ViewOptions, match_views};
 use serde::Serialize;
 
-use super::views;
+use super::views::{self, ViewPair};
 use crate::frame::{self, Check, Command, Context, Verdict, Warning};
 
 /// Say how a pair of views deviates from a rectified one.
@@ -32,12 +30,8 @@ use crate::frame::{self, Check, Command, Context, Verdict, Warning};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The left view.
-    #[arg(value_name = "LEFT")]
-    left: PathBuf,
-    /// The right view.
-    #[arg(value_name = "RIGHT")]
-    right: PathBuf,
+    #[command(flatten)]
+    views: ViewPair,
     /// Matches whose rows differ from the explanation by more than this number of pixels are left
     /// out.
     #[arg(
@@ -59,18 +53,8 @@ pub(crate) struct Arguments {
 pub(crate) struct Report {
     rectified: bool,
     views_exchanged: bool,
-    vertical_offset_px: f64,
-    rotation_degrees: f64,
-    zoom: f64,
-    vertical_disparity_median_px: f64,
-    vertical_disparity_rms_px: f64,
-    vertical_disparity_95_percent_px: f64,
-    unexplained_rms_px: f64,
-    disparity_least_px: f64,
-    disparity_median_px: f64,
-    disparity_greatest_px: f64,
-    matches: usize,
-    matches_used: usize,
+    #[serde(flatten)]
+    found: Diagnosis,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -83,67 +67,39 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        context.files([&arguments.left, &arguments.right])?;
+        context.files(self.views.paths())?;
         let progress = context.progress(3);
         progress.step("reading the views");
-        let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
-        views::check_side(&left, &arguments.left)?;
+        let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
+        views::check_side(&left, &self.views.left)?;
         progress.step("matching points");
         let matching = ViewOptions::default();
         let pairs = match_views(&left, &right, &matching);
         progress.step("fitting");
         let options = DiagnosisOptions {
-            threshold: arguments.threshold,
-            seed: arguments.seed,
+            threshold: self.threshold,
+            seed: self.seed,
         };
         let found = Diagnosis::new(&pairs, [left.width(), left.height()], options);
-        let paths = [&*arguments.left, &*arguments.right];
         let found = found.map_err(|error| {
             let context = match error {
                 ViewGeometryError::TooFewMatches { needed, .. } => {
+                    let paths = self.views.paths();
                     views::few_matches([&left, &right], paths, &matching.detect, needed)
                 }
-                _ => format!("{} and {}", paths[0].display(), paths[1].display()),
+                _ => self.views.named(),
             };
             Error::new(error).context(context)
         })?;
-        drop(progress);
-        Ok(Report::new(&found))
-    }
-}
-
-impl Report {
-    fn new(found: &Diagnosis) -> Self {
-        let mut warnings = Vec::new();
-        if !found.is_rectified() {
-            let most = found.vertical.most;
-            let message = format!(
-                "the views are not rectified: 95 % of the vertical disparities are below {most:.3} px, and should be below 1 px"
-            );
-            warnings.push(Warning::new("not_rectified", message));
-        }
-        if found.is_exchanged() {
-            let message = "the disparities are negative: the views seem to be exchanged";
-            warnings.push(Warning::new("views_exchanged", message));
-        }
-        Self {
+        let faults = found.faults().into_iter();
+        Ok(Report {
             rectified: found.is_rectified(),
             views_exchanged: found.is_exchanged(),
-            vertical_offset_px: found.vertical_offset,
-            rotation_degrees: found.rotation.to_degrees(),
-            zoom: found.zoom,
-            vertical_disparity_median_px: found.vertical.median,
-            vertical_disparity_rms_px: found.vertical.rms,
-            vertical_disparity_95_percent_px: found.vertical.most,
-            unexplained_rms_px: found.residual_rms,
-            disparity_least_px: found.disparity[0],
-            disparity_median_px: found.disparity[1],
-            disparity_greatest_px: found.disparity[2],
-            matches: found.pairs,
-            matches_used: found.agreeing,
-            warnings,
-        }
+            warnings: faults
+                .map(|fault| Warning::new(fault.kind(), fault))
+                .collect(),
+            found,
+        })
     }
 }
 
@@ -153,13 +109,14 @@ impl frame::Report for Report {
     }
 
     fn verdict(&self) -> Option<Verdict> {
-        Some(match (self.rectified, self.views_exchanged) {
-            (true, false) => Verdict::Good,
+        Some(match self.warnings.as_slice() {
+            [] => Verdict::Good,
             _ => Verdict::Failed,
         })
     }
 
     fn text(&self) -> String {
+        let found = &self.found;
         let verdict = if self.rectified {
             "the views are rectified"
         } else {
@@ -178,16 +135,16 @@ impl frame::Report for Report {
              unexplained           {:9.3} px (rms)\n\
              disparity             {:9.1} to {:.1} px\n\
              matches used          {:9} of {}\n",
-            self.vertical_offset_px,
-            self.rotation_degrees,
-            self.zoom,
-            self.vertical_disparity_rms_px,
-            self.vertical_disparity_95_percent_px,
-            self.unexplained_rms_px,
-            self.disparity_least_px,
-            self.disparity_greatest_px,
-            self.matches_used,
-            self.matches
+            found.vertical_offset,
+            found.rotation.to_degrees(),
+            found.zoom,
+            found.vertical.rms,
+            found.vertical.most,
+            found.residual_rms,
+            found.disparity.least,
+            found.disparity.greatest,
+            found.agreeing,
+            found.pairs
         )
     }
 }

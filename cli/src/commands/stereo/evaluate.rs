@@ -3,21 +3,13 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_image::plane::Plane;
 use ga_image::png;
-use ga_vision::disparity::DisparityMap;
-use ga_vision::disparity::evaluation::ErrorMap;
-use ga_vision::disparity::file;
-use ga_vision::disparity::picture::ColourScale;
-use serde::Serialize;
+use ga_vision::disparity::evaluation::{ErrorMap, ErrorMeasures};
+use ga_vision::disparity::{file, picture};
 
-use super::picture::{self, Panel};
 use crate::format::Format;
-use crate::frame::{self, Command, Context};
+use crate::frame::{Command, Context, Report};
 use crate::output;
-
-/// Errors of this number of pixels and more have the last colour of the picture.
-const MOST_ERROR_PX: f64 = 4.0;
 
 /// Compare a disparity map with the truth.
 ///
@@ -52,85 +44,32 @@ pub(crate) struct Arguments {
     picture: Option<PathBuf>,
 }
 
-/// What is printed. Percentages, unless the name has a unit.
-#[derive(Serialize)]
-pub(crate) struct Report {
-    bad_0_5: f64,
-    bad_1: f64,
-    bad_2: f64,
-    bad_3: f64,
-    average_px: Option<f64>,
-    density: f64,
-    truth_pixels: usize,
-}
-
 impl Command for Arguments {
-    type Report = Report;
+    type Report = ErrorMeasures;
 
-    fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let scale = arguments.scale;
+    fn run(&self, context: &Context) -> Result<ErrorMeasures> {
+        let scale = self.scale;
         ensure!(
             scale > 0.0 && scale.is_finite(),
             "--scale {scale}: what the truth stores must be divided by a positive, finite number"
         );
-        let mut files = context.files([&arguments.map, &arguments.truth])?;
-        files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
-        let map = file::read(&arguments.map)?;
-        let truth = file::read_truth(&arguments.truth, scale)?;
+        let mut files = context.files([&self.map, &self.truth])?;
+        files.write_if_given("--picture", self.picture.as_ref(), &[Format::Png])?;
+        let map = file::read(&self.map)?;
+        let truth = file::read_truth(&self.truth, scale)?;
         let errors = ErrorMap::new(&map, &truth).with_context(|| {
-            let [map, truth] = [&arguments.map, &arguments.truth].map(|path| path.display());
+            let [map, truth] = [&self.map, &self.truth].map(|path| path.display());
             format!("{map} and {truth}")
         })?;
-        let report = Report {
-            bad_0_5: errors.bad(0.5),
-            bad_1: errors.bad(1.0),
-            bad_2: errors.bad(2.0),
-            bad_3: errors.bad(3.0),
-            average_px: errors.average_px(),
-            density: errors.density(),
-            truth_pixels: errors.pixels(),
-        };
-        if let Some(path) = &arguments.picture {
-            let sheet = picture_of(&map, &truth, &errors);
+        if let Some(path) = &self.picture {
+            let sheet = picture::comparison(&map, &truth, &errors);
             output::write(path, &png::encode(&sheet)?)?;
         }
-        Ok(report)
+        Ok(errors.measures())
     }
 }
 
-/// The map and the truth in the colours of one scale, and the errors.
-fn picture_of(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -> Plane<[u8; 3]> {
-    // A truth of 0 is as unknown as one that is not finite.
-    let known = |value: f32| if value == 0.0 { f32::NAN } else { value };
-    let truth = DisparityMap::new(truth.plane().map(known));
-    let range = truth.range().unwrap_or_default().map(f64::from);
-    let disparities = ColourScale::viridis(range);
-    let errors_scale = ColourScale::inferno([0.0, MOST_ERROR_PX]);
-    let panel = |caption: String, map: &DisparityMap| Panel {
-        caption,
-        picture: disparities.disparities(map),
-        scale: disparities,
-        most: format!("{:.1} px", range[1]),
-        marks: vec![(ColourScale::unknown, "unknown")],
-    };
-    picture::beside(&[
-        panel("disparity".into(), map),
-        panel("truth".into(), &truth),
-        Panel {
-            caption: format!("error, bad 2 = {:.2} %", errors.bad(2.0)),
-            picture: errors_scale.errors(errors),
-            scale: errors_scale,
-            most: format!("{MOST_ERROR_PX:.1} px or more"),
-            marks: vec![
-                (ColourScale::unknown, "disparity unknown"),
-                (|_| ColourScale::left_out(), "no truth"),
-            ],
-        },
-    ])
-}
-
-impl frame::Report for Report {
+impl Report for ErrorMeasures {
     fn text(&self) -> String {
         let average = match self.average_px {
             Some(average) => format!("{average:.3} px"),

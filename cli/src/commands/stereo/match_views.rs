@@ -5,17 +5,14 @@ use std::time::Instant;
 
 use anyhow::{Context as _, Result};
 use clap::ValueEnum;
-use ga_image::plane::Plane;
 use ga_image::png;
 use ga_image::sample::Sample;
-use ga_vision::disparity::picture::ColourScale;
-use ga_vision::disparity::{DisparityMap, file};
-use ga_vision::matcher::{Matcher, MatcherOptions, Mode as MatcherMode};
+use ga_vision::disparity::{file, picture};
+use ga_vision::matcher::{MatchSummary, Matcher, MatcherOptions, Mode as MatcherMode};
 use serde::Serialize;
 
-use super::picture::{self, Panel};
 use super::rectify::RIG;
-use super::views;
+use super::views::{self, ViewPair};
 use crate::format::Format;
 use crate::frame::{self, Command, Context, command_line};
 use crate::output;
@@ -40,12 +37,8 @@ const MOST_THREADS: i64 = 1024;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The left view.
-    #[arg(value_name = "LEFT")]
-    left: PathBuf,
-    /// The right view.
-    #[arg(value_name = "RIGHT")]
-    right: PathBuf,
+    #[command(flatten)]
+    views: ViewPair,
     /// Disparities are less than this number of pixels.
     #[arg(long, value_name = "N")]
     max_disparity: usize,
@@ -103,10 +96,8 @@ pub(crate) struct Report {
     height_px: usize,
     max_disparity_px: usize,
     mode: Mode,
-    least_px: Option<f32>,
-    greatest_px: Option<f32>,
-    density: f64,
-    mean_confidence: f64,
+    #[serde(flatten)]
+    found: MatchSummary,
     seconds: f64,
 }
 
@@ -114,62 +105,49 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let mut files = context.files([&arguments.left, &arguments.right])?;
-        files.write("--out", &arguments.out, &[Format::Pfm])?;
-        files.write_if_given(
-            "--confidence",
-            arguments.confidence.as_ref(),
-            &[Format::Png],
-        )?;
-        files.write_if_given("--picture", arguments.picture.as_ref(), &[Format::Png])?;
+        let mut files = context.files(self.views.paths())?;
+        files.write("--out", &self.out, &[Format::Pfm])?;
+        files.write_if_given("--confidence", self.confidence.as_ref(), &[Format::Png])?;
+        files.write_if_given("--picture", self.picture.as_ref(), &[Format::Png])?;
         let progress = context.progress(3);
         progress.step("reading the views");
-        let [left, right] = views::read_pair(&arguments.left, &arguments.right)?;
+        let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
 
         progress.step("matching");
         let begin = Instant::now();
         let options = MatcherOptions {
-            max_disparity: arguments.max_disparity,
-            mode: arguments.mode.into(),
-            threads: arguments.threads.map_or(0, usize::from),
+            max_disparity: self.max_disparity,
+            mode: self.mode.into(),
+            threads: self.threads.map_or(0, usize::from),
         };
-        let named = || {
-            let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-            format!("{left} and {right}")
-        };
-        let mut matcher = Matcher::new(options, left.width(), left.height()).with_context(named)?;
-        let found = matcher.run(&left, &right).with_context(named)?;
+        let found = Matcher::new(options, left.width(), left.height())
+            .and_then(|mut matcher| matcher.run(&left, &right))
+            .with_context(|| self.views.named())?;
         let seconds = begin.elapsed().as_secs_f64();
         // The files need memory as well.
-        drop((matcher, left, right));
+        drop((left, right));
 
         progress.step("writing");
         let map = &found.disparity;
-        let mut files = vec![(&arguments.out, file::encode(map)?)];
-        if let Some(path) = &arguments.confidence {
+        let mut files = vec![(&self.out, file::encode(map)?)];
+        if let Some(path) = &self.confidence {
             let levels = found.confidence.map(u8::from_unit);
             files.push((path, png::encode(&levels)?));
         }
-        if let Some(path) = &arguments.picture {
-            files.push((path, png::encode(&picture_of(map))?));
+        if let Some(path) = &self.picture {
+            files.push((path, png::encode(&picture::captioned(map))?));
         }
         output::write_together(files)?;
         drop(progress);
 
-        let pixels = (map.width() * map.height()) as f64;
-        let confidence = found.confidence.values().iter().map(|c| f64::from(*c));
         Ok(Report {
-            out: arguments.out.display().to_string(),
-            next: arguments.reconstruction(),
+            out: self.out.display().to_string(),
+            next: self.reconstruction(),
             width_px: map.width(),
             height_px: map.height(),
-            max_disparity_px: arguments.max_disparity,
-            mode: arguments.mode,
-            least_px: map.range().map(|[least, _]| least),
-            greatest_px: map.range().map(|[_, greatest]| greatest),
-            density: 100.0 * map.known() as f64 / pixels,
-            mean_confidence: confidence.sum::<f64>() / pixels,
+            max_disparity_px: self.max_disparity,
+            mode: self.mode,
+            found: found.summary(),
             seconds,
         })
     }
@@ -179,11 +157,12 @@ impl Arguments {
     /// How the same views are reconstructed, where the file of cameras is beside them that
     /// `nullcone stereo rectify` writes.
     fn reconstruction(&self) -> Option<String> {
-        let rig = self.left.with_file_name(RIG);
+        let ViewPair { left, right } = &self.views;
+        let rig = left.with_file_name(RIG);
         let words = [
             "nullcone stereo reconstruct".as_ref(),
-            self.left.as_os_str(),
-            self.right.as_os_str(),
+            left.as_os_str(),
+            right.as_os_str(),
             "--rig".as_ref(),
             rig.as_os_str(),
             "--out".as_ref(),
@@ -193,26 +172,13 @@ impl Arguments {
     }
 }
 
-/// The map in the colours of its own range.
-fn picture_of(map: &DisparityMap) -> Plane<[u8; 3]> {
-    let range = map.range().unwrap_or_default().map(f64::from);
-    let scale = ColourScale::viridis(range);
-    picture::beside(&[Panel {
-        caption: "disparity".into(),
-        picture: scale.disparities(map),
-        scale,
-        most: format!("{:.1} px", range[1]),
-        marks: vec![(ColourScale::unknown, "unknown")],
-    }])
-}
-
 impl frame::Report for Report {
     fn next(&self) -> Option<String> {
         self.next.clone()
     }
 
     fn text(&self) -> String {
-        let range = match (self.least_px, self.greatest_px) {
+        let range = match (self.found.least, self.found.greatest) {
             (Some(least), Some(greatest)) => format!("{least:.2} to {greatest:.2} px"),
             _ => "none".into(),
         };
@@ -222,8 +188,8 @@ impl frame::Report for Report {
             self.out,
             self.width_px,
             self.height_px,
-            self.density,
-            self.mean_confidence,
+            self.found.density,
+            self.found.mean_confidence,
             self.seconds
         )
     }

@@ -4,8 +4,6 @@ mod calibrate;
 mod diagnose;
 mod evaluate;
 mod match_views;
-mod picture;
-mod pixels;
 mod pose;
 mod reconstruct;
 mod rectify;

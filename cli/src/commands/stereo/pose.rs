@@ -3,20 +3,16 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context as _, Error, Result, ensure};
-use ga_camera::Intrinsics;
+use anyhow::{Error, Result, ensure};
 use ga_camera::format::{self, NamedCamera};
-use ga_image::plane::Plane;
-use ga_runtime::cga3::Motor;
 use ga_vision::ViewGeometryError;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
-use ga_vision::relative_pose::{Options, RelativePose, estimate};
+use ga_vision::relative_pose::{MotionSummary, Options, estimate, retain_in_field};
 use serde::Serialize;
 
 use super::views;
-use crate::camera_file::{about, check_size, read_one};
-use crate::frame::{self, Command, Context, Progress};
-use crate::rotation::smaller_rotation;
+use crate::camera_file::{about, read_one};
+use crate::frame::{self, Command, Context};
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
 ///
@@ -75,12 +71,8 @@ pub(crate) struct Arguments {
 /// What is printed.
 #[derive(Serialize)]
 pub(crate) struct Report {
-    rotation_matrix: [[f64; 3]; 3],
-    rotation_axis: [f64; 3],
-    rotation_degrees: f64,
-    translation_direction: [f64; 3],
-    rotation_deviation_degrees: Option<f64>,
-    direction_deviation_degrees: Option<f64>,
+    #[serde(flatten)]
+    motion: MotionSummary,
     pairs: usize,
     pairs_outside_field: usize,
     inliers: usize,
@@ -93,157 +85,94 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
         let inputs = [&self.first, &self.second, &self.camera].into_iter();
         context.files(inputs.chain(&self.camera_b))?;
         ensure!(
-            arguments.threshold.is_finite() && arguments.threshold > 0.0,
+            self.threshold.is_finite() && self.threshold > 0.0,
             "--threshold {}: it must be positive and finite",
-            arguments.threshold
+            self.threshold
         );
         let progress = context.progress(3);
         progress.step("reading the views");
-        let [first, second] = cameras(arguments)?;
-        let views = [
-            views::read(&arguments.first)?,
-            views::read(&arguments.second)?,
-        ];
-        let second_path = arguments.camera_b.as_ref().unwrap_or(&arguments.camera);
-        for (path, camera, view_path, view) in [
-            (&arguments.camera, &first, &arguments.first, &views[0]),
-            (second_path, &second, &arguments.second, &views[1]),
-        ] {
-            views::check_side(view, view_path)?;
-            check_size(camera.size, [view.width(), view.height()], view_path, path)?;
+        let cameras = self.cameras()?;
+        let paths = [&*self.first, &*self.second];
+        let views = [views::read(paths[0])?, views::read(paths[1])?];
+        let second = self.camera_b.as_ref().unwrap_or(&self.camera);
+        let files = [&self.camera, second];
+        for side in 0..2 {
+            let view = &views[side];
+            views::check_side(view, paths[side])?;
+            let size = [view.width(), view.height()];
+            cameras[side].check_size(size, paths[side], files[side])?;
         }
 
         let begin = Instant::now();
         progress.step("matching corners");
-        let [a, b] = &views;
-        let found = pose(
-            a,
-            b,
-            [&first.intrinsics()?, &second.intrinsics()?],
-            arguments,
-            &progress,
-        )
-        .with_context(|| {
-            let [a, b] = [&arguments.first, &arguments.second].map(|path| path.display());
-            format!("{a} and {b}")
+        let named = || format!("{} and {}", paths[0].display(), paths[1].display());
+        let [a, b] = cameras.each_ref().map(NamedCamera::intrinsics);
+        let (left, right) = (a?, b?);
+        let matching = ViewOptions {
+            detect: DetectOptions {
+                features: self.features,
+                ..DetectOptions::default()
+            },
+            ..ViewOptions::default()
+        };
+        let mut pairs = match_views(&views[0], &views[1], &matching);
+        let matched = pairs.len();
+        let outside = retain_in_field(&mut pairs, &left, &right);
+        progress.step("searching the motion");
+        let options = Options {
+            threshold: self.threshold,
+            seed: self.seed,
+            ..Options::default()
+        };
+        let found = estimate(&pairs, &left, &right, &options);
+        let found = found.map_err(|error| {
+            let corners = match (error, outside) {
+                (ViewGeometryError::TooFew { needed, .. }, _) if matched < needed => {
+                    views::few_matches(views.each_ref(), paths, &matching.detect, needed)
+                }
+                (_, 0) => format!("{matched} pairs of corners"),
+                _ => format!(
+                    "{matched} pairs of corners, {outside} of them outside the field of a lens"
+                ),
+            };
+            Error::new(error).context(corners).context(named())
         })?;
         let seconds = begin.elapsed().as_secs_f64();
         drop(progress);
 
-        Ok(Report::new(&found, seconds))
-    }
-}
-
-/// The cameras of both views.
-fn cameras(arguments: &Arguments) -> Result<[NamedCamera; 2]> {
-    let (path, name) = (&arguments.camera, arguments.view.as_deref());
-    let name_b = arguments.view_b.as_deref();
-    if let Some(other) = &arguments.camera_b {
-        return Ok([read_one(path, name)?, read_one(other, name_b)?]);
-    }
-    let file = format::read(path)?;
-    let found = match (name, name_b, file.cameras.as_slice()) {
-        (None, None, [first, second]) => Ok([first, second]),
-        (None, Some(name_b), [first, _]) => file.camera(name_b).map(|second| [first, second]),
-        _ => file.one(name).and_then(|first| {
-            let second = name_b.map_or(Ok(first), |name| file.camera(name))?;
-            Ok([first, second])
-        }),
-    };
-    let found = found.map_err(|error| about(path, error))?;
-    Ok(found.map(NamedCamera::clone))
-}
-
-/// A motion, and the corners that it was found from.
-struct Found {
-    motion: RelativePose,
-    /// How many corners were matched.
-    pairs: usize,
-    /// How many of them have no direction.
-    outside: usize,
-}
-
-fn pose(
-    first: &Plane<u8>,
-    second: &Plane<u8>,
-    cameras: [&Intrinsics; 2],
-    arguments: &Arguments,
-    progress: &Progress,
-) -> Result<Found> {
-    let matching = ViewOptions {
-        detect: DetectOptions {
-            features: arguments.features,
-            ..DetectOptions::default()
-        },
-        ..ViewOptions::default()
-    };
-    let mut pairs = match_views(first, second, &matching);
-    let matched = pairs.len();
-    // Near the corners of a view, the distortion of a wide lens may not be invertible.
-    pairs.retain(|pair| {
-        cameras[0].direction(pair.left).is_ok() && cameras[1].direction(pair.right).is_ok()
-    });
-    progress.step("searching the motion");
-    let options = Options {
-        threshold: arguments.threshold,
-        seed: arguments.seed,
-        ..Options::default()
-    };
-    let outside = matched - pairs.len();
-    let motion = estimate(&pairs, cameras[0], cameras[1], &options);
-    let motion = motion.map_err(|error| {
-        let corners = match (error, outside) {
-            (ViewGeometryError::TooFew { needed, .. }, _) if matched < needed => {
-                let paths = [&*arguments.first, &*arguments.second];
-                views::few_matches([first, second], paths, &matching.detect, needed)
-            }
-            (_, 0) => format!("{matched} pairs of corners"),
-            _ => {
-                format!("{matched} pairs of corners, {outside} of them outside the field of a lens")
-            }
-        };
-        Error::new(error).context(corners)
-    })?;
-    Ok(Found {
-        motion,
-        pairs: matched,
-        outside,
-    })
-}
-
-impl Report {
-    fn new(found: &Found, seconds: f64) -> Self {
-        let Found {
-            motion: found,
-            pairs,
-            outside,
-        } = found;
-        let motion: Motor<f64> = found.left_to_right.motor;
-        let rotor = motion.rotor();
-        let (rotation_axis, rotation_degrees) = smaller_rotation(rotor);
-        Self {
-            rotation_matrix: rotor.to_matrix(),
-            rotation_axis,
-            rotation_degrees,
-            translation_direction: motion.translator().displacement(),
-            rotation_deviation_degrees: found.rotation_deviation().map(f64::to_degrees),
-            direction_deviation_degrees: found.direction_deviation().map(f64::to_degrees),
-            pairs: *pairs,
-            pairs_outside_field: *outside,
+        Ok(Report {
+            motion: found.summary(),
+            pairs: matched,
+            pairs_outside_field: outside,
             inliers: found.inliers.len(),
             in_front: found.in_front,
             rms_px: found.root_mean_square,
             seconds,
+        })
+    }
+}
+
+impl Arguments {
+    /// The cameras of both views.
+    fn cameras(&self) -> Result<[NamedCamera; 2]> {
+        let (path, name) = (&self.camera, self.view.as_deref());
+        let name_b = self.view_b.as_deref();
+        if let Some(other) = &self.camera_b {
+            return Ok([read_one(path, name)?, read_one(other, name_b)?]);
         }
+        let file = format::read(path)?;
+        let found = file.of_two_views([name, name_b]);
+        let found = found.map_err(|error| about(path, error))?;
+        Ok(found.map(NamedCamera::clone))
     }
 }
 
 impl frame::Report for Report {
     fn text(&self) -> String {
+        let motion = &self.motion;
         let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
         let deviation = |value: Option<f64>| match value {
             Some(value) => format!(" ± {value:.3}°"),
@@ -256,11 +185,11 @@ impl frame::Report for Report {
         format!(
             "rotation {:.4}°{} about {}\ntranslation along {}{}\n\
              {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n{outside}",
-            self.rotation_degrees,
-            deviation(self.rotation_deviation_degrees),
-            vector(self.rotation_axis),
-            vector(self.translation_direction),
-            deviation(self.direction_deviation_degrees),
+            motion.rotation_degrees,
+            deviation(motion.rotation_deviation_degrees),
+            vector(motion.rotation_axis),
+            vector(motion.translation_direction),
+            deviation(motion.direction_deviation_degrees),
             self.inliers,
             self.pairs,
             self.rms_px,

@@ -1,32 +1,23 @@
 //! `nullcone stereo reconstruct`: two views as a cloud of points or a surface in metres.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
-use ga_camera::rig::RectifiedRig;
-use ga_image::grey::Luma;
-use ga_image::plane::Plane;
+use ga_camera::frame::y_up;
 use ga_image::png;
-use ga_mesh::Mesh;
 use ga_mesh::format::Options;
-use ga_numerics::order_statistics::Sorted;
-use ga_runtime::cga3::{Motor, Rotor};
-use ga_vision::disparity::DisparityMap;
-use ga_vision::matcher::{Matcher, MatcherOptions};
-use ga_vision::rectification::{Rectification, RectificationOptions};
-use ga_vision::surface::{Surface, SurfaceOptions, disparity_range, seen_by_both};
+use ga_runtime::cga3::Motor;
+use ga_vision::surface::{DepthSummary, PairOptions, RectifiedPair, Surface, SurfaceOptions};
 use serde::Serialize;
 
 use super::match_views::{Mode, threads};
-use super::views;
+use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
-use crate::mesh_file;
-use crate::output;
+use crate::{mesh_file, output};
 
 /// Reconstruct what two cameras see, in metres.
 ///
@@ -54,12 +45,8 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The left view.
-    #[arg(value_name = "LEFT")]
-    left: PathBuf,
-    /// The right view.
-    #[arg(value_name = "RIGHT")]
-    right: PathBuf,
+    #[command(flatten)]
+    views: ViewPair,
     /// The two cameras: YAML with M1, D1, M2, D2, R and T in one file, a calib.txt, or two views in
     /// JSON. OpenCV's examples write two files: append extrinsics.yml, without `%YAML:1.0` and
     /// `---`, to intrinsics.yml.
@@ -128,125 +115,101 @@ pub(crate) struct Report {
     mode: Mode,
     points: usize,
     triangles: usize,
-    density: f64,
-    nearest_metres: f64,
-    median_metres: f64,
-    farthest_metres: f64,
+    #[serde(flatten)]
+    depths: DepthSummary,
     bounds_metres: [[f64; 3]; 2],
     baseline_metres: f64,
     focal_px: f64,
     seconds: f64,
 }
 
-/// Two rectified views, which of their pixels were seen, and the cameras.
-struct Pair {
-    views: [Plane<[u8; 3]>; 2],
-    inside: [Plane<bool>; 2],
-    rig: RectifiedRig,
-    /// From the frame of the rectified left camera into that of the left camera.
-    to_left: Motor<f64>,
-    /// An upper bound of the disparities, where the file of the rig has one.
-    disparities: Option<usize>,
-}
-
 impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let mut files = context.files([&arguments.left, &arguments.right, &arguments.rig])?;
+        let mut files = context.files(self.views.paths().into_iter().chain([&*self.rig]))?;
         let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
-        let format = files.write("--out", &arguments.out, &formats)?;
-        let kind = Kind::new(arguments, format)?;
+        let format = files.write("--out", &self.out, &formats)?;
+        self.check(format)?;
         let begin = Instant::now();
         let progress = context.progress(5);
         progress.step("reading the views");
-        let views = views::read_colour_pair(&arguments.left, &arguments.right)?;
+        let views = self.views.read()?.map(|view| view.to_rgb());
         progress.step("rectifying");
-        let pair = rectify(views, arguments)?;
+        let size = [views[0].width(), views[0].height()];
+        let file = self.chosen.read(&self.rig)?;
+        file.check_sizes(size, self.views.paths(), &self.rig)?;
+        let pair = match file.rectified {
+            Some(rectified) => RectifiedPair::new(views, rectified.rig),
+            None => RectifiedPair::rectify(&views, &file.rig)
+                .with_context(|| self.rig.display().to_string())?,
+        };
         progress.step("matching");
-        let (map, range) = disparities(&pair, arguments)?;
+        let given = file.rectified.and_then(|rectified| rectified.disparities);
+        let options = PairOptions {
+            max_disparity: self.max_disparity.or(given),
+            mode: self.mode.into(),
+            threads: self.threads.map_or(0, usize::from),
+            least_confidence: self.min_confidence,
+        };
+        let found = pair.disparities(&options);
+        let (map, range) = found.with_context(|| self.views.named())?;
         progress.step("building the model");
         let options = SurfaceOptions {
-            cut_px: arguments.cut,
-            step: arguments.step,
-            depths: [arguments.near, arguments.far],
+            cut_px: self.cut,
+            step: self.step,
+            depths: [self.near, self.far],
         };
-        let surface = Surface::new(&map, &pair.rig, &options).with_context(|| {
-            let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-            format!("{left} and {right} with {}", arguments.rig.display())
-        })?;
-        let mut depths: Vec<f64> = surface.points().iter().map(|point| point.e3()).collect();
-        let depths = Sorted::new(&mut depths).context("the surface has no points")?;
-        let surface = surface.moved(&(arguments.axes.motor() * pair.to_left));
-        let mesh = kind.mesh(&surface, &pair.views[0])?;
+        let rig = pair.rig();
+        let surface = Surface::new(&map, rig, &options)
+            .with_context(|| format!("{} with {}", self.views.named(), self.rig.display()))?;
+        let depths = surface.summary();
+        let surface = surface.moved(&(self.axes.motor() * pair.to_left()));
+        let view = &pair.views()[0];
+        let mesh = if self.cloud || (format == Format::Ply && !self.surface) {
+            surface.to_cloud(view)?
+        } else if self.texture {
+            surface.to_textured_mesh("image/png", png::encode(view)?.into())?
+        } else {
+            surface.to_mesh(view)?
+        };
         progress.step("writing");
-        let files = mesh_file::files(&arguments.out, format, &mesh, &Options::default())?;
+        let files = mesh_file::files(&self.out, format, &mesh, &Options::default())?;
         output::write_together(files)?;
         drop(progress);
 
-        let [width, height] = surface.size();
-        let grid = width.div_ceil(arguments.step) * height.div_ceil(arguments.step);
+        let [width_px, height_px] = surface.size();
         Ok(Report {
-            out: arguments.out.display().to_string(),
-            width_px: width,
-            height_px: height,
+            out: self.out.display().to_string(),
+            width_px,
+            height_px,
             max_disparity_px: range,
-            mode: arguments.mode,
+            mode: self.mode,
             points: mesh.vertex_count(),
             triangles: mesh.faces().len(),
-            density: 100.0 * depths.values().len() as f64 / grid as f64,
-            nearest_metres: depths.quantile(0.0),
-            median_metres: depths.median(),
-            farthest_metres: depths.quantile(1.0),
+            depths,
             bounds_metres: surface.bounds(),
-            baseline_metres: pair.rig.baseline(),
-            focal_px: pair.rig.left().focal()[0],
+            baseline_metres: rig.baseline(),
+            focal_px: rig.left().focal()[0],
             seconds: begin.elapsed().as_secs_f64(),
         })
     }
 }
 
-/// What is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Cloud,
-    Coloured,
-    Textured,
-}
-
-impl Kind {
-    /// By the flags, or by the ending of the file.
-    fn new(arguments: &Arguments, format: Format) -> Result<Self> {
+impl Arguments {
+    /// Fails where the arguments contradict each other.
+    fn check(&self, format: Format) -> Result<()> {
         ensure!(
-            (0.0..=1.0).contains(&arguments.min_confidence),
+            (0.0..=1.0).contains(&self.min_confidence),
             "--min-confidence {} is not from 0 to 1",
-            arguments.min_confidence
+            self.min_confidence
         );
-        if arguments.texture && format == Format::Ply {
-            bail!(
-                "{}: PLY holds no pictures; --texture needs .obj or .glb",
-                arguments.out.display()
-            );
-        }
-        let by_ending = format == Format::Ply && !arguments.surface;
-        Ok(if arguments.cloud || by_ending {
-            Self::Cloud
-        } else if arguments.texture {
-            Self::Textured
-        } else {
-            Self::Coloured
-        })
-    }
-
-    fn mesh(self, surface: &Surface, view: &Plane<[u8; 3]>) -> Result<Mesh> {
-        Ok(match self {
-            Self::Cloud => surface.to_cloud(view)?,
-            Self::Coloured => surface.to_mesh(view)?,
-            Self::Textured => {
-                surface.to_textured_mesh("image/png", Arc::from(png::encode(view)?))?
-            }
-        })
+        ensure!(
+            !(self.texture && format == Format::Ply),
+            "{}: PLY holds no pictures; --texture needs .obj or .glb",
+            self.out.display()
+        );
+        Ok(())
     }
 }
 
@@ -254,74 +217,10 @@ impl Axes {
     /// From the frame of a camera.
     pub(in crate::commands) fn motor(self) -> Motor<f64> {
         match self {
-            // A rotation by 180° about x.
-            Self::YUp => Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0).into(),
+            Self::YUp => y_up(),
             Self::Camera => Motor::default(),
         }
     }
-}
-
-/// Rectifies the views with the rig of a file.
-fn rectify(views: [Plane<[u8; 3]>; 2], arguments: &Arguments) -> Result<Pair> {
-    let path = &arguments.rig;
-    let size = [views[0].width(), views[0].height()];
-    let rig = arguments.chosen.read(path)?;
-    rig.check_sizes(size, [&arguments.left, &arguments.right], path)?;
-    if let Some(rectified) = rig.rectified {
-        return Ok(Pair {
-            inside: [(); 2].map(|()| Plane::filled(size[0], size[1], true)),
-            views,
-            rig: rectified.rig,
-            to_left: Motor::default(),
-            disparities: rectified.disparities,
-        });
-    }
-    let found = Rectification::new(&rig.rig, size, RectificationOptions::default())
-        .with_context(|| path.display().to_string())?;
-    let maps = [found.left_map(), found.right_map()];
-    let warped = |side: usize| {
-        let view = maps[side].warped(&views[side], [0; 3]);
-        view.with_context(|| path.display().to_string())
-    };
-    Ok(Pair {
-        views: [warped(0)?, warped(1)?],
-        inside: maps.each_ref().map(ga_image::warp::Warp::inside),
-        rig: found.rig,
-        to_left: found.left.motor.reverse(),
-        disparities: None,
-    })
-}
-
-/// The disparities of what both cameras see, and the range they were looked for in.
-fn disparities(pair: &Pair, arguments: &Arguments) -> Result<(DisparityMap, usize)> {
-    let named = || {
-        let [left, right] = [&arguments.left, &arguments.right].map(|path| path.display());
-        format!("{left} and {right}")
-    };
-    let threads = arguments.threads.map_or(0, usize::from);
-    let [left, right] = pair.views.each_ref().map(|view| Luma::Bt601.plane(view));
-    let given = arguments.max_disparity.or(pair.disparities);
-    let max_disparity = match given {
-        Some(range) => range,
-        None => disparity_range(&left, &right, threads).with_context(named)?,
-    };
-    let options = MatcherOptions {
-        max_disparity,
-        mode: arguments.mode.into(),
-        threads,
-    };
-    let mut matcher = Matcher::new(options, left.width(), left.height()).with_context(named)?;
-    let found = matcher.run(&left, &right).with_context(named)?;
-    let [left, right] = &pair.inside;
-    let seen = seen_by_both(&found.disparity, [left.view(), right.view()])?;
-    let mut pixels = seen.into_plane();
-    let confidence = found.confidence.values();
-    for (disparity, confidence) in pixels.values_mut().iter_mut().zip(confidence) {
-        if *confidence < arguments.min_confidence {
-            *disparity = f32::NAN;
-        }
-    }
-    Ok((DisparityMap::new(pixels), max_disparity))
 }
 
 impl frame::Report for Report {
@@ -339,10 +238,10 @@ impl frame::Report for Report {
             self.points,
             self.width_px,
             self.height_px,
-            self.density,
-            self.nearest_metres,
-            self.farthest_metres,
-            self.median_metres,
+            self.depths.density,
+            self.depths.nearest,
+            self.depths.farthest,
+            self.depths.median,
             self.max_disparity_px,
             self.baseline_metres,
             self.focal_px,

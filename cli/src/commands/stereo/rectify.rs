@@ -1,17 +1,16 @@
 //! `nullcone stereo rectify`: views in which the images of a point are in one row.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result};
 use ga_image::png;
-use ga_runtime::cga3::Motor;
-use ga_vision::rectification::{Rectangle, Rectification, RectificationOptions};
+use ga_vision::rectification::{Rectification, RectificationOptions, RectificationSummary};
 use serde::Serialize;
 
-use super::pixels;
+use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::frame::{self, Command, Context, command_line};
-use crate::output::{self, File};
+use crate::output;
 
 const LEFT: &str = "left.png";
 const RIGHT: &str = "right.png";
@@ -37,12 +36,8 @@ pub(super) const RIG: &str = "rig.yml";
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The left view.
-    #[arg(value_name = "LEFT")]
-    left: PathBuf,
-    /// The right view.
-    #[arg(value_name = "RIGHT")]
-    right: PathBuf,
+    #[command(flatten)]
+    views: ViewPair,
     /// The two cameras and the motion between them.
     #[arg(long, value_name = "FILE")]
     rig: PathBuf,
@@ -60,7 +55,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     separate_centres: bool,
     /// The size of the results, such as 800x600; by default that of the views.
-    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = pixels::size)]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Option<[usize; 2]>,
 }
 
@@ -69,119 +64,68 @@ pub(crate) struct Arguments {
 pub(crate) struct Report {
     #[serde(skip)]
     folder: PathBuf,
-    width_px: usize,
-    height_px: usize,
-    focal_px: f64,
-    left_principal_px: [f64; 2],
-    right_principal_px: [f64; 2],
-    disparity_offset_px: f64,
-    baseline_metres: f64,
-    left_rotation_degrees: f64,
-    right_rotation_degrees: f64,
-    left_valid_px: Valid,
-    right_valid_px: Valid,
+    #[serde(flatten)]
+    found: RectificationSummary,
 }
 
-/// A part of a picture in which every pixel was seen.
-#[derive(Serialize)]
-struct Valid {
-    left: usize,
-    top: usize,
-    width: usize,
-    height: usize,
+/// A size such as `800x600`.
+fn size(text: &str) -> Result<[usize; 2], String> {
+    let parse = |word: &str| word.parse::<u16>().ok().filter(|count| *count > 1);
+    let parts = text.split_once(['x', '×']);
+    match parts.map(|(width, height)| (parse(width), parse(height))) {
+        Some((Some(width), Some(height))) => Ok([width.into(), height.into()]),
+        _ => Err("a size is two numbers from 2 to 65535 such as 800x600".to_owned()),
+    }
 }
 
 impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let inputs = [&arguments.left, &arguments.right, &arguments.rig];
+        let inputs = self.views.paths().into_iter().chain([&*self.rig]);
         context
             .files(inputs)?
-            .write_folder("--out", &arguments.out, [LEFT, RIGHT, RIG])?;
+            .write_folder("--out", &self.out, [LEFT, RIGHT, RIG])?;
         let progress = context.progress(4);
         progress.step("reading the views");
-        let file = arguments.chosen.read(&arguments.rig)?;
-        let left = ga_image::file::read(&arguments.left)?;
-        let right = ga_image::file::read(&arguments.right)?;
+        let file = self.chosen.read(&self.rig)?;
+        let [left, right] = self.views.read()?;
         let size = [left.width(), left.height()];
-        ensure!(
-            size == [right.width(), right.height()],
-            "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
-            arguments.left.display(),
-            size[0],
-            size[1],
-            arguments.right.display(),
-            right.width(),
-            right.height()
-        );
-        file.check_sizes(size, [&arguments.left, &arguments.right], &arguments.rig)?;
+        file.check_sizes(size, self.views.paths(), &self.rig)?;
 
         progress.step("rectifying");
         let options = RectificationOptions {
-            zero_disparity: !arguments.separate_centres,
-            alpha: arguments.alpha,
-            size: arguments.size,
+            zero_disparity: !self.separate_centres,
+            alpha: self.alpha,
+            size: self.size,
         };
         let found = Rectification::new(&file.rig, size, options)
-            .with_context(|| format!("{} cannot be rectified", arguments.rig.display()))?;
+            .with_context(|| format!("{} cannot be rectified", self.rig.display()))?;
         let new_left = left.view().warped(&found.left_map())?;
         let new_right = right.view().warped(&found.right_map())?;
 
         progress.step("encoding");
         let files = [
-            File {
-                name: LEFT,
-                contents: png::encode(&new_left)?,
-            },
-            File {
-                name: RIGHT,
-                contents: png::encode(&new_right)?,
-            },
-            File {
-                name: RIG,
-                contents: found.storage()?.encode().into_bytes(),
-            },
+            (LEFT, png::encode(&new_left)?),
+            (RIGHT, png::encode(&new_right)?),
+            (RIG, found.storage()?.encode().into_bytes()),
         ];
         progress.step("writing");
-        output::write_all(&arguments.out, &files)?;
+        let files = files.map(|(name, contents)| (self.out.join(name), contents));
+        output::write_together(files)?;
         drop(progress);
 
-        Ok(Report::new(&found, &arguments.out))
-    }
-}
-
-impl Report {
-    fn new(found: &Rectification, folder: &Path) -> Self {
-        let degrees = |motor: Motor<f64>| motor.rotor().to_axis_angle().1.to_degrees();
-        let valid = |part: Rectangle| Valid {
-            left: part.left,
-            top: part.top,
-            width: part.width,
-            height: part.height,
-        };
-        Self {
-            folder: folder.to_path_buf(),
-            width_px: found.size[0],
-            height_px: found.size[1],
-            focal_px: found.rig.left().focal()[0],
-            left_principal_px: found.rig.left().principal(),
-            right_principal_px: found.rig.right().principal(),
-            disparity_offset_px: found.rig.disparity_offset(),
-            baseline_metres: found.rig.baseline(),
-            left_rotation_degrees: degrees(found.left.motor),
-            right_rotation_degrees: degrees(found.right.motor),
-            left_valid_px: valid(found.valid[0]),
-            right_valid_px: valid(found.valid[1]),
-        }
+        Ok(Report {
+            folder: self.out.clone(),
+            found: found.summary(),
+        })
     }
 }
 
 impl frame::Report for Report {
     /// Disparities are looked for in a quarter of the width, and are mostly less.
     fn next(&self) -> Option<String> {
-        let range = self.width_px.div_ceil(4).to_string();
+        let range = self.found.width.div_ceil(4).to_string();
         let [left, right] = [LEFT, RIGHT].map(|name| self.folder.join(name));
         Some(command_line([
             "nullcone stereo match".as_ref(),
@@ -195,20 +139,18 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
+        let found = &self.found;
+        let ([left_u, left_v], [right_u, right_v]) = (found.left_principal, found.right_principal);
         format!(
             "{} × {} pixels, focal length {:.3} px, baseline {:.6} m\n\
-             principal points {:.3}, {:.3} px and {:.3}, {:.3} px\n\
+             principal points {left_u:.3}, {left_v:.3} px and {right_u:.3}, {right_v:.3} px\n\
              rotated by {:.3}° and {:.3}°\n",
-            self.width_px,
-            self.height_px,
-            self.focal_px,
-            self.baseline_metres,
-            self.left_principal_px[0],
-            self.left_principal_px[1],
-            self.right_principal_px[0],
-            self.right_principal_px[1],
-            self.left_rotation_degrees,
-            self.right_rotation_degrees
+            found.width,
+            found.height,
+            found.focal,
+            found.baseline,
+            found.left_rotation_degrees,
+            found.right_rotation_degrees
         )
     }
 }

@@ -8,7 +8,7 @@ use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
-use crate::camera_file::{about, check_size, read_one};
+use crate::camera_file::{about, read_one};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
@@ -64,34 +64,29 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
-        let mut files = context.files([&arguments.picture, &arguments.camera])?;
-        files.write("--out", &arguments.out, &[Format::Png])?;
-        files.write_if_given(
-            "--new-camera",
-            arguments.new_camera.as_ref(),
-            &[Format::Yaml],
-        )?;
+        let mut files = context.files([&self.picture, &self.camera])?;
+        files.write("--out", &self.out, &[Format::Png])?;
+        files.write_if_given("--new-camera", self.new_camera.as_ref(), &[Format::Yaml])?;
         let progress = context.progress(3);
         progress.step("reading the picture");
-        let camera = read_one(&arguments.camera, arguments.view.as_deref())?;
+        let camera = read_one(&self.camera, self.view.as_deref())?;
         let intrinsics = camera.intrinsics();
-        let intrinsics = intrinsics.map_err(|error| about(&arguments.camera, error))?;
-        let old = ga_image::file::read(&arguments.picture)?;
+        let intrinsics = intrinsics.map_err(|error| about(&self.camera, error))?;
+        let old = ga_image::file::read(&self.picture)?;
         let size = [old.width(), old.height()];
-        check_size(camera.size, size, &arguments.picture, &arguments.camera)?;
+        camera.check_size(size, &self.picture, &self.camera)?;
 
         progress.step("removing the distortion");
-        let found = Undistortion::new(intrinsics, size, arguments.alpha)
-            .with_context(|| arguments.picture.display().to_string())?;
+        let found = Undistortion::new(intrinsics, size, self.alpha)
+            .with_context(|| self.picture.display().to_string())?;
         let map = found.map();
         let new = old.view().warped(&map)?;
         let inside = map.inside();
         let unseen = inside.values().iter().filter(|inside| !**inside).count();
 
         progress.step("writing");
-        let mut files = vec![(&arguments.out, png::encode(&new)?)];
-        if let Some(path) = &arguments.new_camera {
+        let mut files = vec![(&self.out, png::encode(&new)?)];
+        if let Some(path) = &self.new_camera {
             files.push((path, camera::encode(&found.target, Some(size)).into_bytes()));
         }
         output::write_together(files)?;
@@ -109,16 +104,11 @@ impl Command for Arguments {
 
 impl frame::Report for Report {
     fn text(&self) -> String {
+        let ([fx, fy], [cx, cy]) = (self.focal_px, self.principal_px);
         format!(
-            "{} × {} pixels, {:.2} % unseen\nfocal lengths {:.3}, {:.3} px\n\
-             principal point {:.3}, {:.3} px\n",
-            self.width_px,
-            self.height_px,
-            self.unseen_percent,
-            self.focal_px[0],
-            self.focal_px[1],
-            self.principal_px[0],
-            self.principal_px[1]
+            "{} × {} pixels, {:.2} % unseen\nfocal lengths {fx:.3}, {fy:.3} px\n\
+             principal point {cx:.3}, {cy:.3} px\n",
+            self.width_px, self.height_px, self.unseen_percent
         )
     }
 }

@@ -1,16 +1,63 @@
 //! The views of a scene, from picture files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 use ga_image::file;
 use ga_image::grey::Luma;
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_vision::feature::{DetectOptions, LEAST_SIDE, detect};
+
+/// The views of two cameras.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ViewPair {
+    /// The left view.
+    #[arg(value_name = "LEFT")]
+    pub(super) left: PathBuf,
+    /// The right view.
+    #[arg(value_name = "RIGHT")]
+    pub(super) right: PathBuf,
+}
+
+impl ViewPair {
+    pub(super) fn paths(&self) -> [&Path; 2] {
+        [&self.left, &self.right]
+    }
+
+    /// How errors name them.
+    pub(super) fn named(&self) -> String {
+        format!("{} and {}", self.left.display(), self.right.display())
+    }
+
+    /// Reads both, which must have one size.
+    pub(super) fn read(&self) -> Result<[Picture; 2]> {
+        let pictures = [file::read(&self.left)?, file::read(&self.right)?];
+        let [a, b] = pictures.each_ref().map(|p| [p.width(), p.height()]);
+        ensure!(
+            a == b,
+            "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
+            self.left.display(),
+            a[0],
+            a[1],
+            self.right.display(),
+            b[0],
+            b[1]
+        );
+        Ok(pictures)
+    }
+}
 
 /// Reads a view in grey. Colours become grey by the weights of ITU-R BT.601.
 pub(super) fn read(path: &Path) -> Result<Plane<u8>> {
     Ok(file::read(path)?.to_grey(Luma::Bt601))
+}
+
+/// Reads two views of the same size in grey.
+pub(in crate::commands) fn read_pair(left: &Path, right: &Path) -> Result<[Plane<u8>; 2]> {
+    let [left, right] = [left, right].map(Path::to_path_buf);
+    let pictures = ViewPair { left, right }.read()?;
+    Ok(pictures.map(|picture| picture.to_grey(Luma::Bt601)))
 }
 
 /// Fails where a view is too small for features.
@@ -42,30 +89,4 @@ pub(super) fn few_matches(
     }
     let [left, right] = paths.map(Path::display);
     format!("{left} and {right} seem to show different scenes")
-}
-
-/// Reads two views of the same size in grey.
-pub(in crate::commands) fn read_pair(left: &Path, right: &Path) -> Result<[Plane<u8>; 2]> {
-    of_one_size([read(left)?, read(right)?], [left, right])
-}
-
-/// Reads two views of the same size in colour; grey ones have three equal channels.
-pub(super) fn read_colour_pair(left: &Path, right: &Path) -> Result<[Plane<[u8; 3]>; 2]> {
-    let read = |path: &Path| -> Result<Plane<[u8; 3]>> { Ok(file::read(path)?.to_rgb()) };
-    of_one_size([read(left)?, read(right)?], [left, right])
-}
-
-fn of_one_size<T: Copy>(views: [Plane<T>; 2], [left, right]: [&Path; 2]) -> Result<[Plane<T>; 2]> {
-    let [first, second] = views.each_ref().map(|view| [view.width(), view.height()]);
-    ensure!(
-        first == second,
-        "the views differ in size: {} has {} × {} pixels and {} has {} × {}",
-        left.display(),
-        first[0],
-        first[1],
-        right.display(),
-        second[0],
-        second[1]
-    );
-    Ok(views)
 }

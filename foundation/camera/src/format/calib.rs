@@ -21,7 +21,7 @@ use super::camera_file::{CameraFile, NamedCamera, Rectified};
 use super::error::{CameraFileError, Place, wrong_type};
 use super::rig::SIDES;
 use crate::Intrinsics;
-use crate::rig::{RectifiedRig, RectifiedRigError};
+use crate::rig::{RectifiedRig, RigError};
 
 /// The rectified rig of a file.
 pub(super) fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
@@ -31,9 +31,10 @@ pub(super) fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
     let (baseline_line, millimetres) = entries.required::<f64>("baseline", "a number")?;
     let rig = RectifiedRig::new(left, right, millimetres * 1e-3).map_err(|error| {
         let line = match error {
-            RectifiedRigError::Baseline(_) => baseline_line,
+            RigError::Baseline(_) => baseline_line,
             _ => entries.find("cam1").map_or(0, |(line, _)| line),
         };
+        let error = Box::new(error);
         CameraFileError::Rectified { line, error }
     })?;
     if let Some((line, found)) = entries.optional::<f64>("doffs", "a number")? {

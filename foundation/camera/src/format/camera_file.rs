@@ -1,10 +1,10 @@
 //! The cameras of a file, whatever its format.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ga_runtime::cga3::Motor;
 
-use super::error::CameraFileError;
+use super::error::{CameraFileError, PictureSizeError};
 use crate::rig::{RectifiedRig, StereoRig};
 use crate::{Camera, Intrinsics};
 
@@ -45,6 +45,34 @@ pub struct NamedCamera {
     pub far: Option<f64>,
     intrinsics: Intrinsics,
     skew: f64,
+}
+
+/// Two cameras of a file as a rig.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedRig {
+    /// The cameras, in the frame of the left one.
+    pub rig: StereoRig,
+    /// What the file says of rectified pictures, where it lists these cameras and their views are
+    /// such.
+    pub rectified: Option<Rectified>,
+    /// The left and the right camera as the file has them.
+    pub cameras: [NamedCamera; 2],
+}
+
+impl NamedRig {
+    /// Checks that the views, which have one size, are as large as the file says.
+    ///
+    /// # Errors
+    /// [`PictureSizeError`], which names the first view that is not, and the file.
+    pub fn check_sizes(
+        &self,
+        found: [usize; 2],
+        views: [&Path; 2],
+        file: &Path,
+    ) -> Result<(), PictureSizeError> {
+        let mut sides = self.cameras.iter().zip(views);
+        sides.try_for_each(|(camera, view)| camera.check_size(found, view, file))
+    }
 }
 
 /// The name of the camera of a file that holds one.
@@ -125,6 +153,27 @@ impl NamedCamera {
         })
     }
 
+    /// Checks that a picture has the size that the camera is for, where its file states one.
+    ///
+    /// # Errors
+    /// [`PictureSizeError`], which names the picture and the file.
+    pub fn check_size(
+        &self,
+        found: [usize; 2],
+        picture: &Path,
+        file: &Path,
+    ) -> Result<(), PictureSizeError> {
+        match self.size {
+            Some(expected) if expected != found => Err(PictureSizeError {
+                picture: picture.to_owned(),
+                found,
+                file: file.to_owned(),
+                expected,
+            }),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether the camera has a name, or its picture has it, with or without its ending.
     #[must_use]
     pub fn is_named(&self, name: &str) -> bool {
@@ -188,6 +237,53 @@ impl CameraFile {
             ([], [left, right]) => Ok([left, right]),
             _ => Err(self.several("a pair")),
         }
+    }
+
+    /// The camera for one side of a pair, 0 on the left and 1 on the right: the only one, or of two
+    /// the one in its place.
+    ///
+    /// # Errors
+    /// [`CameraFileError::Several`] where there are more than two.
+    pub fn side(&self, side: usize) -> Result<&NamedCamera, CameraFileError> {
+        match self.cameras.as_slice() {
+            [left, right] => Ok([left, right][side.min(1)]),
+            _ => self.one(None),
+        }
+    }
+
+    /// The cameras of two views, each by its name where one is given: without the first name, the
+    /// first of two cameras, or the only one; without the second name, the second of two where the
+    /// first has no name either, or else the camera of the first view.
+    ///
+    /// # Errors
+    /// As [`one`](Self::one).
+    pub fn of_two_views(
+        &self,
+        [first, second]: [Option<&str>; 2],
+    ) -> Result<[&NamedCamera; 2], CameraFileError> {
+        match (first, second, self.cameras.as_slice()) {
+            (None, None, [first, second]) => Ok([first, second]),
+            (None, Some(name), [first, _]) => Ok([first, self.camera(name)?]),
+            _ => {
+                let first = self.one(first)?;
+                let second = second.map_or(Ok(first), |name| self.camera(name))?;
+                Ok([first, second])
+            }
+        }
+    }
+
+    /// The rig of a [`pair`](Self::pair) with what the file says of its pictures.
+    ///
+    /// # Errors
+    /// As [`rig`](Self::rig).
+    pub fn named_rig(&self, names: &[String]) -> Result<NamedRig, CameraFileError> {
+        let pair = self.pair(names)?;
+        let as_listed = pair.into_iter().eq(self.cameras.iter());
+        Ok(NamedRig {
+            rig: self.rig(names)?,
+            rectified: self.rectified.filter(|_| as_listed),
+            cameras: pair.map(NamedCamera::clone),
+        })
     }
 
     /// The rig of a [`pair`](Self::pair). Its world is the frame of the left camera.

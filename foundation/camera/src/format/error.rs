@@ -1,11 +1,12 @@
 //! What is wrong with a file of cameras.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use ga_files::ReadError;
 
 use crate::CameraError;
-use crate::rig::RectifiedRigError;
+use crate::rig::RigError;
 
 /// Where in a file of cameras a value stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -146,7 +147,7 @@ pub enum CameraFileError {
         /// The line of the right camera, or of the baseline.
         line: usize,
         /// What is wrong.
-        error: RectifiedRigError,
+        error: Box<RigError>,
     },
     /// The difference of the principal points is not the one that is stated.
     #[error("{place} is {found}, and the principal points differ by {expected}")]
@@ -228,6 +229,23 @@ pub enum CameraFileError {
         /// The second one.
         right: String,
     },
+}
+
+/// A picture does not have the size that a file of cameras is for.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{} has {} × {} pixels, and {} is for {} × {}",
+    picture.display(), found[0], found[1], file.display(), expected[0], expected[1]
+)]
+pub struct PictureSizeError {
+    /// The picture.
+    pub picture: PathBuf,
+    /// Its columns and rows.
+    pub found: [usize; 2],
+    /// The file of cameras.
+    pub file: PathBuf,
+    /// The columns and rows that it states.
+    pub expected: [usize; 2],
 }
 
 impl Place {

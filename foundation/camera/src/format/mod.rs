@@ -21,6 +21,6 @@ mod rotation;
 mod text;
 pub mod yaml;
 
-pub use camera_file::{CameraFile, NamedCamera, Rectified};
-pub use error::{CameraFileError, Place};
+pub use camera_file::{CameraFile, NamedCamera, NamedRig, Rectified};
+pub use error::{CameraFileError, PictureSizeError, Place};
 pub use read::{decode, read};

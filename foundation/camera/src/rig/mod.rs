@@ -1,16 +1,17 @@
 //! Two cameras that see the same scene: a [`StereoRig`] as it stands, and a [`RectifiedRig`], in
 //! whose pictures the images of a point are in one row.
 
+mod error;
 mod rectified;
 
-pub use rectified::{RectifiedRig, RectifiedRigError};
+pub use error::RigError;
+pub use rectified::RectifiedRig;
 
 use ga_runtime::cga3::Motor;
 
 use crate::frame::{LeftCamera, Pose, RightCamera};
 use crate::triangulation::{
-    ColumnsError, Method, PixelColumns, PointColumns, Triangulation, TriangulationError, TwoViews,
-    triangulate,
+    Method, PixelColumns, PointColumns, Triangulation, TwoViews, triangulate,
 };
 use crate::{Camera, CameraError, Intrinsics, Lens};
 
@@ -21,41 +22,6 @@ pub struct StereoRig {
     pub left: Camera,
     /// The second camera.
     pub right: Camera,
-}
-
-/// Why two pictures do not determine points.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum RigError {
-    /// A pixel gives no ray.
-    #[error("point {point}: {error}")]
-    Camera {
-        /// Which point, from 0.
-        point: usize,
-        /// What is wrong with it.
-        error: CameraError,
-    },
-    /// Two rays do not determine a point.
-    #[error("point {point}: {error}")]
-    Triangulation {
-        /// Which point, from 0.
-        point: usize,
-        /// What is wrong with it.
-        error: TriangulationError,
-    },
-    /// The cameras determine no points.
-    #[error("{0}")]
-    Cameras(#[from] TriangulationError),
-    /// Pairs of pixels do not determine points.
-    #[error("{0}")]
-    Columns(#[from] ColumnsError),
-    /// The pictures have different numbers of points.
-    #[error("{left} points in the left picture, {right} in the right one")]
-    Counts {
-        /// How many there are on the left.
-        left: usize,
-        /// How many there are on the right.
-        right: usize,
-    },
 }
 
 impl StereoRig {
@@ -193,7 +159,7 @@ impl StereoRig {
         let no_ray = |error| RigError::Camera { point, error };
         let first = self.left.ray(left).map_err(no_ray)?;
         let second = self.right.ray(right).map_err(no_ray)?;
-        triangulate(first, second).map_err(|error| RigError::Triangulation { point, error })
+        Ok(triangulate(first, second).map_err(|error| error.of_point(point))?)
     }
 }
 

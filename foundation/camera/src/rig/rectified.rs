@@ -3,6 +3,7 @@
 use ga_runtime::cga3::{Motor, Point, Translator};
 
 use super::StereoRig;
+use super::error::RigError;
 use crate::{Camera, Intrinsics, Lens};
 
 /// A rectified rig: two pinholes of one focal length with parallel axes, the right one displaced
@@ -35,67 +36,33 @@ pub struct RectifiedRig {
     baseline: f64,
 }
 
-/// Why two cameras are not a rectified rig.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum RectifiedRigError {
-    /// A lens is not a pinhole.
-    #[error("the lens of the {view} camera is not a pinhole")]
-    Lens {
-        /// Left or right.
-        view: &'static str,
-    },
-    /// The focal lengths differ.
-    #[error("the focal lengths {left:?} and {right:?} of the two cameras differ")]
-    Focal {
-        /// Those of the left camera in pixels.
-        left: [f64; 2],
-        /// Those of the right camera in pixels.
-        right: [f64; 2],
-    },
-    /// The principal points are in different rows.
-    #[error("the principal points are in the rows {left} and {right}, which differ")]
-    Rows {
-        /// That of the left camera.
-        left: f64,
-        /// That of the right camera.
-        right: f64,
-    },
-    /// The baseline is not positive and finite.
-    #[error("the baseline is {0} m, which is not positive and finite")]
-    Baseline(f64),
-}
-
 impl RectifiedRig {
     /// A rig from its cameras and the distance between them in metres.
     ///
     /// # Errors
-    /// [`RectifiedRigError`] for a lens with distortion, focal lengths or rows of principal points
+    /// [`RigError`] for a lens with distortion, focal lengths or rows of principal points
     /// that differ, and a baseline that is not positive and finite.
-    pub fn new(
-        left: Intrinsics,
-        right: Intrinsics,
-        baseline: f64,
-    ) -> Result<Self, RectifiedRigError> {
+    pub fn new(left: Intrinsics, right: Intrinsics, baseline: f64) -> Result<Self, RigError> {
         for (view, camera) in [("left", left), ("right", right)] {
             if camera.lens() != Lens::Pinhole {
-                return Err(RectifiedRigError::Lens { view });
+                return Err(RigError::Lens { view });
             }
         }
         if left.focal() != right.focal() {
-            return Err(RectifiedRigError::Focal {
+            return Err(RigError::Focal {
                 left: left.focal(),
                 right: right.focal(),
             });
         }
         let [left_row, right_row] = [left, right].map(|camera| camera.principal()[1]);
         if left_row != right_row {
-            return Err(RectifiedRigError::Rows {
+            return Err(RigError::Rows {
                 left: left_row,
                 right: right_row,
             });
         }
         if !(baseline > 0.0 && baseline.is_finite()) {
-            return Err(RectifiedRigError::Baseline(baseline));
+            return Err(RigError::Baseline(baseline));
         }
         Ok(Self {
             left,

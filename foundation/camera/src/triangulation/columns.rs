@@ -56,32 +56,6 @@ impl TriangulatedPoint {
     }
 }
 
-/// Why pairs of pixels do not determine points.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum ColumnsError {
-    /// A pair does not determine a point.
-    #[error("point {point}: {error}")]
-    Point {
-        /// Which pair, from 0.
-        point: usize,
-        /// What is wrong with it.
-        error: TriangulationError,
-    },
-    /// A column has another length than the first.
-    #[error("{column} has {found} elements, but there are {expected} columns of the left view")]
-    Length {
-        /// Which column.
-        column: &'static str,
-        /// How many elements the u column of the left view has.
-        expected: usize,
-        /// How many this one has.
-        found: usize,
-    },
-    /// The noise is not positive and finite.
-    #[error("{0} px is not a standard deviation")]
-    Noise(f64),
-}
-
 impl PixelColumns<'_> {
     /// The pixel of an index.
     pub(super) fn get(&self, index: usize) -> [f64; 2] {
@@ -117,14 +91,15 @@ impl PointColumns {
     /// Checks that all points are in front of both cameras.
     ///
     /// # Errors
-    /// [`TriangulationError::Behind`] for the first point that is not.
-    pub fn check_in_front(&self) -> Result<(), ColumnsError> {
+    /// [`TriangulationError::Point`] with [`TriangulationError::Behind`] for the first point that
+    /// is not.
+    pub fn check_in_front(&self) -> Result<(), TriangulationError> {
         let depths = self.depth_left.iter().zip(&self.depth_right);
         for (point, (left, right)) in depths.enumerate() {
             for (view, depth) in [*left, *right].into_iter().enumerate() {
                 if depth.is_nan() || depth <= 0.0 {
                     let error = TriangulationError::Behind { view, depth };
-                    return Err(ColumnsError::Point { point, error });
+                    return Err(error.of_point(point));
                 }
             }
         }

@@ -35,15 +35,15 @@ mod optimal;
 mod two_rays;
 mod two_views;
 
-pub use columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns, TriangulatedPoint};
+pub use columns::{CovarianceColumns, PixelColumns, PointColumns, TriangulatedPoint};
 pub use many_views::{ManyViewsPoint, triangulate_views};
 pub use two_rays::{Triangulation, triangulate};
 pub use two_views::{Method, TwoViews};
 
 use crate::CameraError;
 
-/// Why rays do not determine a point.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+/// Why rays do not determine a point, or points have no observations.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TriangulationError {
     /// The rays are parallel up to rounding.
     #[error("the rays are parallel: the sine of the angle between them is {sine:e}")]
@@ -100,6 +100,35 @@ pub enum TriangulationError {
         /// How many steps were taken.
         steps: usize,
     },
+    /// A pair of pixels does not determine a point.
+    #[error("point {point}: {error}")]
+    Point {
+        /// Which pair, from 0.
+        point: usize,
+        /// What is wrong with it.
+        error: Box<TriangulationError>,
+    },
+    /// A column has another length than the first.
+    #[error("{column} has {found} elements, but there are {expected} columns of the left view")]
+    Length {
+        /// Which column.
+        column: &'static str,
+        /// How many elements the u column of the left view has.
+        expected: usize,
+        /// How many this one has.
+        found: usize,
+    },
+    /// A camera does not see a point that is to be observed.
+    #[error("point {point}: {error}")]
+    Unseen {
+        /// Which point, from 0.
+        point: usize,
+        /// What is wrong with it.
+        error: CameraError,
+    },
+    /// The noise is not the standard deviation of a normal distribution.
+    #[error("{0} px is not a standard deviation")]
+    Noise(f64),
 }
 
 impl TriangulationError {
@@ -109,5 +138,11 @@ impl TriangulationError {
             CameraError::Behind { depth, .. } => Self::Behind { view, depth },
             error => Self::Camera { view, error },
         }
+    }
+
+    /// The same of one of several points.
+    pub(crate) fn of_point(self, point: usize) -> Self {
+        let error = Box::new(self);
+        Self::Point { point, error }
     }
 }

@@ -7,7 +7,7 @@ use ga_runtime::vga3::Vector;
 
 use super::TriangulationError;
 use super::blocks::{Kernel, by_blocks};
-use super::columns::{ColumnsError, CovarianceColumns, PixelColumns, PointColumns};
+use super::columns::{CovarianceColumns, PixelColumns, PointColumns};
 use super::covariance::{Sight, covariance};
 use super::kernel::{Rays, mutual_moment};
 use super::meeting::Meetings;
@@ -147,15 +147,15 @@ impl TwoViews {
     /// for as many before, nothing is allocated. After an error its contents have no meaning.
     ///
     /// # Errors
-    /// [`ColumnsError`] for columns of different lengths, and for the first pair of pixels that are
-    /// not finite or whose rays are parallel.
+    /// [`TriangulationError`] for columns of different lengths, and for the first pair of pixels
+    /// that are not finite or whose rays are parallel.
     pub fn triangulate(
         &self,
         method: Method,
         left: PixelColumns<'_>,
         right: PixelColumns<'_>,
         points: &mut PointColumns,
-    ) -> Result<(), ColumnsError> {
+    ) -> Result<(), TriangulationError> {
         let inputs = same_length(left, right)?;
         points.resize(left.u.len());
         let mut passed = true;
@@ -178,9 +178,9 @@ impl TwoViews {
     /// optimal point to first order; the midpoint's is larger where the depths differ.
     ///
     /// # Errors
-    /// [`ColumnsError::Noise`] for noise that is not positive and finite, and
-    /// [`ColumnsError::Point`] for the first point that is not finite, or lies in the plane of a
-    /// camera's centre or on the line of both centres.
+    /// [`TriangulationError::Noise`] for noise that is not positive and finite, and
+    /// [`TriangulationError::Point`] for the first point that is not finite, or lies in the plane of
+    /// a camera's centre or on the line of both centres.
     ///
     /// ```
     /// use ga_camera::Intrinsics;
@@ -206,14 +206,14 @@ impl TwoViews {
         noise: f64,
         points: &PointColumns,
         covariances: &mut CovarianceColumns,
-    ) -> Result<(), ColumnsError> {
+    ) -> Result<(), TriangulationError> {
         if !(noise.is_finite() && noise > 0.0) {
-            return Err(ColumnsError::Noise(noise));
+            return Err(TriangulationError::Noise(noise));
         }
         let expected = points.x.len();
         for (column, found) in [("y", points.y.len()), ("z", points.z.len())] {
             if found != expected {
-                return Err(ColumnsError::Length {
+                return Err(TriangulationError::Length {
                     column,
                     expected,
                     found,
@@ -235,10 +235,7 @@ impl TwoViews {
         let variances = covariances.xx.iter().zip(&covariances.yy);
         let sums = variances.zip(&covariances.zz).map(|((x, y), z)| x + y + z);
         let point = sums.take_while(|sum| is_variance(*sum)).count();
-        Err(ColumnsError::Point {
-            point,
-            error: TriangulationError::NotFinite,
-        })
+        Err(TriangulationError::NotFinite.of_point(point))
     }
 
     /// The first pair that determines no point, and why.
@@ -247,7 +244,7 @@ impl TwoViews {
         method: Method,
         left: PixelColumns<'_>,
         right: PixelColumns<'_>,
-    ) -> ColumnsError {
+    ) -> TriangulationError {
         let kernel = PointKernel {
             method,
             rays: self.rays,
@@ -268,13 +265,10 @@ impl TwoViews {
                 } else {
                     TriangulationError::NotFinite
                 };
-                return ColumnsError::Point { point, error };
+                return error.of_point(point);
             }
         }
-        ColumnsError::Point {
-            point: 0,
-            error: TriangulationError::NotFinite,
-        }
+        TriangulationError::NotFinite.of_point(0)
     }
 }
 
@@ -356,7 +350,7 @@ struct Row<S: Real> {
 fn same_length<'a>(
     left: PixelColumns<'a>,
     right: PixelColumns<'a>,
-) -> Result<[&'a [f64]; 4], ColumnsError> {
+) -> Result<[&'a [f64]; 4], TriangulationError> {
     let expected = left.u.len();
     let columns = [
         ("the v column of the left view", left.v),
@@ -365,7 +359,7 @@ fn same_length<'a>(
     ];
     for (column, slice) in columns {
         if slice.len() != expected {
-            return Err(ColumnsError::Length {
+            return Err(TriangulationError::Length {
                 column,
                 expected,
                 found: slice.len(),

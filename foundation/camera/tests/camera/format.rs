@@ -522,3 +522,41 @@ fn a_name_given_twice_is_found_among_many() {
     let calib = format!("{}n7=2\n", names("="));
     assert!(is_seventh(&decode(&calib).unwrap_err()));
 }
+
+#[test]
+fn the_cameras_of_views_are_chosen_by_their_number_and_names() {
+    let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
+    let camera = |name: &str| NamedCamera::new(name, intrinsics).with_size(Some([640, 480]));
+    let file = |names: &[&str]| CameraFile {
+        cameras: names.iter().map(|name| camera(name)).collect(),
+        rectified: None,
+    };
+    let [one, two, three] = [&["a"][..], &["a", "b"], &["a", "b", "c"]].map(file);
+    let chosen = |file: &CameraFile, names| {
+        let found = file.of_two_views(names).ok()?;
+        Some(found.map(|camera| camera.name.clone()).join(" "))
+    };
+    for (file, names, expected) in [
+        (&one, [None, None], Some("a a")),
+        (&two, [None, None], Some("a b")),
+        (&two, [Some("b"), None], Some("b b")),
+        (&two, [None, Some("a")], Some("a a")),
+        (&two, [Some("b"), Some("a")], Some("b a")),
+        (&three, [None, None], None),
+        (&three, [None, Some("b")], None),
+        (&three, [Some("c"), None], Some("c c")),
+    ] {
+        assert_eq!(chosen(file, names).as_deref(), expected, "{names:?}");
+    }
+    let side = |file: &CameraFile| file.side(1).map(|camera| camera.name.clone()).ok();
+    assert_eq!(side(&one).as_deref(), Some("a"));
+    assert_eq!(side(&two).as_deref(), Some("b"));
+    assert_eq!(side(&three), None);
+
+    let check = |size| camera("a").check_size(size, Path::new("p.png"), Path::new("c.json"));
+    assert_eq!(check([640, 480]), Ok(()));
+    assert_eq!(
+        check([640, 481]).unwrap_err().to_string(),
+        "p.png has 640 × 481 pixels, and c.json is for 640 × 480"
+    );
+}

@@ -1,6 +1,6 @@
 //! Pairs of cameras, the rays of their pixels, and the points that two rays determine.
 
-use ga_camera::observation::{ObservationError, observe};
+use ga_camera::observation::observe;
 use ga_camera::rig::{RigError, StereoRig};
 use ga_camera::triangulation::{TriangulationError, triangulate};
 use ga_camera::{Camera, CameraError, Intrinsics};
@@ -141,10 +141,8 @@ fn bad_input_is_named() {
     let parallel = rig.triangulate([10.0, 20.0], [10.0, 20.0]);
     assert!(matches!(
         parallel,
-        Err(RigError::Triangulation {
-            error: TriangulationError::Parallel { .. },
-            ..
-        })
+        Err(RigError::Triangulation(TriangulationError::Point { error, .. }))
+            if matches!(*error, TriangulationError::Parallel { .. })
     ));
     // A ray and itself, also with other lengths of its direction.
     for length in [1.0, 3.0] {
@@ -235,7 +233,7 @@ fn noise_has_its_stated_size_and_seed() {
     assert_eq!(observe(&camera, &points[..1], 0.0, 7).unwrap(), [exact]);
     assert_eq!(
         observe(&camera, &points, -1.0, 7),
-        Err(ObservationError::Noise(-1.0))
+        Err(TriangulationError::Noise(-1.0))
     );
 }
 

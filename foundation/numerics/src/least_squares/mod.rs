@@ -40,7 +40,7 @@ pub trait Problem {
 
 /// How a minimum is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct Options {
     /// The greatest number of steps that are tried.
     pub steps: usize,
     /// The search ends with a step that changes the residuals by no more than this part of their
@@ -52,7 +52,7 @@ pub struct Settings {
     pub loss: Loss,
 }
 
-impl Default for Settings {
+impl Default for Options {
     /// 100 steps, 1e-9, 1e-11, and squares.
     fn default() -> Self {
         Self {
@@ -152,7 +152,7 @@ const DAMPING: Damping = Damping {
 /// depend on the units of the unknowns. It is a local minimum: which one depends on the start.
 ///
 /// ```
-/// use ga_numerics::least_squares::{Columns, Equations, Problem, Settings, minimise};
+/// use ga_numerics::least_squares::{Columns, Equations, Problem, Options, minimise};
 ///
 /// /// A circle through points: centre and radius.
 /// struct Circle([[f64; 2]; 4]);
@@ -180,7 +180,7 @@ const DAMPING: Damping = Damping {
 /// }
 ///
 /// let circle = Circle([[3.0, 1.0], [1.0, 3.0], [-1.0, 1.0], [1.0, -1.0]]);
-/// let minimum = minimise(&circle, [0.5, 0.0, 1.0], &Settings::default())?;
+/// let minimum = minimise(&circle, [0.5, 0.0, 1.0], &Options::default())?;
 /// assert!((minimum.state[0] - 1.0).abs() < 1e-12 && (minimum.state[2] - 2.0).abs() < 1e-12);
 /// # Ok::<(), ga_numerics::least_squares::LeastSquaresError>(())
 /// ```
@@ -191,9 +191,9 @@ const DAMPING: Damping = Damping {
 pub fn minimise<P: Problem>(
     problem: &P,
     start: P::State,
-    settings: &Settings,
+    options: &Options,
 ) -> Result<Minimum<P::State>, LeastSquaresError> {
-    let mut equations = Equations::new(problem.columns(), settings.loss);
+    let mut equations = Equations::new(problem.columns(), options.loss);
     evaluate(problem, &start, &mut equations).ok_or(LeastSquaresError::Start)?;
     let (residuals, unknowns) = (equations.residuals(), equations.unknowns());
     if residuals < unknowns {
@@ -206,7 +206,7 @@ pub fn minimise<P: Problem>(
     let cost = equations.cost();
     let mut descent = Minimising {
         problem,
-        settings,
+        options,
         state: start,
         next: None,
         trial: equations.clone(),
@@ -217,7 +217,7 @@ pub fn minimise<P: Problem>(
             steps: 0,
             has_converged: true,
         },
-        false => Search::new(cost, DAMPING).run(&mut descent, settings.steps),
+        false => Search::new(cost, DAMPING).run(&mut descent, options.steps),
     };
     let minimum = Minimum {
         state: descent.state,
@@ -239,7 +239,7 @@ pub fn minimise<P: Problem>(
 /// The descent of a problem with its own equations.
 struct Minimising<'a, P: Problem> {
     problem: &'a P,
-    settings: &'a Settings,
+    options: &'a Options,
     state: P::State,
     next: Option<P::State>,
     equations: Equations,
@@ -261,8 +261,8 @@ impl<P: Problem> Descent for Minimising<'_, P> {
             None => f64::INFINITY,
         };
         let residuals = self.equations.residuals() as f64;
-        let least_change = (self.settings.relative_tolerance.powi(2) * self.equations.cost())
-            .max(self.settings.absolute_tolerance.powi(2) * residuals);
+        let least_change = (self.options.relative_tolerance.powi(2) * self.equations.cost())
+            .max(self.options.absolute_tolerance.powi(2) * residuals);
         Attempt {
             size: step.size,
             predicted: step.predicted,

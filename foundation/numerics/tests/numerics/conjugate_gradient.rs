@@ -1,10 +1,10 @@
 //! Conjugate gradients, compared with the dense solution.
 
-use ga_numerics::conjugate_gradient::{NotConverged, Settings, solve};
+use ga_numerics::conjugate_gradient::{NotConverged, Options, solve};
 use nalgebra_035::{DMatrix, DVector};
 use proptest::prelude::*;
 
-const SETTINGS: Settings = Settings {
+const OPTIONS: Options = Options {
     steps: 200,
     relative_tolerance: 1e-13,
     absolute_tolerance: 0.0,
@@ -38,7 +38,7 @@ proptest! {
                     *improved = residual[index] / scale;
                 }
             },
-            &SETTINGS,
+            &OPTIONS,
         );
         prop_assert!(steps.unwrap() <= 3 * count + 5);
         for (found, expected) in x.iter().zip(&expected) {
@@ -53,7 +53,7 @@ fn equations_that_are_not_solved_are_errors() {
     // (1, 1) is not in the image of this matrix.
     let singular = |x: &[f64], image: &mut [f64]| image.fill(x[0] - x[1]);
     let mut x = [0.0; 2];
-    let found = solve(&[1.0, 1.0], &mut x, singular, copy, &SETTINGS);
+    let found = solve(&[1.0, 1.0], &mut x, singular, copy, &OPTIONS);
     assert_eq!(
         found,
         Err(NotConverged {
@@ -64,15 +64,15 @@ fn equations_that_are_not_solved_are_errors() {
     let scaled = |x: &[f64], image: &mut [f64]| {
         (image[0], image[1]) = (x[0], 100.0 * x[1]);
     };
-    let settings = Settings {
+    let options = Options {
         steps: 1,
-        ..SETTINGS
+        ..OPTIONS
     };
     let mut x = [0.0; 2];
-    let found = solve(&[1.0, 1.0], &mut x, scaled, copy, &settings).unwrap_err();
+    let found = solve(&[1.0, 1.0], &mut x, scaled, copy, &options).unwrap_err();
     assert!(found.steps == 1 && found.residual > 0.1);
     // The approximation is kept.
     assert!(x[0] > 0.0 && x[1] > 0.0);
-    let nothing = solve(&[], &mut [], |_, _| {}, |_, _| {}, &SETTINGS);
+    let nothing = solve(&[], &mut [], |_, _| {}, |_, _| {}, &OPTIONS);
     assert_eq!(nothing, Ok(0));
 }

@@ -1,7 +1,7 @@
 //! Least squares against certified values, and the elimination of groups against the whole matrix.
 
 use ga_numerics::least_squares::{
-    Columns, Equations, LeastSquaresError, Loss, Problem, Settings, minimise,
+    Columns, Equations, LeastSquaresError, Loss, Options, Problem, minimise,
 };
 use proptest::prelude::*;
 
@@ -50,7 +50,7 @@ impl Problem for Adsorption {
 #[test]
 fn the_certified_values_are_found_from_both_starts() {
     for start in [[500.0, 0.0001], [250.0, 0.0005]] {
-        let minimum = minimise(&Adsorption, start, &Settings::default()).unwrap();
+        let minimum = minimise(&Adsorption, start, &Options::default()).unwrap();
         let close = |found: f64, certified: f64| (found / certified - 1.0).abs() < 1e-8;
         assert!(close(minimum.state[0], 2.3894212918e2), "{minimum:?}");
         assert!(close(minimum.state[1], 5.5015643181e-4), "{minimum:?}");
@@ -108,7 +108,7 @@ proptest! {
         let solve = |grouped| {
             let groups = groups.clone();
             let start = vec![0.0; 1 + 2 * groups.len()];
-            minimise(&Lines { grouped, groups }, start, &Settings::default())
+            minimise(&Lines { grouped, groups }, start, &Options::default())
         };
         let (Ok(a), Ok(b)) = (solve(true), solve(false)) else { return Ok(()) };
         prop_assert!((a.cost - b.cost).abs() <= 1e-9 * a.cost);
@@ -157,11 +157,11 @@ impl Problem for Mean {
 fn an_outlier_counts_less() {
     let numbers = Mean(vec![-1.0, 0.0, 1.0, 100.0]);
     let with = |loss| {
-        let settings = Settings {
+        let options = Options {
             loss,
-            ..Settings::default()
+            ..Options::default()
         };
-        minimise(&numbers, 0.0, &settings).unwrap().state
+        minimise(&numbers, 0.0, &options).unwrap().state
     };
     assert!((with(Loss::Squares) - 25.0).abs() < 1e-9);
     // Three numbers within the scale h pull by 3 m, the outlier by h.
@@ -191,7 +191,7 @@ fn an_outlier_counts_less() {
 
 #[test]
 fn what_has_no_minimum_is_an_error() {
-    let few = minimise(&Mean(vec![]), 0.0, &Settings::default());
+    let few = minimise(&Mean(vec![]), 0.0, &Options::default());
     assert!(matches!(
         few,
         Err(LeastSquaresError::TooFewResiduals {
@@ -199,11 +199,11 @@ fn what_has_no_minimum_is_an_error() {
             unknowns: 1
         })
     ));
-    let start = minimise(&Mean(vec![f64::NAN]), 0.0, &Settings::default());
+    let start = minimise(&Mean(vec![f64::NAN]), 0.0, &Options::default());
     assert!(matches!(start, Err(LeastSquaresError::Start)));
-    let hasty = Settings {
+    let hasty = Options {
         steps: 2,
-        ..Settings::default()
+        ..Options::default()
     };
     let found = minimise(&Adsorption, [500.0, 0.0001], &hasty);
     assert!(matches!(
@@ -234,7 +234,7 @@ impl Problem for Endless {
 
 #[test]
 fn a_wall_is_not_a_minimum() {
-    let found = minimise(&Endless, 3.0, &Settings::default());
+    let found = minimise(&Endless, 3.0, &Options::default());
     assert!(
         matches!(found, Err(LeastSquaresError::NotConverged { .. })),
         "{found:?}"

@@ -41,6 +41,26 @@ impl<S: Real<Mask = bool>> Rotor<S> {
         (axis.into(), half_angle + half_angle)
     }
 
+    /// Of the rotor and its negative, which rotate to the same orientation, the one that rotates by
+    /// π at most: its scalar is not negative.
+    ///
+    /// ```
+    /// use ga_runtime::cga3::Rotor;
+    /// use std::f64::consts::PI;
+    /// let long = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5 * PI).unwrap();
+    /// let (axis, angle) = long.canonical().to_axis_angle();
+    /// assert!((angle - 0.5 * PI).abs() < 1e-15 && (axis[2] + 1.0).abs() < 1e-15);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        if self.scalar().less_than(S::zero()) {
+            -self
+        } else {
+            self
+        }
+    }
+
     /// The rotation by |v| radians about the direction of v, right-handed:
     /// `exp(−½ (v1 e23 − v2 e13 + v3 e12))`. The identity for zero; `None` where v is not finite.
     ///

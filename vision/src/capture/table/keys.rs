@@ -82,7 +82,7 @@ pub fn decode_keys(
         let (line, name) = (table.line(row), table.text(row, 0));
         let named = || name.to_owned();
         let point = points.point(name);
-        let point = point.ok_or_else(|| KeyTableError::NoPoint {
+        let point = point.map_err(|_| KeyTableError::NoPoint {
             line,
             name: named(),
         })?;

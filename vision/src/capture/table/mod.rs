@@ -1,6 +1,7 @@
 //! Tables of captured points, of keys on a mesh, and of results, as [`ga_files::table`] reads and
 //! writes them.
 
+mod describe;
 mod keys;
 mod points;
 mod results;

@@ -123,6 +123,40 @@ pub enum PointTableError {
         /// The name of the frame.
         label: String,
     },
+    /// No point has a name.
+    #[error("{name}: this is not a point; the points are {}", shortened(names))]
+    NoSuchPoint {
+        /// The name that was asked for.
+        name: String,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// No frame has a name.
+    #[error("{name}: there is no such frame; they are {first} to {last}")]
+    NoFrame {
+        /// The name that was asked for.
+        name: String,
+        /// The name of the first frame.
+        first: String,
+        /// The name of the last frame.
+        last: String,
+    },
+    /// A point was not seen in the frame in which the head is at rest.
+    #[error("{place}: point {point} is missing in the reference frame")]
+    MissingAtRest {
+        /// The line and the name of the frame.
+        place: String,
+        /// The name of the point.
+        point: String,
+    },
+}
+
+/// All names, or the first of many.
+fn shortened(names: &[String]) -> String {
+    match names.len() {
+        0..=30 => names.join(", "),
+        count => format!("{} and {} others", names[..8].join(", "), count - 8),
+    }
 }
 
 const AXES: [char; 3] = ['x', 'y', 'z'];
@@ -177,10 +211,46 @@ impl PointTable {
     }
 
     /// A point by its name, or else by its number from 0.
-    pub fn point(&self, word: &str) -> Option<usize> {
+    ///
+    /// # Errors
+    /// [`PointTableError::NoSuchPoint`].
+    pub fn point(&self, word: &str) -> Result<usize, PointTableError> {
         let by_name = self.names.iter().position(|name| name == word);
         let by_number = || word.parse().ok().filter(|&k: &usize| k < self.names.len());
-        by_name.or_else(by_number)
+        let found = by_name.or_else(by_number);
+        found.ok_or_else(|| PointTableError::NoSuchPoint {
+            name: word.to_owned(),
+            names: self.names.clone(),
+        })
+    }
+
+    /// A frame by its name.
+    ///
+    /// # Errors
+    /// [`PointTableError::NoFrame`].
+    pub fn frame(&self, name: &str) -> Result<usize, PointTableError> {
+        let found = self.frames.iter().position(|frame| frame.label == name);
+        let label = |frame: Option<&PointRow>| frame.map_or("", |frame| &frame.label).to_owned();
+        found.ok_or_else(|| PointTableError::NoFrame {
+            name: name.to_owned(),
+            first: label(self.frames.first()),
+            last: label(self.frames.last()),
+        })
+    }
+
+    /// The points of a frame, which must be there, in which the head is at rest.
+    ///
+    /// # Errors
+    /// [`PointTableError::MissingAtRest`] for the first point that was not seen.
+    pub fn rest(&self, frame: usize) -> Result<Vec<Point<f64>>, PointTableError> {
+        let row = self.frames[frame].points.iter().zip(&self.names);
+        let place = |(place, name): (&Option<Point<f64>>, &String)| {
+            place.ok_or_else(|| PointTableError::MissingAtRest {
+                place: self.place(frame),
+                point: name.clone(),
+            })
+        };
+        row.map(place).collect()
     }
 
     /// How a message names a frame, which must be there.

@@ -1,7 +1,7 @@
 //! Diffusion with sinks: `(w − μΔ) x = b` on the pixels of a picture.
 
 use crate::contour::ContourError;
-use ga_numerics::conjugate_gradient::{self, NotConverged, Settings};
+use ga_numerics::conjugate_gradient::{self, NotConverged, Options};
 
 /// The equations `wᵢ xᵢ + μ Σⱼ (xᵢ − xⱼ) = bᵢ`, where the pixels j are the two to four neighbours
 /// of the pixel i: nothing flows across the border.
@@ -42,7 +42,7 @@ impl Diffusion {
 
     /// The solution, or the one of mean zero where all weights are zero.
     pub(super) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, ContourError> {
-        const SETTINGS: Settings = Settings {
+        const OPTIONS: Options = Options {
             steps: 200,
             relative_tolerance: 1e-10,
             absolute_tolerance: 0.0,
@@ -54,7 +54,7 @@ impl Diffusion {
             &mut solution,
             |x, image| finest.image(x, image),
             |residual, improved| improved.copy_from_slice(&self.cycle(0, residual)),
-            &SETTINGS,
+            &OPTIONS,
         )
         .map_err(
             |NotConverged { steps, residual }| ContourError::FlowNotConverged { steps, residual },

@@ -3,7 +3,7 @@
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::Motor;
 use ga_vision::calibration::{
-    CalibrationError, CameraCalibration, CameraSettings, LensTerms, Start, StereoSettings,
+    CalibrationError, CameraCalibration, CameraOptions, LensTerms, Start, StereoOptions,
     calibrate_camera, calibrate_stereo,
 };
 
@@ -22,15 +22,15 @@ fn camera() -> Camera {
 
 fn calibrated(
     views: &[Vec<[f64; 2]>],
-    settings: &CameraSettings,
+    options: &CameraOptions,
 ) -> Result<CameraCalibration, CalibrationError> {
-    calibrate_camera(views, &places(), SIZE, settings)
+    calibrate_camera(views, &places(), SIZE, options)
 }
 
 #[test]
 fn views_that_are_no_boards_are_named() {
     let good = views(&camera(), &boards(&TILTS), 0.1, 1);
-    let of = |views: &[Vec<[f64; 2]>]| calibrated(views, &CameraSettings::default());
+    let of = |views: &[Vec<[f64; 2]>]| calibrated(views, &CameraOptions::default());
     assert_eq!(
         of(&good[..2]),
         Err(CalibrationError::TooFewViews { found: 2 })
@@ -55,11 +55,11 @@ fn views_that_are_no_boards_are_named() {
     assert_eq!(of(&flat), Err(CalibrationError::View { view: 1 }));
     // A lens whose picture ends before some of the corners.
     let lens = RadialTangential::new(&[-1.5, 0.0, 0.0, 0.0, 0.0]).unwrap();
-    let settings = CameraSettings {
+    let options = CameraOptions {
         start: Start::Fixed(intrinsics().with_lens(lens)),
-        ..CameraSettings::default()
+        ..CameraOptions::default()
     };
-    let error = calibrated(&good, &settings).unwrap_err();
+    let error = calibrated(&good, &options).unwrap_err();
     assert!(
         matches!(error, CalibrationError::Pixel { .. }) && error.view().is_some(),
         "{error}"
@@ -73,11 +73,11 @@ fn views_that_determine_nothing_are_refused() {
         .map(f64::from)
         .map(|k| motor([0.0, 0.0, 1.0], 0.2 * k, [0.0, 0.0, 0.5 + 0.1 * k]))
         .collect();
-    let settings = CameraSettings {
+    let options = CameraOptions {
         terms: LensTerms::none(),
-        ..CameraSettings::default()
+        ..CameraOptions::default()
     };
-    let found = calibrated(&views(&camera(), &parallel, 0.05, 1), &settings);
+    let found = calibrated(&views(&camera(), &parallel, 0.05, 1), &options);
     assert!(
         matches!(
             found,
@@ -86,14 +86,14 @@ fn views_that_determine_nothing_are_refused() {
         "{found:?}"
     );
     // Without distortion the terms of k1 and k4 cancel each other.
-    let settings = CameraSettings {
+    let options = CameraOptions {
         start: Start::Guess(intrinsics()),
         terms: "k1,k4".parse().unwrap(),
     };
     let exact = views(&camera(), &boards(&TILTS), 0.0, 1);
     let parameter = "k4";
     assert_eq!(
-        calibrated(&exact, &settings),
+        calibrated(&exact, &options),
         Err(CalibrationError::Undetermined { parameter })
     );
 }
@@ -106,13 +106,13 @@ fn what_does_not_converge_is_no_calibration() {
         .map(f64::from)
         .map(|k| motor([1.0, k, 0.0], 1e-3, [-0.1, -0.06, 0.4 + 0.02 * k]))
         .collect();
-    let settings = CameraSettings {
+    let options = CameraOptions {
         terms: "k1,k2,k3,k4,k5,k6,p1,p2".parse().unwrap(),
-        ..CameraSettings::default()
+        ..CameraOptions::default()
     };
     for seed in 1..6 {
         let seen = views(&camera(), &nearly_parallel, 0.3, seed);
-        let found = calibrated(&seen, &settings);
+        let found = calibrated(&seen, &options);
         assert!(
             matches!(
                 found,
@@ -126,7 +126,7 @@ fn what_does_not_converge_is_no_calibration() {
 #[test]
 fn pairs_without_a_baseline_are_refused() {
     let stereo = |left: &[Vec<[f64; 2]>], right: &[Vec<[f64; 2]>]| {
-        calibrate_stereo([left, right], &places(), SIZE, &StereoSettings::default())
+        calibrate_stereo([left, right], &places(), SIZE, &StereoOptions::default())
     };
     let good = views(&camera(), &boards(&TILTS), 0.1, 1);
     assert_eq!(

@@ -3,12 +3,13 @@
 mod errors;
 mod opencv;
 mod outliers;
+mod pairs;
 
 use ga_camera::frame::In;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_vision::calibration::{
-    CameraSettings, LensTerms, Start, StereoSettings, calibrate_camera, calibrate_stereo,
+    CameraOptions, LensTerms, Start, StereoOptions, calibrate_camera, calibrate_stereo,
 };
 use ga_vision::chessboard::BoardSize;
 use proptest::prelude::*;
@@ -66,13 +67,13 @@ fn views(camera: &Camera, boards: &[Motor<f64>], noise: f64, seed: u64) -> Vec<V
 }
 
 /// Both cameras are known.
-fn with_fixed(intrinsics: Intrinsics) -> StereoSettings {
-    StereoSettings {
-        cameras: [CameraSettings {
+fn with_fixed(intrinsics: Intrinsics) -> StereoOptions {
+    StereoOptions {
+        cameras: [CameraOptions {
             start: Start::Fixed(intrinsics),
-            ..CameraSettings::default()
+            ..CameraOptions::default()
         }; 2],
-        ..StereoSettings::default()
+        ..StereoOptions::default()
     }
 }
 
@@ -119,7 +120,7 @@ proptest! {
         };
         prop_assume!(cameras.iter().all(seen));
         let [l, r] = [0, 1].map(|k| views(&cameras[k], &boards, 0.0, 0));
-        let found = calibrate_stereo([&l, &r], &places(), SIZE, &StereoSettings::default());
+        let found = calibrate_stereo([&l, &r], &places(), SIZE, &StereoOptions::default());
         let found = found.map_err(|error| TestCaseError::fail(error.to_string()))?;
         prop_assert!(found.rms < 1e-9, "{}", found.rms);
         prop_assert_eq!(found.used.len(), boards.len());
@@ -141,7 +142,7 @@ proptest! {
         let truth = truth.with_lens(lens);
         let camera = Camera { intrinsics: truth, world_to_camera: Motor::default() };
         let views = views(&camera, &boards(&TILTS), 0.3, seed);
-        let found = calibrate_camera(&views, &places(), SIZE, &CameraSettings::default());
+        let found = calibrate_camera(&views, &places(), SIZE, &CameraOptions::default());
         let found = found.map_err(|error| TestCaseError::fail(error.to_string()))?;
         // The root mean square of both coordinates together, less what 9 + 48 unknowns absorb.
         let expected = 0.3 * 2.0_f64.sqrt() * (1.0 - 57.0 / 864.0_f64).sqrt();
@@ -173,11 +174,11 @@ fn a_fisheye_lens_is_found() {
         .map(|board| near * board)
         .collect();
     let views = views(&camera, &boards, 0.0, 0);
-    let settings = CameraSettings {
+    let options = CameraOptions {
         terms: LensTerms::fisheye(),
-        ..CameraSettings::default()
+        ..CameraOptions::default()
     };
-    let found = calibrate_camera(&views, &places(), SIZE, &settings).unwrap();
+    let found = calibrate_camera(&views, &places(), SIZE, &options).unwrap();
     assert!(matches!(found.intrinsics.lens(), Lens::Fisheye(_)));
     close(&found.intrinsics, &truth, 1e-6).unwrap();
 }
@@ -191,8 +192,8 @@ fn known_intrinsics_stay_and_guesses_do_not() {
     };
     let views = views(&camera, &boards(&TILTS), 0.1, 3);
     let with = |start, terms| {
-        let settings = CameraSettings { start, terms };
-        calibrate_camera(&views, &places(), SIZE, &settings).unwrap()
+        let options = CameraOptions { start, terms };
+        calibrate_camera(&views, &places(), SIZE, &options).unwrap()
     };
     let fixed = with(Start::Fixed(truth), LensTerms::default());
     assert_eq!(fixed.intrinsics, truth);
@@ -232,8 +233,8 @@ fn boards_upside_down_give_the_smaller_angle() {
     let boards: Vec<Motor<f64>> = TILTS.iter().map(board).collect();
     let left = views(&camera(Motor::default()), &boards, 0.0, 1);
     let right = views(&camera(rig), &boards, 0.0, 2);
-    let settings = with_fixed(intrinsics);
-    let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
+    let options = with_fixed(intrinsics);
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &options).unwrap();
     let (_, angle) = found.rig.left_to_right().motor.rotor().to_axis_angle();
     assert!((angle - 0.04).abs() < 1e-9, "{angle}");
 }

@@ -1,8 +1,7 @@
 //! Cameras and rigs against those of OpenCV, from its corners and from its pictures.
 
 use ga_vision::calibration::{
-    CameraSettings, JointIntrinsics, StereoSettings, calibrate_camera, calibrate_stereo,
-    square_edges,
+    CameraOptions, JointIntrinsics, StereoOptions, calibrate_camera, calibrate_stereo, square_edges,
 };
 use ga_vision::chessboard::BoardSize;
 
@@ -28,7 +27,7 @@ fn cameras_are_those_of_opencv() {
     let oracle = opencv();
     let places = BoardSize::new(9, 6).unwrap().places(1.0);
     for (views, side) in opencv_views().iter().zip(["left", "right"]) {
-        let found = calibrate_camera(views, &places, SIZE, &CameraSettings::default()).unwrap();
+        let found = calibrate_camera(views, &places, SIZE, &CameraOptions::default()).unwrap();
         let rms = oracle[format!("rms_{side}")].as_f64().unwrap();
         assert!((found.rms / rms - 1.0).abs() < 1e-6, "{} {rms}", found.rms);
         let matrix = matrix(&oracle[format!("K_{side}")]);
@@ -55,12 +54,12 @@ fn the_rig_is_that_of_opencv() {
     let places = BoardSize::new(9, 6).unwrap().places(1.0);
     let [left, right] = opencv_views();
     let with = |joint| {
-        let settings = StereoSettings {
+        let options = StereoOptions {
             joint,
             outlier_ratio: None,
-            ..StereoSettings::default()
+            ..StereoOptions::default()
         };
-        calibrate_stereo([&left, &right], &places, SIZE, &settings).unwrap()
+        calibrate_stereo([&left, &right], &places, SIZE, &options).unwrap()
     };
     let fixed = with(JointIntrinsics::Fixed);
     let rms = oracle["rms_stereo"].as_f64().unwrap();
@@ -80,7 +79,7 @@ fn the_rig_is_that_of_opencv() {
     for (found, expected) in translation.iter().zip(rows::<1>(&oracle["t"])) {
         assert!((found - expected[0]).abs() < 1e-3, "{found} {expected:?}");
     }
-    let alone = calibrate_camera(&left, &places, SIZE, &CameraSettings::default()).unwrap();
+    let alone = calibrate_camera(&left, &places, SIZE, &CameraOptions::default()).unwrap();
     assert_eq!(fixed.deviations[0], alone.deviations);
     let [l, r] = fixed.camera_rms;
     assert!((0.5 * (l * l + r * r) - fixed.rms * fixed.rms).abs() < 1e-12);
@@ -99,12 +98,12 @@ fn the_rig_is_found_from_pictures_alone() {
     };
     let square = 0.025;
     let size: BoardSize = "9x6".parse().unwrap();
-    let settings = StereoSettings {
+    let options = StereoOptions {
         outlier_ratio: None,
-        ..StereoSettings::default()
+        ..StereoOptions::default()
     };
     let places = size.places(square);
-    let found = calibrate_stereo([&left, &right], &places, SIZE, &settings).unwrap();
+    let found = calibrate_stereo([&left, &right], &places, SIZE, &options).unwrap();
     let edges = square_edges(&found.rig, [&left, &right], size, square).unwrap();
     assert_eq!(found.used.len(), 13);
     assert!(found.rms < 0.46, "{}", found.rms);

@@ -3,7 +3,7 @@
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Translator};
 use ga_vision::calibration::{
-    CalibrationError, CameraSettings, LensTerms, StereoSettings, calibrate_stereo,
+    CalibrationError, CameraOptions, LensTerms, StereoOptions, calibrate_stereo,
 };
 
 use super::{SIZE, TILTS, boards, motor, places, views, with_fixed};
@@ -25,14 +25,14 @@ fn outliers_are_left_out_and_named() {
         corner[1] -= 5.0;
     }
     right[5].reverse();
-    let settings = StereoSettings {
-        cameras: [CameraSettings {
+    let options = StereoOptions {
+        cameras: [CameraOptions {
             terms: LensTerms::none(),
-            ..CameraSettings::default()
+            ..CameraOptions::default()
         }; 2],
-        ..StereoSettings::default()
+        ..StereoOptions::default()
     };
-    let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &options).unwrap();
     let mut out: Vec<usize> = found.outliers.iter().map(|outlier| outlier.pair).collect();
     out.sort_unstable();
     assert_eq!(out, [2, 5]);
@@ -52,7 +52,7 @@ fn more_than_half_of_the_pairs_must_agree() {
     };
     let seen_left = boards(&TILTS[..7]);
     let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
-    let settings = with_fixed(intrinsics);
+    let options = with_fixed(intrinsics);
     // Boards that were moved between the two pictures, each by more than all before together.
     let with_moved = |count: usize| {
         let mut seen_right = seen_left.clone();
@@ -64,7 +64,7 @@ fn more_than_half_of_the_pairs_must_agree() {
             *board = Translator::from_displacement([0.0, distance, 0.0]) * *board;
         }
         let right = views(&camera(rig), &seen_right, 0.1, 2);
-        calibrate_stereo([&left, &right], &places(), SIZE, &settings)
+        calibrate_stereo([&left, &right], &places(), SIZE, &options)
     };
     let found = with_moved(3).unwrap();
     assert_eq!(found.used, [3, 4, 5, 6]);
@@ -95,14 +95,14 @@ fn a_board_beyond_the_field_of_the_right_lens_is_an_outlier() {
     assert!(camera(rig).project(beyond).is_err());
     let left = views(&camera(Motor::default()), &seen_left, 0.1, 1);
     let right = views(&camera(rig), &seen_right, 0.1, 2);
-    let settings = with_fixed(intrinsics);
-    let found = calibrate_stereo([&left, &right], &places(), SIZE, &settings).unwrap();
+    let options = with_fixed(intrinsics);
+    let found = calibrate_stereo([&left, &right], &places(), SIZE, &options).unwrap();
     assert_eq!(found.used, [0, 1, 3, 4, 5, 6, 7]);
     assert!(found.outliers[0].pair == 2 && found.outliers[0].rms.is_infinite());
     assert!(found.rms < 0.2, "{}", found.rms);
-    let all = StereoSettings {
+    let all = StereoOptions {
         outlier_ratio: None,
-        ..settings
+        ..options
     };
     let found = calibrate_stereo([&left, &right], &places(), SIZE, &all);
     assert_eq!(found, Err(CalibrationError::Unseen { pair: 2 }));

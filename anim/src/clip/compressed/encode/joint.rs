@@ -9,7 +9,7 @@ use super::super::basis::{Basis, SEGMENT};
 use super::super::layout::{self, Part};
 use super::super::piece::{self, Encoded, Precision};
 use super::super::shell::relative_difference;
-use super::source::{Source, canonical};
+use super::source::Source;
 use crate::transform::Transform;
 
 /// The weight of a joint's own orientation beside the places of the joints that it carries.
@@ -192,7 +192,7 @@ impl Segment<'_> {
         }
         // The signs follow one another where that stays far from the pole of the projection.
         let mut continuous = targets;
-        continuous[0] = canonical(targets[0]);
+        continuous[0] = targets[0].canonical();
         for frame in 1..frames {
             let before = layout::coefficients(continuous[frame - 1]);
             if layout::dot4(before, layout::coefficients(targets[frame])) < 0.0 {
@@ -203,7 +203,7 @@ impl Segment<'_> {
         if continuous[..frames].iter().all(is_far) {
             continuous.map(layout::stereographic)
         } else {
-            targets.map(canonical).map(layout::stereographic)
+            targets.map(Rotor::canonical).map(layout::stereographic)
         }
     }
 

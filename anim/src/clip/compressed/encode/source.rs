@@ -212,7 +212,7 @@ fn layout(recording: &Recording, joint: usize, levers: &Levers, negligible: f64)
     let rotation = |middle: Rotor<f32>| {
         let back = layout::double_rotor(middle).reverse();
         let deviations: Vec<[f64; 3]> = locals()
-            .map(|local| layout::stereographic(canonical(back * local.rotor())))
+            .map(|local| layout::stereographic((back * local.rotor()).canonical()))
             .collect();
         Part::of_deviations(
             Vector::default(),
@@ -247,11 +247,6 @@ fn in_few_bytes(part: Part) -> Part {
         _ => part.axes,
     };
     Part { axes, ..part }
-}
-
-/// The rotor of the same rotation with a scalar that is not negative.
-pub(super) fn canonical(rotor: Rotor<f64>) -> Rotor<f64> {
-    if rotor.scalar() < 0.0 { -rotor } else { rotor }
 }
 
 fn carried(layouts: &[JointLayout], hierarchy: &Hierarchy, joint: usize) -> Vec<Vector<f64>> {

@@ -1,8 +1,7 @@
 //! Covariances of points.
 
 use ga_camera::triangulation::{
-    ColumnsError, CovarianceColumns, Method, PointColumns, TriangulationError, TwoViews,
-    triangulate_views,
+    CovarianceColumns, Method, PointColumns, TriangulationError, TwoViews, triangulate_views,
 };
 use ga_runtime::cga3::{Direction, Translator};
 use proptest::prelude::*;
@@ -61,7 +60,7 @@ fn covariances_on_the_line_of_both_centres_are_errors() {
             .covariances(1.0, &points, &mut CovarianceColumns::default())
             .unwrap_err();
         assert!(
-            matches!(error, ColumnsError::Point { point: 0, .. }),
+            matches!(error, TriangulationError::Point { point: 0, .. }),
             "{error}"
         );
     }
@@ -77,14 +76,14 @@ fn what_has_no_covariance_is_named() {
         let found = views.covariances(noise, points, &mut covariances);
         found.unwrap_err()
     };
-    assert_eq!(error(&points, -1.0), ColumnsError::Noise(-1.0));
+    assert_eq!(error(&points, -1.0), TriangulationError::Noise(-1.0));
     // A point on the line of both centres has no finite covariance.
     points.x = vec![3.0, 1.0];
     points.y = vec![1.0, 0.0];
     points.z = vec![4.0, 0.0];
-    let expected = ColumnsError::Point {
+    let expected = TriangulationError::Point {
         point: 1,
-        error: TriangulationError::NotFinite,
+        error: Box::new(TriangulationError::NotFinite),
     };
     assert_eq!(error(&points, 1.0), expected);
 }

@@ -1,8 +1,8 @@
-//! Disparity maps as pictures with captions and scales.
+//! Pictures of numbers beside each other, with captions and scales of colours.
 
 use ga_image::plane::Plane;
-use ga_render::text::{self, LINE_HEIGHT, Weight};
-use ga_vision::disparity::picture::ColourScale;
+
+use crate::text::{self, LINE_HEIGHT, Weight};
 
 const PAPER: [u8; 3] = [250, 250, 252];
 const INK: [u8; 3] = [44, 52, 64];
@@ -16,17 +16,22 @@ const BAR: u32 = 14;
 /// The columns that a scale needs at least, for its bar, its numbers and the marks.
 const SCALE_WIDTH: u32 = 300;
 
-/// A mark that stands for pixels without a number, and what it means.
-pub(super) type Mark = (fn([usize; 2]) -> [u8; 3], &'static str);
+/// A mark that stands for pixels without a number, as the colour at a column and a row, and what it
+/// means.
+pub type Mark = (fn([usize; 2]) -> [u8; 3], &'static str);
 
 /// One picture of several beside each other.
-pub(super) struct Panel {
-    pub(super) caption: String,
-    pub(super) picture: Plane<[u8; 3]>,
-    pub(super) scale: ColourScale,
-    /// What the upper end of the scale is called, such as "4 px or more".
-    pub(super) most: String,
-    pub(super) marks: Vec<Mark>,
+pub struct Panel {
+    /// What stands above it.
+    pub caption: String,
+    /// Numbers in colours.
+    pub picture: Plane<[u8; 3]>,
+    /// The colours of the scale, from 0 to 1.
+    pub colours: Box<dyn Fn(f64) -> [u8; 3]>,
+    /// What the lower and the upper end of the scale are called, such as `4 px or more`.
+    pub ends: [String; 2],
+    /// What pixels without a number look like.
+    pub marks: Vec<Mark>,
 }
 
 impl Panel {
@@ -41,7 +46,24 @@ impl Panel {
 }
 
 /// The panels beside each other, each with its caption above and its scale below.
-pub(super) fn beside(panels: &[Panel]) -> Plane<[u8; 3]> {
+///
+/// ```
+/// use ga_image::plane::Plane;
+/// use ga_render::panel::{Panel, beside};
+///
+/// let colours = |share: f64| [(255.0 * share) as u8; 3];
+/// let picture = Plane::from_fn(400, 100, |column, _| colours(column as f64 / 399.0));
+/// let sheet = beside(&[Panel {
+///     caption: "a ramp".into(),
+///     picture,
+///     colours: Box::new(colours),
+///     ends: ["0".into(), "1".into()],
+///     marks: Vec::new(),
+/// }]);
+/// assert_eq!(sheet.width(), 420);
+/// ```
+#[must_use]
+pub fn beside(panels: &[Panel]) -> Plane<[u8; 3]> {
     let width = panels.iter().map(|panel| panel.width() + MARGIN);
     let rows = panels.iter().map(|panel| panel.size()[1]).max();
     let scale_lines = panels
@@ -70,26 +92,19 @@ fn draw(sheet: &mut Plane<[u8; 3]>, left: u32, panel: &Panel) {
     put(sheet, [left, top], &panel.picture);
     top += panel.size()[1] + MARGIN;
 
-    let [first, last] = panel.scale.range();
     let bar = Plane::from_fn(width as usize, BAR as usize, |column, _| {
         let share = column as f64 / f64::from(width - 1);
-        panel.scale.colour(first + share * (last - first))
+        (panel.colours)(share)
     });
     put(sheet, [left, top], &bar);
     top += BAR + 4;
-    line(
-        sheet,
-        [left, top],
-        width,
-        &format!("{first:.1} px"),
-        Weight::Regular,
-    );
-    let room = text::width(&panel.most, Weight::Regular).min(width);
+    line(sheet, [left, top], width, &panel.ends[0], Weight::Regular);
+    let room = text::width(&panel.ends[1], Weight::Regular).min(width);
     line(
         sheet,
         [left + width - room, top],
         room,
-        &panel.most,
+        &panel.ends[1],
         Weight::Regular,
     );
     for (mark, meaning) in &panel.marks {

@@ -1,0 +1,117 @@
+//! Rectified views with their cameras, and the disparities of what both see.
+
+use ga_camera::rig::{RectifiedRig, StereoRig};
+use ga_image::grey::Luma;
+use ga_image::plane::Plane;
+use ga_runtime::cga3::Motor;
+
+use super::pair::{disparity_range, seen_by_both};
+use crate::disparity::{DisparityMap, StereoError};
+use crate::matcher::{Matcher, MatcherOptions, Mode};
+use crate::rectification::{Rectification, RectificationOptions};
+
+/// Two rectified views in colour, which of their pixels were seen, and the cameras.
+#[derive(Clone, Debug)]
+pub struct RectifiedPair {
+    views: [Plane<[u8; 3]>; 2],
+    inside: [Plane<bool>; 2],
+    rig: RectifiedRig,
+    to_left: Motor<f64>,
+}
+
+/// How the disparities of a [`RectifiedPair`] are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PairOptions {
+    /// Disparities are less than this number of pixels; without it, the views decide.
+    pub max_disparity: Option<usize>,
+    /// How much work is done.
+    pub mode: Mode,
+    /// The number of threads; 0 for as many as the machine can run at the same time.
+    pub threads: usize,
+    /// Disparities that are less certain, from 0 to 1, are unknown.
+    pub least_confidence: f32,
+}
+
+impl RectifiedPair {
+    /// Views that are rectified already.
+    #[must_use]
+    pub fn new(views: [Plane<[u8; 3]>; 2], rig: RectifiedRig) -> Self {
+        let inside = |view: &Plane<_>| Plane::filled(view.width(), view.height(), true);
+        Self {
+            inside: views.each_ref().map(inside),
+            views,
+            rig,
+            to_left: Motor::default(),
+        }
+    }
+
+    /// Views as two cameras took them, rectified with their focal length kept.
+    ///
+    /// # Errors
+    /// [`StereoError::Geometry`] for cameras whose views cannot be rectified, and
+    /// [`StereoError::Plane`] for views of different sizes.
+    pub fn rectify(views: &[Plane<[u8; 3]>; 2], rig: &StereoRig) -> Result<Self, StereoError> {
+        let [left, right] = views;
+        let size = [left.width(), left.height()];
+        let found = Rectification::new(rig, size, RectificationOptions::default());
+        let found = found.map_err(|error| StereoError::Geometry(Box::new(error)))?;
+        let maps = [found.left_map(), found.right_map()];
+        Ok(Self {
+            views: [
+                maps[0].warped(left, [0; 3])?,
+                maps[1].warped(right, [0; 3])?,
+            ],
+            inside: maps.each_ref().map(ga_image::warp::Warp::inside),
+            rig: found.rig,
+            to_left: found.left.motor.reverse(),
+        })
+    }
+
+    /// The left and the right view. What no camera saw is black.
+    #[must_use]
+    pub fn views(&self) -> &[Plane<[u8; 3]>; 2] {
+        &self.views
+    }
+
+    /// The rectified cameras.
+    #[must_use]
+    pub fn rig(&self) -> &RectifiedRig {
+        &self.rig
+    }
+
+    /// From the frame of the rectified left camera into that of the left camera.
+    #[must_use]
+    pub fn to_left(&self) -> Motor<f64> {
+        self.to_left
+    }
+
+    /// The disparities of what both cameras see, and the range they were looked for in.
+    ///
+    /// # Errors
+    /// [`StereoError`] for views that cannot be matched.
+    pub fn disparities(&self, options: &PairOptions) -> Result<(DisparityMap, usize), StereoError> {
+        let PairOptions { mode, threads, .. } = *options;
+        let [left, right] = self.views.each_ref().map(|view| Luma::Bt601.plane(view));
+        let max_disparity = match options.max_disparity {
+            Some(range) => range,
+            None => disparity_range(&left, &right, threads)?,
+        };
+        let of_matcher = MatcherOptions {
+            max_disparity,
+            mode,
+            threads,
+        };
+        let mut matcher = Matcher::new(of_matcher, left.width(), left.height())?;
+        let found = matcher.run(&left, &right)?;
+        let [left, right] = &self.inside;
+        let seen = seen_by_both(&found.disparity, [left.view(), right.view()])?;
+        let mut pixels = seen.into_plane();
+        let confidence = found.confidence.values();
+        for (disparity, confidence) in pixels.values_mut().iter_mut().zip(confidence) {
+            if *confidence < options.least_confidence {
+                *disparity = f32::NAN;
+            }
+        }
+        Ok((DisparityMap::new(pixels), max_disparity))
+    }
+}
