@@ -3,7 +3,7 @@
 use ga_anim::recording::RecordingError;
 use ga_anim::skeleton::SkeletonError;
 use ga_camera::CameraError;
-use ga_camera::observation::ObservationError;
+use ga_camera::triangulation::TriangulationError;
 
 use super::case::Case;
 use crate::BodyError;
@@ -64,7 +64,7 @@ pub enum EvaluationError {
         view: usize,
         /// What is wrong.
         #[source]
-        error: Box<ObservationError>,
+        error: Box<TriangulationError>,
     },
     /// No body can be found in what is seen.
     #[error(transparent)]

@@ -6,7 +6,7 @@ use ga_anim::MotionFileError;
 use ga_anim::skeleton::SkeletonError;
 use ga_anim::skin::SkinError;
 use ga_body::BodyError;
-use ga_camera::observation::ObservationError;
+use ga_camera::triangulation::TriangulationError;
 use ga_camera::rig::RigError;
 use ga_files::ReadError;
 use ga_image::file::FormatError as PictureFormatError;
@@ -99,7 +99,7 @@ pub enum CharacterError {
         /// `left` or `right`.
         camera: &'static str,
         /// What is wrong.
-        source: Box<ObservationError>,
+        source: Box<TriangulationError>,
     },
     /// The joints cannot be triangulated.
     #[error(transparent)]
