@@ -10,7 +10,6 @@ mod examples;
 mod failure;
 mod figure;
 mod figure_file;
-mod file_list;
 mod files;
 mod format;
 mod frame;

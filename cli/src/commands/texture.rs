@@ -10,6 +10,7 @@ use ga_vision::texture::{self, Options, Textured, View, texture_mesh};
 use serde::Serialize;
 
 use crate::camera_file;
+use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
@@ -52,8 +53,9 @@ pub(crate) struct Arguments {
     /// The cameras, see above; or a folder with them in views.json.
     #[arg(long, value_name = "VIEWS.json")]
     views: PathBuf,
-    /// The pictures of the cameras, in their order, where the file names none.
-    #[arg(long, value_name = "PICTURE", num_args = 1..)]
+    /// The pictures of the cameras, in their order, where the file names none: names, or patterns
+    /// with `*`, `?` or `[abc]`, whose pictures are sorted by the numbers in their names.
+    #[arg(long, value_name = "PICTURE or GLOB", num_args = 1..)]
     pictures: Vec<PathBuf>,
     /// The textured model: .glb, .gltf or .obj.
     #[arg(long, value_name = "FILE")]
@@ -86,7 +88,10 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
+        let arguments = &Self {
+            pictures: expanded("--pictures", &self.pictures)?,
+            ..self.clone()
+        };
         let out = &arguments.out;
         let mut files = context.files(
             [&arguments.mesh, &arguments.views]

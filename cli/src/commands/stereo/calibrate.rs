@@ -6,6 +6,7 @@ use anyhow::{Context as _, Result, bail, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
 use ga_camera::format::rig;
+use ga_files::{natural_order, numbers};
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_vision::calibration::{
@@ -17,7 +18,7 @@ use serde::Serialize;
 
 use super::views;
 use crate::camera_file::{about, read_side};
-use crate::file_list;
+use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{
     self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
@@ -313,8 +314,14 @@ fn check_outputs(arguments: &Arguments, context: &Context, pairs: &[[PathBuf; 2]
 
 /// The files of the left and the right views, in pairs.
 fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>> {
-    let left = file_list::expand("--left", left)?;
-    let right = file_list::expand("--right", right)?;
+    let sorted = |option: &str, arguments| -> Result<Vec<PathBuf>> {
+        let mut files = expanded(option, arguments)?;
+        natural_order(&mut files);
+        files.dedup();
+        Ok(files)
+    };
+    let left = sorted("--left", left)?;
+    let right = sorted("--right", right)?;
     ensure!(
         left.len() == right.len(),
         "{} left views and {} right ones do not make pairs",
@@ -331,7 +338,7 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
 /// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
 fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
     let changes = |pair: &[PathBuf; 2]| {
-        let [left, right] = pair.each_ref().map(|path| file_list::numbers(path));
+        let [left, right] = pair.each_ref().map(|path| numbers(path));
         let is_comparable = left.len() == right.len();
         let both = left.into_iter().zip(right).filter(|_| is_comparable);
         both.map(|(left, right)| (left != right).then_some((left, right)))

@@ -8,6 +8,7 @@ use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::input::{Blocks, analyse};
+use crate::files::expanded;
 use crate::frame::{self, Command, Context};
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
@@ -18,8 +19,8 @@ use crate::frame::{self, Command, Context};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {
-    /// The videos.
-    #[arg(value_name = "FILE", required = true)]
+    /// The videos: names, or patterns with `*`, `?` or `[abc]`.
+    #[arg(value_name = "FILE or GLOB", required = true)]
     videos: Vec<PathBuf>,
     /// How frames are divided into blocks.
     #[arg(long, value_enum, default_value_t = Blocks::Five)]
@@ -80,16 +81,17 @@ impl Command for Arguments {
     type Report = Table;
 
     fn run(&self, context: &Context) -> Result<Table> {
-        context.files(&self.videos)?;
+        let videos = expanded("FILE", &self.videos)?;
+        context.files(&videos)?;
         let options = Options {
             layout: self.layout.into(),
             minimum_shot: self.min_shot,
             ..Options::default()
         };
-        let progress = context.progress(self.videos.len() as u64);
+        let progress = context.progress(videos.len() as u64);
         let (mut clips, mut frames, mut total) = (Vec::new(), 0, Statistics::default());
         let mut failure = None;
-        for path in &self.videos {
+        for path in &videos {
             progress.step("analysing");
             let analysed = match analyse(path, options, None, &progress) {
                 Ok(analysed) => analysed,

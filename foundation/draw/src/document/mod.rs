@@ -12,8 +12,11 @@
 //! assert!(page.into_html().starts_with("<!DOCTYPE html>"));
 //! ```
 
+mod overlay;
 mod page;
 mod svg;
+mod values;
 
+pub use overlay::{Outline, overlay};
 pub use page::{Cell, Page, Tint};
 pub use svg::{Anchor, Svg, ticks};

@@ -22,6 +22,7 @@ use ga_mannequin::Human;
 use ga_mesh::gltf;
 
 use crate::figure::Figure;
+use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{Command, Context, Progress};
 use crate::{model, output};
@@ -39,7 +40,11 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        fit_character(self, context)
+        let arguments = Self {
+            joints: expanded("--joints", &self.joints)?,
+            ..self.clone()
+        };
+        fit_character(&arguments, context)
     }
 }
 
