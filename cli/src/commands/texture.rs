@@ -113,7 +113,9 @@ impl Command for Arguments {
         let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
         progress.step("writing");
         let model = textured.to_mesh()?;
-        output::write_together(mesh_file::files(out, format, &model, &Default::default())?)?;
+        let files = mesh_file::files(out, format, &model, &Default::default())?;
+        mesh_file::check_parts("--out", &[&arguments.mesh], &files[1..])?;
+        output::write_together(files)?;
         drop(progress);
         warnings.extend(views_alone(&textured.report.views));
         Ok(Report {

@@ -123,6 +123,7 @@ impl Command for Arguments {
 
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
+        mesh_file::check_parts("--out", &[input], &files[1..])?;
         output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
         drop(progress);
         let files = files.iter().map(|(path, _)| path.display().to_string());

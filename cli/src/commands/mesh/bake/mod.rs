@@ -15,7 +15,7 @@ use ga_mesh::{Image, atlas};
 use ga_render::bake::{MeshColours, colour_picture, height_picture, normal_picture, share_picture};
 
 use crate::frame::{Command, Context};
-use crate::mesh_file;
+use crate::{mesh_file, output};
 use coarse::{Coarse, Images};
 use report::{Report, Steps};
 
@@ -228,12 +228,12 @@ impl Command for Arguments {
         files.extend(mesh_files);
 
         steps.begin("write");
-        ga_files::write_all(
-            &arguments.out,
-            files
-                .iter()
-                .map(|(name, contents)| (name.as_str(), &contents[..])),
-        )?;
+        let names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+        let files = files.into_iter();
+        let files = files.map(|(name, contents)| (arguments.out.join(name), contents));
+        let files: Vec<(PathBuf, Vec<u8>)> = files.collect();
+        mesh_file::check_parts("--out", &[&arguments.fine, &arguments.coarse], &files)?;
+        output::write_together(files)?;
 
         let seconds = steps.finish(begin);
         drop(progress);
@@ -254,7 +254,7 @@ impl Command for Arguments {
             covered_texels: bake.covered_texels(),
             nearest_texels: bake.nearest_texels(),
             displacement: range,
-            files: files.into_iter().map(|(name, _)| name).collect(),
+            files: names,
         })
     }
 }
