@@ -37,8 +37,8 @@ pub enum ListError {
 /// An argument is the name of a file or a folder where one has that name, and where it has none of
 /// the symbols `*`, `?` and `[` in it. Any other is a pattern: `*` stands for any text, `?` for a
 /// character, `[abc]` for one of several, and `**` for any folders. Folders with which it begins
-/// are names, not patterns, where they exist. It stands for the files that it matches, or, where it
-/// matches none, for the folders, in [natural order](natural_order).
+/// are names, with any symbols, where they exist. It stands for the files that it matches, or,
+/// where it matches none, for the folders, in [natural order](natural_order).
 ///
 /// # Errors
 ///
@@ -69,7 +69,7 @@ pub fn expand<P: AsRef<Path>>(
     for path in arguments {
         let path = path.as_ref();
         match path.to_str() {
-            Some(text) if text.contains(['*', '?', '[']) && !path.exists() => {
+            Some(text) if !path.exists() && split(text).1.contains(['*', '?', '[']) => {
                 all.extend(matches(text)?);
             }
             _ => all.push(path.to_path_buf()),
@@ -80,8 +80,10 @@ pub fn expand<P: AsRef<Path>>(
 
 /// The files, or else the folders, that a pattern matches.
 fn matches(argument: &str) -> Result<Vec<PathBuf>, ListError> {
+    let (folders, rest) = split(argument);
+    let pattern = Pattern::escape(folders) + rest;
     let argument = argument.to_owned();
-    let paths = match glob::glob(&pattern(&argument)) {
+    let paths = match glob::glob(&pattern) {
         Ok(paths) => paths.collect::<Result<Vec<_>, _>>(),
         Err(source) => return Err(ListError::Pattern { argument, source }),
     };
@@ -100,13 +102,12 @@ fn matches(argument: &str) -> Result<Vec<PathBuf>, ListError> {
     Ok(files)
 }
 
-/// An argument with the special symbols of existing folders escaped.
-fn pattern(argument: &str) -> String {
+/// An argument in two parts: the folders with which it begins that exist, and the rest.
+fn split(argument: &str) -> (&str, &str) {
     let folders = argument.match_indices(std::path::is_separator);
     let ends = folders.map(|(index, separator)| index + separator.len());
     let mut existing = ends.filter(|&end| Path::new(&argument[..end]).is_dir());
-    let end = existing.next_back().unwrap_or(0);
-    Pattern::escape(&argument[..end]) + &argument[end..]
+    argument.split_at(existing.next_back().unwrap_or(0))
 }
 
 /// Sorts paths by their names, where numbers count as numbers: 2 comes before 10.

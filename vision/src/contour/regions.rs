@@ -76,23 +76,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_surrounds_a_parent_that_is_left_out_takes_its_place() {
-        // Squares about the centre: bright, dark, bright, dark. The third border is left out by its
-        // hole being nearly as large as it is.
+    fn parents_are_counted_among_the_borders_that_are_kept() {
+        // Squares about the centre, bright, dark and bright, and first a small one in a corner.
         let picture = Plane::from_fn(41, 41, |column, row| {
             let distance = (column as i32 - 20).abs().max((row as i32 - 20).abs());
+            let is_small = (1..3).contains(&column) && (1..3).contains(&row);
             match distance {
                 0..=2 | 6..=12 => 200u8,
+                _ if is_small => 200,
                 _ => 10,
             }
         });
-        let all = Regions::find(&picture, None, 0.0).unwrap().contours;
-        let parents: Vec<_> = all.iter().map(|contour| contour.parent).collect();
-        assert_eq!(parents, [None, Some(0), Some(1)]);
-        // The outer border has 24 × 24 pixels, its hole 12 × 12, the inner square 4 × 4.
-        let large = Regions::find(&picture, None, 100.0).unwrap().contours;
-        assert_eq!(large.len(), 2);
-        assert_eq!(large[1].parent, Some(0));
+        let parents = |least_area: f64| -> Vec<Option<usize>> {
+            let found = Regions::find(&picture, None, least_area).unwrap();
+            found
+                .contours
+                .iter()
+                .map(|contour| contour.parent)
+                .collect()
+        };
+        assert_eq!(parents(0.0), [None, None, Some(1), Some(2)]);
+        // Through the centres of pixels the large border is 24 × 24 pixels, its hole 12 × 12, the
+        // square in it 4 × 4.
+        assert_eq!(parents(10.0), [None, Some(0), Some(1)]);
+        assert_eq!(parents(100.0), [None, Some(0)]);
         let error = Regions::find(&picture, None, 1000.0).unwrap_err();
         assert_eq!(error, ContourError::NoBorder { least_area: 1000.0 });
     }
