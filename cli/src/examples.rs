@@ -2,176 +2,51 @@
 
 use clap::Command;
 
-/// The words of each command and how it is called.
-const EXAMPLES: [(&str, &str); 47] = [
-    (
-        "demo",
-        "nullcone demo --bones --trails LeftFoot,RightHand --film walk.png",
-    ),
-    (
-        "animate",
-        "nullcone animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
-    ),
-    (
-        "body",
-        "nullcone body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
-    ),
-    (
-        "body fit",
-        "nullcone body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
-    ),
-    (
-        "body evaluate",
-        "nullcone body evaluate --motion walk.bvh --noise 0,1,2,4 --views 1,2,4 --plot p.svg",
-    ),
-    (
-        "capture",
-        "nullcone capture points.csv --calibrated brow,nose,left,right --out expression.csv",
-    ),
-    (
-        "expand",
-        "nullcone expand --expr 'fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }' --emit ops",
-    ),
-    (
-        "clip",
-        "nullcone clip compress walk.bvh --tolerance 0.0001 --out walk.clip",
-    ),
-    (
-        "clip compress",
-        "nullcone clip compress walk.bvh --tolerance 0.0001 --out walk.clip",
-    ),
-    ("clip info", "nullcone clip info walk.clip --json"),
-    (
-        "clip sample",
-        "nullcone clip sample walk.clip --times 0,0.25,1.5 --json",
-    ),
-    (
-        "clip resample",
-        "nullcone clip resample walk.clip --rate 30 --out walk-30.clip",
-    ),
-    (
-        "clip retarget",
-        "nullcone clip retarget walk.bvh --target hero.glb --foot-locking --out hero-walks.glb",
-    ),
-    (
-        "clip mirror",
-        "nullcone clip mirror walk.clip --out walk-mirrored.clip",
-    ),
-    (
-        "clip blend",
-        "nullcone clip blend walk.clip run.clip --weights 0.7,0.3 --out jog.clip",
-    ),
-    (
-        "contour",
-        "nullcone contour coins.png --out coins.svg --json",
-    ),
-    (
-        "curve",
-        "nullcone curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg",
-    ),
-    ("draw", "nullcone draw scene.json --out scene.html"),
-    ("mesh", "nullcone mesh convert scan.ply scan.obj"),
-    ("mesh info", "nullcone mesh info bunny.obj --json"),
-    ("mesh convert", "nullcone mesh convert scan.ply scan.obj"),
-    (
-        "mesh subdivide",
-        "nullcone mesh subdivide cube.obj --levels 3 --out smooth.obj",
-    ),
-    (
-        "mesh bake",
-        "nullcone mesh bake --fine scan.obj --coarse game.obj --maps normal,colour --out baked",
-    ),
-    (
-        "quality",
-        "nullcone quality compare reference.png compressed.png --json",
-    ),
-    (
-        "quality compare",
-        "nullcone quality compare original.y4m compressed.y4m --csv frames.csv --plot frames.svg",
-    ),
-    (
-        "quality fit",
-        "nullcone quality fit scores.csv --report fit.html",
-    ),
-    (
-        "quality ratings",
-        "nullcone quality ratings table.csv --screen --report ratings.html",
-    ),
-    (
-        "render",
-        "nullcone render model.glb --camera three-quarter --out model.png",
-    ),
-    (
-        "skin",
-        "nullcone skin fox.glb --animation 2 --time 0.35 --method motor --out frame.obj",
-    ),
-    (
-        "stereo",
-        "nullcone stereo match left.png right.png --max-disparity 64 --out disparities.pfm",
-    ),
-    (
-        "stereo calibrate",
-        "nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' \
-         --right 'right*.jpg' --out rig.yml",
-    ),
-    (
-        "stereo match",
-        "nullcone stereo match left.png right.png --max-disparity 64 --out d.pfm --picture d.png",
-    ),
-    (
-        "stereo evaluate",
-        "nullcone stereo evaluate d.pfm truth.png --scale 4 --json",
-    ),
-    (
-        "stereo pose",
-        "nullcone stereo pose left.png right.png --camera K.yml --json",
-    ),
-    (
-        "stereo rectify",
-        "nullcone stereo rectify left.jpg right.jpg --rig rig.yml --alpha 0 --out rectified",
-    ),
-    (
-        "stereo undistort",
-        "nullcone stereo undistort left01.jpg --camera left.yml --out straight.png",
-    ),
-    (
-        "stereo diagnose",
-        "nullcone stereo diagnose left.png right.png --json",
-    ),
-    (
-        "stereo reconstruct",
-        "nullcone stereo reconstruct left.jpg right.jpg --rig rig.yml --out model.glb",
-    ),
-    (
-        "texture",
-        "nullcone texture statue.obj --views views/views.json --out model.glb",
-    ),
-    (
-        "video",
-        "nullcone video keyframes film.y4m --out keys --contact-sheet sheet.png",
-    ),
-    (
-        "video align",
-        "nullcone video align film.y4m --out aligned.y4m",
-    ),
-    (
-        "video comfort",
-        "nullcone video comfort film.y4m --layout side-by-side --out report.html",
-    ),
-    (
-        "video keyframes",
-        "nullcone video keyframes film.y4m --out keys --contact-sheet sheet.png",
-    ),
-    (
-        "video score",
-        "nullcone video score found.json labels.csv --tolerance 1",
-    ),
-    (
-        "video statistics",
-        "nullcone video statistics first.y4m second.y4m --json",
-    ),
-    ("completions", "nullcone completions bash"),
-    ("man", "nullcone man --out man1"),
+/// How commands are called, after the name of the program. The example of a command with others
+/// below it is the first of theirs.
+const EXAMPLES: [&str; 41] = [
+    "demo --bones --trails LeftFoot,RightHand --film walk.png",
+    "animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
+    "body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
+    "body evaluate --motion walk.bvh --noise 0,1,2,4 --views 1,2,4 --plot p.svg",
+    "capture points.csv --calibrated brow,nose,left,right --out expression.csv",
+    "expand --expr 'fn f(m: Motor, p: Point) -> Point { m * p * rev(m) }' --emit ops",
+    "clip compress walk.bvh --tolerance 0.0001 --out walk.clip",
+    "clip info walk.clip --json",
+    "clip sample walk.clip --times 0,0.25,1.5 --json",
+    "clip resample walk.clip --rate 30 --out walk-30.clip",
+    "clip retarget walk.bvh --target hero.glb --foot-locking --out hero-walks.glb",
+    "clip mirror walk.clip --out walk-mirrored.clip",
+    "clip blend walk.clip run.clip --weights 0.7,0.3 --out jog.clip",
+    "contour coins.png --out coins.svg --json",
+    "curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg",
+    "draw scene.json --out scene.html",
+    "mesh convert scan.ply scan.obj",
+    "mesh info bunny.obj --json",
+    "mesh subdivide cube.obj --levels 3 --out smooth.obj",
+    "mesh bake --fine scan.obj --coarse game.obj --maps normal,colour --out baked",
+    "quality compare original.y4m compressed.y4m --csv frames.csv --plot frames.svg",
+    "quality fit scores.csv --report fit.html",
+    "quality ratings table.csv --screen --report ratings.html",
+    "render model.glb --camera three-quarter --out model.png",
+    "skin fox.glb --animation 2 --time 0.35 --method motor --out frame.obj",
+    "stereo match left.png right.png --max-disparity 64 --out d.pfm --picture d.png",
+    "stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg' \
+     --out rig.yml",
+    "stereo evaluate d.pfm truth.png --scale 4 --json",
+    "stereo pose left.png right.png --camera K.yml --json",
+    "stereo rectify left.jpg right.jpg --rig rig.yml --alpha 0 --out rectified",
+    "stereo undistort left01.jpg --camera left.yml --out straight.png",
+    "stereo diagnose left.png right.png --json",
+    "stereo reconstruct left.jpg right.jpg --rig rig.yml --out model.glb",
+    "texture statue.obj --views views/views.json --out model.glb",
+    "video keyframes film.y4m --out keys --contact-sheet sheet.png",
+    "video align film.y4m --out aligned.y4m",
+    "video comfort film.y4m --layout side-by-side --out report.html",
+    "video score found.json labels.csv --tolerance 1",
+    "video statistics first.y4m second.y4m --json",
+    "completions bash",
+    "man --out man1",
 ];
 
 /// A command with an example in its help and in that of each command below it.
@@ -192,8 +67,12 @@ fn add(command: Command, words: &str) -> Command {
         Some(about) => command.about(one_line(&about)),
         None => command,
     };
-    match EXAMPLES.iter().find(|(of, _)| *of == words) {
-        Some((_, example)) => command.after_help(format!("Example:\n  {example}")),
+    let is_of_it = |example: &&&str| {
+        let rest = example.strip_prefix(words);
+        rest.is_some_and(|rest| rest.starts_with(' '))
+    };
+    match EXAMPLES.iter().find(is_of_it) {
+        Some(example) => command.after_help(format!("Example:\n  nullcone {example}")),
         None => command,
     }
 }

@@ -1,15 +1,14 @@
 //! Errors as they are printed.
 
 use anyhow::Error;
-
-use crate::commands::expand::SourceError;
+use ga_compiler::source::SourceError;
 
 /// The text of an error, which starts with `error: `. Errors in source text show the lines that
 /// they are in; any other error is one line.
 pub(crate) fn text(error: &Error) -> String {
     match error.downcast_ref::<SourceError>() {
-        Some(error) => error.to_string(),
-        None => format!("error: {}", one_line(error)),
+        Some(SourceError::Faulty(faults)) => faults.to_string(),
+        _ => format!("error: {}", one_line(error)),
     }
 }
 

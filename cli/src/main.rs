@@ -5,7 +5,6 @@ mod camera_file;
 mod commands;
 mod examples;
 mod failure;
-mod file_list;
 mod files;
 mod format;
 mod frame;

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
-use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
+use ga_mesh::{Image, Mesh, obj};
 use serde::Serialize;
 
 use crate::format::{Format, endings};
@@ -90,4 +90,56 @@ pub(crate) fn files(
         *path = out.to_path_buf();
     }
     Ok(files)
+}
+
+/// Fails where one of some outputs would replace, with other contents, a library of materials or a
+/// picture that a mesh which is read refers to.
+pub(crate) fn check_parts(
+    option: &str,
+    meshes: &[&PathBuf],
+    outputs: &[(PathBuf, Vec<u8>)],
+) -> Result<()> {
+    for (path, contents) in outputs {
+        // Most outputs are new, and then no mesh needs to be read again.
+        if !path.exists() || std::fs::read(path).is_ok_and(|found| found == *contents) {
+            continue;
+        }
+        for mesh in meshes {
+            let mut parts = parts(mesh)?.into_iter();
+            if parts.any(|part| ga_files::is_same_file(part, path)) {
+                bail!(
+                    "{option} {}: it is a part of the input {}, which would be lost",
+                    path.display(),
+                    mesh.display()
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The libraries of materials and the pictures that the file of a mesh refers to.
+fn parts(file: &Path) -> Result<Vec<PathBuf>> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut parts = Vec::new();
+    let mesh = if Format::Obj.fits(file) {
+        let mut library = |name: &str| {
+            let path = folder.join(name);
+            let bytes = std::fs::read(&path)?;
+            parts.push(path);
+            Ok(bytes)
+        };
+        ga_files::read(file, |bytes| {
+            obj::decode_with_libraries(bytes, &mut library)
+        })?
+        .0
+    } else {
+        format::read(file)?.0
+    };
+    for texture in mesh.materials().iter().flat_map(|m| m.textures()) {
+        if let Image::File(path) = &texture.image {
+            parts.push(folder.join(path));
+        }
+    }
+    Ok(parts)
 }

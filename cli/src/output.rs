@@ -71,8 +71,3 @@ pub(crate) fn stage_with(
         staged.add_with(path, write)
     }
 }
-
-/// A part as per cent, without the digits that only rounding makes: 0.57 is 57.
-pub(crate) fn percent(part: f64) -> f64 {
-    (part * 1e8).round() / 1e6
-}

@@ -7,7 +7,6 @@ use clap_mangen::Man;
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context};
-use crate::output;
 
 /// Print the manual page of the program, or write a page for each command into a folder.
 ///
@@ -53,12 +52,11 @@ impl Command for Manual<'_> {
         let mut pages = Vec::new();
         add_pages(program, &mut pages)?;
         files.write_folder("--out", folder, pages.iter().map(|(name, _)| name))?;
-        let pages = pages.into_iter();
-        let pages: Vec<_> = pages
-            .map(|(name, contents)| (folder.join(name), contents))
-            .collect();
-        output::write_together(pages.iter().map(|(path, contents)| (path, contents)))?;
-        let files = pages.iter().map(|(path, _)| path.display().to_string());
+        let named = pages.iter();
+        ga_files::write_all(folder, named.map(|(name, page)| (name.as_str(), &page[..])))?;
+        let files = pages
+            .iter()
+            .map(|(name, _)| folder.join(name).display().to_string());
         Ok(Report::Written {
             folder: folder.clone(),
             files: files.collect(),

@@ -12,9 +12,7 @@ use ga_image::{frames, png, y4m};
 use ga_mesh::gltf;
 use ga_render::model::{self, Model};
 use ga_render::view_file::{self, ViewFiles};
-use ga_render::{
-    Buffers, Shading, Style, View, Viewpoint, ViewpointError, buffer_files, render,
-};
+use ga_render::{Buffers, Shading, Style, View, Viewpoint, ViewpointError, buffer_files, render};
 use serde::Serialize;
 
 use crate::camera_file;
@@ -348,7 +346,9 @@ fn draw(
         let mut files = vec![(arguments.out.clone(), film??)];
         if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
             let buffers = Buffers::new(scene, first, style.width, style.height)?;
-            let encoded = buffer_files::encode(&buffers).context("--buffers")?.into_iter();
+            let encoded = buffer_files::encode(&buffers)
+                .context("--buffers")?
+                .into_iter();
             files.extend(encoded.map(|(name, contents)| (folder.join(name), contents)));
         }
         files.extend(pictures_with_views.map_or(Ok(Vec::new()), ViewFiles::finish)?);

@@ -10,6 +10,7 @@ use ga_vision::texture::{self, Options, View, texture_mesh};
 use serde::Serialize;
 
 use crate::camera_file;
+use crate::files::expanded;
 use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file;
@@ -51,8 +52,9 @@ pub(crate) struct Arguments {
     /// The cameras, see above; or a folder with them in views.json.
     #[arg(long, value_name = "VIEWS.json")]
     views: PathBuf,
-    /// The pictures of the cameras, in their order, where the file names none.
-    #[arg(long, value_name = "PICTURE", num_args = 1..)]
+    /// The pictures of the cameras, in their order, where the file names none: names, or patterns
+    /// with `*`, `?` or `[abc]`, whose pictures are sorted by the numbers in their names.
+    #[arg(long, value_name = "PICTURE or GLOB", num_args = 1..)]
     pictures: Vec<PathBuf>,
     #[arg(long, value_name = "FILE", help = format!("The textured model: {}", endings(&formats())))]
     out: PathBuf,
@@ -89,7 +91,10 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        let arguments = self;
+        let arguments = &Self {
+            pictures: expanded("--pictures", &self.pictures)?,
+            ..self.clone()
+        };
         let out = &arguments.out;
         let mut files = context.files(
             [&arguments.mesh, &arguments.views]
@@ -110,7 +115,9 @@ impl Command for Arguments {
         let textured = textured.with_context(|| arguments.mesh.display().to_string())?;
         progress.step("writing");
         let model = textured.to_mesh()?;
-        output::write_together(mesh_file::files(out, format, &model, &Default::default())?)?;
+        let files = mesh_file::files(out, format, &model, &Default::default())?;
+        mesh_file::check_parts("--out", &[&arguments.mesh], &files[1..])?;
+        output::write_together(files)?;
         drop(progress);
         warnings.extend(views_alone(&textured.report.views));
         Ok(Report {

@@ -2,17 +2,15 @@
 
 use std::ffi::OsStr;
 
+use crate::shell::quoted;
+
 /// A command as one line. Words of file names that a shell would read otherwise are in quotes; the
 /// first word may be several, and is taken as it is.
 pub(crate) fn command_line<'a>(words: impl IntoIterator<Item = &'a OsStr>) -> String {
     let words = words.into_iter().enumerate();
-    let words = words.map(|(place, word)| {
-        let word = word.to_string_lossy();
-        let is_plain = |c: char| c.is_alphanumeric() || "/.,:=@%+_-\\".contains(c);
-        match place == 0 || (!word.is_empty() && word.chars().all(is_plain)) {
-            true => word.into_owned(),
-            false => format!("'{}'", word.replace('\'', r"'\''")),
-        }
+    let words = words.map(|(place, word)| match place {
+        0 => word.to_string_lossy().into_owned(),
+        _ => quoted(word),
     });
     words.collect::<Vec<_>>().join(" ")
 }

@@ -241,3 +241,18 @@ fn pictures_with_16_bits_are_baked_at_their_depth() {
     let (colours, _) = baked_colours(&folder);
     assert!(colours.values().iter().all(|&colour| colour == [49; 3]));
 }
+
+/// The library of the coarse mesh lies where that of the result would be written.
+#[test]
+fn the_library_of_the_coarse_mesh_stays() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("out")).unwrap();
+    let library = folder.path().join("out/coarse.mtl");
+    std::fs::write(&library, "newmtl paint\n").unwrap();
+    let low = format!("mtllib coarse.mtl\nusemtl paint\n{COARSE}");
+    std::fs::write(folder.path().join("out/low.obj"), low).unwrap();
+    let output = bake(&folder, &["--coarse", "out/low.obj", "--size", "16"]);
+    assert_failure(&output, &["coarse.mtl", "a part of the input out/low.obj"]);
+    assert_eq!(std::fs::read(&library).unwrap(), b"newmtl paint\n");
+    assert_eq!(names(&folder.path().join("out")), ["coarse.mtl", "low.obj"]);
+}

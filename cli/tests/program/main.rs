@@ -25,6 +25,7 @@ mod mesh;
 mod mesh_subdivide;
 mod outputs;
 mod pages;
+mod patterns;
 mod quality;
 mod quality_opinion;
 mod reconstruct;

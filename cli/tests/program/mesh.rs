@@ -137,6 +137,42 @@ fn unrelated_files_stay() {
     }
 }
 
+/// A library of materials that an input refers to is an input, also beside an output.
+#[test]
+fn the_library_of_an_input_stays() {
+    let folder = folder();
+    let place = |name: &str| folder.path().join(name);
+    std::fs::copy(place("t.obj"), place("other.obj")).unwrap();
+    std::fs::write(place("t.mtl"), "newmtl red\nnewmtl blue\n").unwrap();
+    let before = [place("t.obj"), place("t.mtl")].map(|path| std::fs::read(path).unwrap());
+    for command in [
+        &["convert", "other.obj", "t.obj", "--force"][..],
+        &["subdivide", "other.obj", "--levels", "1", "--out", "t.obj"],
+    ] {
+        let output = nullcone(folder.path(), [&["mesh"], command].concat());
+        assert_failure(&output, &["t.mtl", "a part of the input other.obj"]);
+        let after = [place("t.obj"), place("t.mtl")].map(|path| std::fs::read(path).unwrap());
+        assert_eq!(after, before);
+    }
+    // A library that nothing refers to is replaced, as any other file that is written.
+    std::fs::write(place("new.mtl"), "newmtl mine\n").unwrap();
+    let subdivide = [
+        "mesh",
+        "subdivide",
+        "t.obj",
+        "--levels",
+        "1",
+        "--out",
+        "new.obj",
+    ];
+    assert_success(&nullcone(folder.path(), subdivide));
+    let library = std::fs::read_to_string(place("new.mtl")).unwrap();
+    assert!(
+        library.contains("newmtl red") && !library.contains("mine"),
+        "{library}"
+    );
+}
+
 #[test]
 fn absolute_paths_of_pictures_become_relative() {
     let folder = folder();

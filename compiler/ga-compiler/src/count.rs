@@ -23,16 +23,22 @@ use crate::function::CompiledFunction;
 
 /// Numbers of operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "source", derive(serde::Serialize))]
 pub struct Operations {
     /// Multiplications.
+    #[cfg_attr(feature = "source", serde(rename = "mul"))]
     pub multiplications: usize,
     /// Additions and subtractions.
+    #[cfg_attr(feature = "source", serde(rename = "add"))]
     pub additions: usize,
     /// Divisions.
+    #[cfg_attr(feature = "source", serde(rename = "div"))]
     pub divisions: usize,
     /// Square roots.
+    #[cfg_attr(feature = "source", serde(rename = "sqrt"))]
     pub roots: usize,
     /// Negations and calls of other functions.
+    #[cfg_attr(feature = "source", serde(rename = "other"))]
     pub others: usize,
 }
 
@@ -75,8 +81,10 @@ impl fmt::Display for Operations {
 
 /// The operations of a compiled function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "source", derive(serde::Serialize))]
 pub struct FunctionCount {
     /// What is done in every call.
+    #[cfg_attr(feature = "source", serde(flatten))]
     pub call: Operations,
     /// What is done once for the uniform operands.
     pub uniform: Operations,

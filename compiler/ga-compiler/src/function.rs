@@ -31,6 +31,15 @@ pub struct CompiledFunction {
     pub warnings: Vec<Warning>,
 }
 
+impl CompiledFunction {
+    /// The name, as messages have it; `closure` for a closure.
+    #[must_use]
+    pub fn label(&self) -> String {
+        let name = self.name.as_ref();
+        name.map_or_else(|| "closure".to_owned(), Ident::to_string)
+    }
+}
+
 impl fmt::Debug for CompiledFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("CompiledFunction")

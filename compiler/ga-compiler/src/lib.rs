@@ -18,6 +18,7 @@
 //! - [`resolve`]: names to the steps of a program.
 //! - [`function`]: one compiled function.
 //! - [`emit`]: Rust, WGSL, formulas and graphs; `count`: operations in emitted Rust.
+//! - `source`: texts of Rust with `algebra!` and `ga!` blocks, and errors with their lines.
 //! - `explain`: messages about values that are not of their declared type.
 //!
 //! # Example
@@ -52,6 +53,8 @@ pub mod function;
 mod nearest;
 pub mod parse;
 pub mod resolve;
+#[cfg(feature = "source")]
+pub mod source;
 
 pub use ga_symbolic::{
     algebra, define, expression, forms, ir, kernel, limit, lower, passes, program, signature, task,

@@ -9,13 +9,15 @@
 //! - [`check`] says before the work whether a file can be written, and [`is_stream`] whether its
 //!   bytes go to a device or a pipe.
 //! - [`name`] and [`stem`] are the name of a file without its folders.
-//! - [`list`] finds the files that patterns stand for, in the order of the numbers in their names.
+//! - [`expand`] takes names and patterns of files, and [`natural_order`] sorts by numbers in names.
+//! - [`Outputs`] sees to it that no output takes the place of an input or of another output.
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
+mod list;
 mod name;
-pub mod list;
+mod outputs;
 mod read;
 pub mod table;
 mod target;
@@ -24,7 +26,9 @@ mod write;
 mod write_all;
 
 pub use error::WriteError;
+pub use list::{ListError, expand, first_unlike_pair, natural_order};
 pub use name::{name, stem};
+pub use outputs::{OutputError, Outputs};
 pub use read::{ReadError, read};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
 pub use temporary::remove_temporaries;

@@ -1,81 +1,118 @@
-//! Lists of files, as names and patterns, in the order of the numbers in their names.
+//! Lists of files as arguments: names and patterns, and the order of their names.
 
 use std::path::{Component, Path, PathBuf};
 
 use glob::{GlobError, Pattern, PatternError};
 
-/// Why a name or a pattern stands for no files.
+/// Why an argument stands for no files.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ListError {
-    /// It is not a pattern, and no file has this name.
-    #[error("{pattern:?}: {error}")]
+    /// It is neither a name of a file nor a pattern.
+    #[error("{argument:?}: {source}")]
     Pattern {
-        /// The text.
-        pattern: String,
+        /// The argument.
+        argument: String,
         /// What is wrong with it.
-        error: PatternError,
+        source: PatternError,
     },
     /// A folder cannot be read.
-    #[error("{pattern:?}: {error}")]
+    #[error("{argument:?}: {source}")]
     Folder {
-        /// The pattern.
-        pattern: String,
+        /// The argument.
+        argument: String,
         /// What the operating system said.
-        error: GlobError,
+        source: GlobError,
     },
-    /// It matches no file.
-    #[error("{0:?} matches no file")]
-    NoMatch(String),
+    /// The pattern matches nothing.
+    #[error("{argument:?} matches no file")]
+    NoMatch {
+        /// The argument.
+        argument: String,
+    },
 }
 
-/// The files that names and patterns stand for, each once, in the order of their names, where
-/// numbers count as numbers: 2 comes before 10.
+/// The files that arguments stand for, in the order of the arguments.
 ///
-/// A text is the name of a file, or a pattern where no file has that name. Folders with which it
-/// begins are names, not patterns, where they exist.
+/// An argument is the name of a file or a folder where one has that name, and where it has none of
+/// the symbols `*`, `?` and `[` in it. Any other is a pattern: `*` stands for any text, `?` for a
+/// character, `[abc]` for one of several, and `**` for any folders. Folders with which it begins
+/// are names, with any symbols, where they exist. It stands for the files that it matches, or,
+/// where it matches none, for the folders, in [natural order](natural_order).
 ///
 /// # Errors
-/// [`ListError`] for the first text that stands for none.
+///
+/// [`ListError`]: an argument is not a pattern, or matches nothing, or a folder cannot be read.
+///
+/// # Examples
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
-/// for name in ["view10.png", "view9.png", "other.png"] {
+/// for name in ["left 9.jpg", "left 10.jpg", "left [8].jpg"] {
 ///     std::fs::write(folder.path().join(name), b"")?;
 /// }
-/// let pattern = folder.path().join("view*.png").display().to_string();
-/// let files = ga_files::list::expand(&[pattern])?;
-/// assert_eq!(files.len(), 2);
-/// assert!(files[0].ends_with("view9.png"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// let names = |argument: &str| -> Vec<String> {
+///     let files = ga_files::expand([folder.path().join(argument)]).unwrap_or_default();
+///     let names = files.iter().filter_map(|file| file.file_name()?.to_str());
+///     names.map(str::to_owned).collect()
+/// };
+/// assert_eq!(names("left [8].jpg"), ["left [8].jpg"]);
+/// assert_eq!(names("left [89].jpg"), ["left 9.jpg"]);
+/// assert_eq!(names("left ?*.jpg"), ["left 9.jpg", "left 10.jpg", "left [8].jpg"]);
+/// assert!(ga_files::expand([folder.path().join("right*")]).is_err());
+/// # Ok::<(), std::io::Error>(())
 /// ```
-pub fn expand(texts: &[String]) -> Result<Vec<PathBuf>, ListError> {
-    let mut files = Vec::new();
-    for text in texts {
-        if Path::new(text).is_file() {
-            files.push(PathBuf::from(text));
-            continue;
-        }
-        let before = files.len();
-        let found = glob::glob(&pattern(text)).map_err(|error| ListError::Pattern {
-            pattern: text.clone(),
-            error,
-        })?;
-        for path in found {
-            let path = path.map_err(|error| ListError::Folder {
-                pattern: text.clone(),
-                error,
-            })?;
-            if path.is_file() {
-                files.push(path);
+pub fn expand<P: AsRef<Path>>(
+    arguments: impl IntoIterator<Item = P>,
+) -> Result<Vec<PathBuf>, ListError> {
+    let mut all = Vec::new();
+    for path in arguments {
+        let path = path.as_ref();
+        match path.to_str() {
+            Some(text) if !path.exists() && split(text).1.contains(['*', '?', '[']) => {
+                all.extend(matches(text)?);
             }
-        }
-        if files.len() == before {
-            return Err(ListError::NoMatch(text.clone()));
+            _ => all.push(path.to_path_buf()),
         }
     }
-    files.sort_by_cached_key(|path| (key(path), path.clone()));
-    files.dedup();
+    Ok(all)
+}
+
+/// The files, or else the folders, that a pattern matches.
+fn matches(argument: &str) -> Result<Vec<PathBuf>, ListError> {
+    let (folders, rest) = split(argument);
+    let pattern = Pattern::escape(folders) + rest;
+    let argument = argument.to_owned();
+    let paths = match glob::glob(&pattern) {
+        Ok(paths) => paths.collect::<Result<Vec<_>, _>>(),
+        Err(source) => return Err(ListError::Pattern { argument, source }),
+    };
+    let paths = match paths {
+        Ok(paths) => paths,
+        Err(source) => return Err(ListError::Folder { argument, source }),
+    };
+    let (mut files, folders): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_file());
+    if files.is_empty() {
+        files = folders;
+    }
+    if files.is_empty() {
+        return Err(ListError::NoMatch { argument });
+    }
+    natural_order(&mut files);
     Ok(files)
+}
+
+/// An argument in two parts: the folders with which it begins that exist, and the rest.
+fn split(argument: &str) -> (&str, &str) {
+    let folders = argument.match_indices(std::path::is_separator);
+    let ends = folders.map(|(index, separator)| index + separator.len());
+    let mut existing = ends.filter(|&end| Path::new(&argument[..end]).is_dir());
+    argument.split_at(existing.next_back().unwrap_or(0))
+}
+
+/// Sorts paths by their names, where numbers count as numbers: 2 comes before 10.
+pub fn natural_order(paths: &mut [PathBuf]) {
+    paths.sort_by_cached_key(|path| (key(path), path.clone()));
 }
 
 /// The first pair of files whose names do not belong together by their numbers: where a number of
@@ -83,7 +120,7 @@ pub fn expand(texts: &[String]) -> Result<Vec<PathBuf>, ListError> {
 /// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
 ///
 /// ```
-/// use ga_files::list::first_unlike_pair;
+/// use ga_files::first_unlike_pair;
 /// let pairs = [["l1.png", "r1.png"], ["l2.png", "r3.png"]].map(|pair| pair.map(Into::into));
 /// assert_eq!(first_unlike_pair(&pairs), Some(&pairs[1]));
 /// assert_eq!(first_unlike_pair(&pairs[..1]), None);
@@ -101,15 +138,6 @@ pub fn first_unlike_pair(pairs: &[[PathBuf; 2]]) -> Option<&[PathBuf; 2]> {
     pairs.iter().find(|pair| Some(changes(pair)) != first)
 }
 
-/// A text with the special symbols of existing folders escaped.
-fn pattern(text: &str) -> String {
-    let folders = text.match_indices(std::path::is_separator);
-    let ends = folders.map(|(index, separator)| index + separator.len());
-    let mut existing = ends.filter(|&end| Path::new(&text[..end]).is_dir());
-    let end = existing.next_back().unwrap_or(0);
-    Pattern::escape(&text[..end]) + &text[end..]
-}
-
 /// A piece of a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Piece {
@@ -118,7 +146,7 @@ enum Piece {
     Text(String),
 }
 
-/// What the order of paths goes by.
+/// What the natural order goes by.
 fn key(path: &Path) -> Vec<Vec<Piece>> {
     let component = |part: Component<'_>| pieces(&part.as_os_str().to_string_lossy());
     path.components().map(component).collect()
@@ -155,27 +183,31 @@ fn numbers(path: &Path) -> Vec<String> {
 mod tests {
     use super::*;
 
-    fn sorted<const N: usize>(names: [&str; N]) -> [&str; N] {
-        let mut names = names;
-        names.sort_by_cached_key(|name| (key(Path::new(name)), *name));
-        names
+    fn sorted<const N: usize>(names: [&str; N]) -> Vec<PathBuf> {
+        let mut paths = names.map(PathBuf::from).to_vec();
+        natural_order(&mut paths);
+        paths
+    }
+
+    fn paths<const N: usize>(names: [&str; N]) -> [PathBuf; N] {
+        names.map(PathBuf::from)
     }
 
     #[test]
     fn numbers_in_names_count_as_numbers() {
         assert_eq!(
             sorted(["10.jpg", "9.jpg", "2.jpg"]),
-            ["2.jpg", "9.jpg", "10.jpg"]
+            paths(["2.jpg", "9.jpg", "10.jpg"])
         );
         let padded = ["a010.png", "a9.png", "a09b.png"];
-        assert_eq!(sorted(padded), ["a9.png", "a09b.png", "a010.png"]);
+        assert_eq!(sorted(padded), paths(["a9.png", "a09b.png", "a010.png"]));
         assert_eq!(
             sorted(["s10/1", "s2/30", "s2/4"]),
-            ["s2/4", "s2/30", "s10/1"]
+            paths(["s2/4", "s2/30", "s10/1"])
         );
         // More digits than any integer has.
         let long = ["100000000000000000000000", "99999999999999999999999"];
-        assert_eq!(sorted(long), [long[1], long[0]]);
+        assert_eq!(sorted(long), paths([long[1], long[0]]));
     }
 
     #[test]
@@ -186,22 +218,29 @@ mod tests {
         for name in ["left [8].jpg", "left 8.jpg", "left 10.jpg", "left 9.jpg"] {
             std::fs::write(folder.join(name), b"").unwrap();
         }
-        let path = |name: &str| folder.join(name).display().to_string();
-        let expand = |names: &[&str]| -> Vec<String> {
-            let texts: Vec<String> = names.iter().map(|name| path(name)).collect();
-            let files = super::expand(&texts).unwrap();
+        for name in ["view 2", "view 10"] {
+            std::fs::create_dir(folder.join(name)).unwrap();
+        }
+        let expanded = |names: &[&str]| -> Vec<String> {
+            let arguments = names.iter().map(|name| folder.join(name));
+            let files = expand(arguments).unwrap();
             let names = files.iter().map(|file| file.file_name().unwrap());
             names
                 .map(|name| name.to_string_lossy().into_owned())
                 .collect()
         };
-        assert_eq!(expand(&["left [8].jpg"]), ["left [8].jpg"]);
-        assert_eq!(expand(&["left [9].jpg"]), ["left 9.jpg"]);
+        assert_eq!(expanded(&["left [8].jpg"]), ["left [8].jpg"]);
+        assert_eq!(expanded(&["left [9].jpg"]), ["left 9.jpg"]);
         assert_eq!(
-            expand(&["left ?.jpg", "left 9.jpg", "left 10.jpg"]),
-            ["left 8.jpg", "left 9.jpg", "left 10.jpg"]
+            expanded(&["left 9.jpg", "left [18]*.jpg", "missing.jpg"]),
+            ["left 9.jpg", "left 8.jpg", "left 10.jpg", "missing.jpg"]
         );
-        let none = super::expand(&[path("none*.jpg")]).unwrap_err();
-        assert!(none.to_string().ends_with("matches no file"));
+        // Folders count where no file matches.
+        assert_eq!(expanded(&["view*"]), ["view 2", "view 10"]);
+        assert_eq!(expanded(&["*2", "*9*"]), ["view 2", "left 9.jpg"]);
+        let none = expand([folder.join("none*.jpg")]).unwrap_err();
+        assert!(none.to_string().ends_with("none*.jpg\" matches no file"));
+        let wrong = expand([folder.join("left[")]).unwrap_err();
+        assert!(matches!(wrong, ListError::Pattern { .. }));
     }
 }

@@ -3,6 +3,7 @@
 use ga_camera::CameraError;
 use ga_camera::triangulation::TriangulationError;
 use ga_image::plane::PlaneError;
+use ga_runtime::geometry::FitError;
 
 /// Why a picture has no outline, points no ellipse, a snake does not move, or two contours are not
 /// those of a curve in space. Points are counted from 0.
@@ -202,4 +203,13 @@ pub enum ContourError {
         /// The point, counted from 0.
         index: usize,
     },
+    /// No circle is nearest to a curve in space.
+    #[error("the circle through the curve: {0}")]
+    Circle(FitError<f64>),
+    /// No line is nearest to a curve in space.
+    #[error("the line through the curve: {0}")]
+    Line(FitError<f64>),
+    /// The nearest line has no point or direction in numbers.
+    #[error("the line through the curve is beyond the range of numbers")]
+    LineNotFinite,
 }

@@ -3,16 +3,20 @@
 
 use crate::contour::ContourError;
 use nalgebra_035::{Matrix2, Matrix3, Vector2, Vector3};
+use serde::Serialize;
 
-/// An ellipse.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An ellipse. Serialised, its numbers have their units in their names.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ellipse {
     /// The centre.
+    #[serde(rename = "centre_px")]
     pub centre: [f64; 2],
     /// Half the lengths of the axes, the longer one first.
+    #[serde(rename = "semi_axes_px")]
     pub semi_axes: [f64; 2],
     /// The angle from the u axis to the longer axis in radians, towards the v axis, from −π/2 to
     /// π/2.
+    #[serde(rename = "angle_rad")]
     pub angle: f64,
 }
 

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
+use clap::error::ErrorKind;
 use ga_anim::motion_file::Format;
 use ga_anim::recording::{Recording, blend};
 
 use super::input::MotionArguments;
 use super::target::{Report, TargetArguments};
+use crate::files::expanded;
 use crate::frame::{Command, Context};
 
 /// Write the mean of motions of the same joints, each with a weight.
@@ -30,8 +32,9 @@ use crate::frame::{Command, Context};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The motions.
-    #[arg(value_name = "MOTION", num_args = 2.., required = true)]
+    /// The motions, two or more: names, or patterns with `*`, `?` or `[abc]`, whose files are sorted
+    /// by the numbers in their names.
+    #[arg(value_name = "MOTION or GLOB", required = true)]
     motions: Vec<PathBuf>,
     /// One number of 0 or more for each motion, separated by commas.
     #[arg(
@@ -74,7 +77,14 @@ impl Command for Arguments {
             weights,
             target,
             ..
-        } = self;
+        } = &Self {
+            motions: expanded("MOTION", &self.motions)?,
+            ..self.clone()
+        };
+        if motions.len() < 2 {
+            let text = "two motions or more are blended\n";
+            return Err(clap::Error::raw(ErrorKind::TooFewValues, text).into());
+        }
         target.check(motions, context)?;
         ensure!(
             weights.len() == motions.len(),

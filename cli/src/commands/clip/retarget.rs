@@ -181,7 +181,11 @@ impl Arguments {
         transfer: &Transfer,
         progress: &Progress,
     ) -> Result<()> {
-        let (out, clip, name) = (&self.out, &transfer.clip, ga_files::stem(&self.motion.motion));
+        let (out, clip, name) = (
+            &self.out,
+            &transfer.clip,
+            ga_files::stem(&self.motion.motion),
+        );
         let shown = || format!("{} cannot be written", out.display());
         let format = match format {
             Format::Gltf => {

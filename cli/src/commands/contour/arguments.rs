@@ -33,8 +33,9 @@ use crate::frame::Context;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The picture, or the left and the right view.
-    #[arg(value_name = "IMAGE", required = true, num_args = 1..=2)]
+    /// The picture, or the left and the right view: names, or a pattern with `*`, `?` or `[abc]`,
+    /// whose pictures are sorted by the numbers in their names.
+    #[arg(value_name = "IMAGE or GLOB", required = true, num_args = 1..=2)]
     pub(super) images: Vec<PathBuf>,
     /// The two cameras: YAML as nullcone stereo calibrate writes it, a Middlebury calib.txt, or two
     /// views in JSON.

@@ -2,7 +2,6 @@
 
 mod arguments;
 mod curve;
-mod drawing;
 mod flat;
 mod settling;
 
@@ -11,6 +10,7 @@ pub(crate) use arguments::Arguments;
 use anyhow::Result;
 use serde::Serialize;
 
+use crate::files::expanded;
 use crate::frame::{self, Command, Context, Warning};
 
 /// What is printed.
@@ -25,18 +25,26 @@ impl Command for Arguments {
     type Report = Report;
 
     fn run(&self, context: &Context) -> Result<Report> {
-        match (&self.images[..], &self.rig) {
+        let arguments = &Self {
+            images: expanded("IMAGE", &self.images)?,
+            ..self.clone()
+        };
+        match (&arguments.images[..], &self.rig) {
             ([image], None) => {
                 self.chosen.refuse("it chooses cameras of --rig")?;
-                flat::run(self, image, context).map(Report::Flat)
+                flat::run(arguments, image, context).map(Report::Flat)
             }
-            ([left, right], Some(rig)) => curve::run(self, [left, right], rig, context)
+            ([left, right], Some(rig)) => curve::run(arguments, [left, right], rig, context)
                 .map(Box::new)
                 .map(Report::Curve),
             ([image], Some(rig)) => anyhow::bail!(
                 "--rig {} needs two views, and {} is one",
                 rig.display(),
                 image.display()
+            ),
+            (&[_, _, _, ..] | [], _) => anyhow::bail!(
+                "IMAGE: a picture or two views are looked at, not {} pictures",
+                arguments.images.len()
             ),
             _ => anyhow::bail!("two views need the cameras that took them: --rig rig.yml"),
         }

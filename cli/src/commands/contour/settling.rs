@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use ga_image::plane::Plane;
-use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
-use ga_vision::contour::{ContourError, outline, resampled};
+use ga_vision::contour::ContourError;
+use ga_vision::contour::snake::{Flow, PictureSnake, SnakeOptions, Start};
 use serde::Serialize;
 
 use crate::frame::{Progress, Warning};
@@ -72,67 +72,62 @@ pub(super) struct Settled {
 }
 
 impl Settings {
-    /// The circle at which the snake of the left or only view begins, or that of the right one.
-    pub(super) fn circle(&self, is_right: bool) -> Result<Option<[f64; 3]>> {
-        let (name, given) = if is_right {
-            ("--right-circle", &self.right_circle)
-        } else {
-            ("--circle", &self.circle)
-        };
-        match given.as_deref() {
-            None => Ok(None),
-            Some([u, v, radius]) => Ok(Some([*u, *v, *radius])),
-            Some(numbers) => bail!("{name} has {} numbers instead of U,V,RADIUS", numbers.len()),
-        }
-    }
-
-    /// A snake that settles at edges of a picture.
+    /// A snake that settles at edges of the left or only view, or of the right one.
     pub(super) fn settle(
         &self,
         picture: &Plane<u8>,
-        circle: Option<[f64; 3]>,
+        is_right: bool,
         least_area: f64,
         progress: &Progress,
     ) -> Result<Settled> {
-        let count = usize::from(self.points);
-        let start = match circle {
-            Some([u, v, radius]) => snake::circle([u, v], radius, count),
-            None => match outline(picture, least_area.max(1.0)) {
-                Ok(border) => resampled(&border.points(), count),
-                Err(error @ ContourError::LeavesPicture { .. }) => bail!(
-                    "{error}; --circle, or --right-circle for the right view, gives the circle at \
-                     which the snake begins"
-                ),
-                Err(error) => return Err(error.into()),
+        let (name, circle) = match is_right {
+            true => ("--right-circle", &self.right_circle),
+            false => ("--circle", &self.circle),
+        };
+        let start = match circle.as_deref() {
+            None => Start::Outline {
+                least_area: least_area.max(1.0),
+            },
+            Some(&[u, v, radius]) => Start::Circle {
+                centre: [u, v],
+                radius,
+            },
+            Some(numbers) => bail!("{name} has {} numbers instead of U,V,RADIUS", numbers.len()),
+        };
+        let snake = PictureSnake {
+            start,
+            points: usize::from(self.points),
+            sigma: self.sigma,
+            flow: self.flow.then_some(Flow {
+                smoothness: self.smoothness,
+            }),
+            options: SnakeOptions {
+                tension: self.tension,
+                rigidity: self.rigidity,
+                tolerance: self.tolerance,
+                steps: self.steps,
+                ..SnakeOptions::default()
             },
         };
-        let floats = picture.map(|value| f32::from(value) / 255.0);
-        let potential = if self.flow {
-            let flow = Flow {
-                smoothness: self.smoothness,
-            };
-            Potential::flow(&floats, self.sigma, &flow)?
-        } else {
-            Potential::edges(&floats, self.sigma)?
-        };
-        let options = SnakeOptions {
-            tension: self.tension,
-            rigidity: self.rigidity,
-            tolerance: self.tolerance,
-            steps: self.steps,
-            ..SnakeOptions::default()
-        };
-        let mut energies = Vec::new();
-        let begin = Instant::now();
-        let settled = snake::settle(&start, &potential, &options, |step| {
+        let (mut energies, mut begin) = (Vec::new(), None);
+        let settled = snake.settle(picture, |step| {
+            begin.get_or_insert_with(Instant::now);
             energies.push(step.energy);
             progress.at(step.number as u64, self.steps as u64);
-        })?;
+        });
+        let seconds = begin.map_or(0.0, |begin| begin.elapsed().as_secs_f64());
+        let settled = match settled {
+            Err(error @ ContourError::LeavesPicture { .. }) => bail!(
+                "{error}; --circle, or --right-circle for the right view, gives the circle at \
+                 which the snake begins"
+            ),
+            settled => settled?,
+        };
         Ok(Settled {
             points: settled.points,
             steps: settled.steps,
             converged: settled.has_converged,
-            seconds: begin.elapsed().as_secs_f64(),
+            seconds,
             energies,
         })
     }
@@ -146,15 +141,11 @@ impl Settled {
     }
 
     pub(super) fn text(&self) -> String {
-        let end = if self.converged {
-            "settled"
-        } else {
-            "still moving"
+        let end = match self.converged {
+            true => "settled",
+            false => "still moving",
         };
-        format!(
-            "{end} after {} steps in {:.1} ms",
-            self.steps,
-            1e3 * self.seconds
-        )
+        let (steps, milliseconds) = (self.steps, 1e3 * self.seconds);
+        format!("{end} after {steps} steps in {milliseconds:.1} ms")
     }
 }

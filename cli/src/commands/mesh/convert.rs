@@ -64,6 +64,7 @@ impl Command for Arguments {
             },
         };
         let files = mesh_file::files(out, format, &mesh, &options)?;
+        mesh_file::check_parts("OUT", &[input], &files[1..])?;
         if !self.force {
             for (path, contents) in files.iter().skip(1) {
                 refuse_other_contents(path, contents)?;

@@ -123,6 +123,7 @@ impl Command for Arguments {
 
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
+        mesh_file::check_parts("--out", &[input], &files[1..])?;
         let written = mesh_file::write(&fine, &files)?;
         drop(progress);
         Ok(Report {

@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result, anyhow, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
 use ga_camera::format::rig;
-use ga_files::list;
+use ga_files::natural_order;
 use ga_image::png;
 use ga_vision::calibration::{
     BoardPairs, CameraOptions, JointIntrinsics, LensTerms, PairNames, RejectedPair, Residuals,
@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use super::views;
 use crate::camera_file::{about, read_side};
+use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{
     self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
@@ -234,8 +235,14 @@ fn corners_name(index: usize) -> String {
 
 /// The files of the left and the right views, in pairs.
 fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>> {
-    let expand = |option, texts| list::expand(texts).map_err(|error| anyhow!("{option} {error}"));
-    let (left, right) = (expand("--left", left)?, expand("--right", right)?);
+    let sorted = |option: &str, arguments| -> Result<Vec<PathBuf>> {
+        let mut files = expanded(option, arguments)?;
+        natural_order(&mut files);
+        files.dedup();
+        Ok(files)
+    };
+    let left = sorted("--left", left)?;
+    let right = sorted("--right", right)?;
     ensure!(
         left.len() == right.len(),
         "{} left views and {} right ones do not make pairs",
@@ -247,7 +254,7 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
 }
 
 fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
-    let [left, right] = list::first_unlike_pair(pairs)?;
+    let [left, right] = ga_files::first_unlike_pair(pairs)?;
     let text = format!(
         "{} and {} are a pair by their places in the lists, but their numbers differ otherwise \
          than those of the first pair",

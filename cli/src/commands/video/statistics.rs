@@ -8,6 +8,7 @@ use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::shots::ShotOptions;
+use crate::files::expanded;
 use crate::frame::{Command, Context, Shown};
 
 /// Count the shots with static and with dynamic background of videos, as in Cui's table 1.
@@ -18,8 +19,8 @@ use crate::frame::{Command, Context, Shown};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {
-    /// The videos.
-    #[arg(value_name = "FILE", required = true)]
+    /// The videos: names, or patterns with `*`, `?` or `[abc]`.
+    #[arg(value_name = "FILE or GLOB", required = true)]
     videos: Vec<PathBuf>,
     #[command(flatten)]
     shots: ShotOptions,
@@ -63,11 +64,12 @@ impl Command for Arguments {
     type Report = Shown<Table>;
 
     fn run(&self, context: &Context) -> Result<Self::Report> {
-        context.files(&self.videos)?;
-        let progress = context.progress(self.videos.len() as u64);
+        let videos = expanded("FILE", &self.videos)?;
+        context.files(&videos)?;
+        let progress = context.progress(videos.len() as u64);
         let (mut clips, mut total) = (Vec::new(), Row::default());
         let mut failure = None;
-        for path in &self.videos {
+        for path in &videos {
             progress.step("analysing");
             let analysed = analyse(path, self.shots.options(), None, |done, of| {
                 progress.at(done as u64, of as u64);

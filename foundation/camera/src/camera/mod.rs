@@ -36,7 +36,7 @@ use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
 
-use crate::frame::{CameraFrame, Pose, World};
+use crate::frame::{CameraFrame, Pose, World, y_up};
 
 /// A camera in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,9 +46,6 @@ pub struct Camera {
     /// The motor that takes the world into the camera's frame.
     pub world_to_camera: Motor<f64>,
 }
-
-/// From y up and z backwards to y down and z forwards, and back.
-const HALF_TURN_ABOUT_X: Rotor<f64> = Rotor::new_unchecked(0.0, 0.0, 0.0, -1.0);
 
 /// A pixel with its derivatives.
 ///
@@ -81,7 +78,7 @@ impl Camera {
         let view = Motor::look_at(eye, target, up.into()).ok()?;
         Some(Self {
             intrinsics,
-            world_to_camera: HALF_TURN_ABOUT_X * view,
+            world_to_camera: y_up() * view,
         })
     }
 
@@ -90,7 +87,7 @@ impl Camera {
     #[must_use]
     pub fn in_world_with_y_up(self) -> Self {
         Self {
-            world_to_camera: self.world_to_camera * Motor::from(HALF_TURN_ABOUT_X),
+            world_to_camera: self.world_to_camera * y_up(),
             ..self
         }
     }

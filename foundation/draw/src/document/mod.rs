@@ -15,9 +15,12 @@
 
 pub mod chart;
 mod line_chart;
+mod overlay;
 mod page;
 mod svg;
+mod values;
 
 pub use line_chart::{LineChart, LineChartError, Series};
+pub use overlay::{Outline, overlay};
 pub use page::{Cell, Page, Tint, percent};
 pub use svg::{Anchor, Svg, ticks};

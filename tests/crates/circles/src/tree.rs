@@ -178,7 +178,8 @@ impl Tree {
     /// The items of this crate that a path in a module names. A path into an item, such as the
     /// variant of an enum, names the item.
     pub(crate) fn definitions(&self, module: usize, path: &[String]) -> Vec<Definition> {
-        let items = self.targets(module, path, &mut Vec::new()).into_iter();
+        let items = self.targets(module, path, false, &mut Vec::new());
+        let items = items.into_iter();
         items
             .filter_map(|target| match target {
                 Target::Item(definition) => Some(definition),
@@ -197,12 +198,20 @@ impl Tree {
         })
     }
 
-    fn targets(&self, from: usize, path: &[String], followed: &mut Followed) -> BTreeSet<Target> {
+    /// What a path leads to. Where it `goes_on`, only the modules count.
+    fn targets(
+        &self,
+        from: usize,
+        path: &[String],
+        goes_on: bool,
+        followed: &mut Followed,
+    ) -> BTreeSet<Target> {
         let Some((first, rest)) = path.split_first() else {
             return BTreeSet::new();
         };
-        let mut targets = self.step(from, first, followed);
-        for name in rest {
+        let mut targets = self.step(from, first, goes_on || !rest.is_empty(), followed);
+        for (place, name) in rest.iter().enumerate() {
+            let goes_on = goes_on || place + 1 < rest.len();
             // Where a function and a module have one name, only the module has anything in it.
             if targets
                 .iter()
@@ -214,7 +223,7 @@ impl Tree {
             for target in targets {
                 match target {
                     Target::Module(module) => {
-                        let found = self.step(module, name, followed);
+                        let found = self.step(module, name, goes_on, followed);
                         let there = &self.modules[module];
                         if found.is_empty() && there.written_by_macros && !name.ends_with('!') {
                             let name = name.clone();
@@ -236,17 +245,29 @@ impl Tree {
     }
 
     /// What one part of a path leads to.
-    fn step(&self, module: usize, name: &str, followed: &mut Followed) -> BTreeSet<Target> {
+    fn step(
+        &self,
+        module: usize,
+        name: &str,
+        goes_on: bool,
+        followed: &mut Followed,
+    ) -> BTreeSet<Target> {
         match name {
             "crate" => BTreeSet::from([Target::Module(0)]),
             "self" => BTreeSet::from([Target::Module(module)]),
             "super" => BTreeSet::from([Target::Module(self.modules[module].parent)]),
-            name => self.lookup(module, name, followed),
+            name => self.lookup(module, name, goes_on, followed),
         }
     }
 
     /// What a module knows by this name.
-    fn lookup(&self, index: usize, name: &str, followed: &mut Followed) -> BTreeSet<Target> {
+    fn lookup(
+        &self,
+        index: usize,
+        name: &str,
+        goes_on: bool,
+        followed: &mut Followed,
+    ) -> BTreeSet<Target> {
         let module = &self.modules[index];
         let mut found = BTreeSet::new();
         if module.defined.contains(name) {
@@ -270,20 +291,27 @@ impl Tree {
                     last.push('!');
                 }
                 followed.push((index, place));
-                found.extend(self.targets(index, &path, followed));
+                found.extend(self.targets(index, &path, goes_on, followed));
                 followed.pop();
             }
         }
-        if !found.is_empty() {
+        let is_item = |target: &Target| matches!(target, Target::Item(_));
+        if found.iter().any(is_item) || (goes_on && !found.is_empty()) {
             return found;
         }
 
+        // A module hides modules of its name that `*` brings, but not functions.
+        let is_module = !found.is_empty();
         for (place, import) in module.imports.iter().enumerate() {
             if import.name.is_none() && !followed.contains(&(index, place)) {
                 followed.push((index, place));
-                for target in self.targets(index, &import.path, followed) {
+                for target in self.targets(index, &import.path, true, followed) {
                     if let Target::Module(source) = target {
-                        found.extend(self.lookup(source, name, followed));
+                        let brought = self.lookup(source, name, goes_on, followed).into_iter();
+                        found.extend(brought.filter(|target| match target {
+                            Target::Module(_) => !is_module,
+                            Target::Item(_) => true,
+                        }));
                     }
                 }
                 followed.pop();

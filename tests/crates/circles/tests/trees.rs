@@ -174,3 +174,40 @@ fn an_absent_file_is_an_error() {
         "{error}"
     );
 }
+
+#[test]
+fn names_that_a_parent_hands_on_are_those_of_the_file_that_defines_them() {
+    // The error names the view as the parent hands it on, and the parent uses the error.
+    let found = circles_of(&[
+        ("lib.rs", "pub mod pose; mod error;"),
+        (
+            "pose/mod.rs",
+            "mod view; pub use view::View; use crate::error::Error; \
+             pub fn pose() -> Result<(), Error> { Ok(()) }",
+        ),
+        ("pose/view.rs", "pub enum View { Left }"),
+        ("error.rs", "use crate::pose::View; pub struct Error(View);"),
+    ]);
+    assert_eq!(found, []);
+
+    // Through two parents, and from a child that uses its grandparent's names.
+    let found = circles_of(&[
+        ("lib.rs", "mod a; pub use a::Leaf; pub struct Root;"),
+        ("a/mod.rs", "mod b; pub use b::{Leaf, other};"),
+        (
+            "a/b/mod.rs",
+            "mod leaf; mod other; pub use leaf::Leaf; pub use other::*;",
+        ),
+        (
+            "a/b/leaf.rs",
+            "pub struct Leaf; fn l() { crate::a::other() }",
+        ),
+        (
+            "a/b/other.rs",
+            "use crate::Leaf; pub fn other() { let _ = Leaf; }",
+        ),
+    ]);
+    assert_eq!(found.len(), 1);
+    assert_eq!(names(&found[0], "a/b/leaf.rs", "a/b/other.rs"), "other");
+    assert_eq!(names(&found[0], "a/b/other.rs", "a/b/leaf.rs"), "Leaf");
+}

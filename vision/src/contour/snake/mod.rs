@@ -4,10 +4,12 @@ mod check;
 mod diffusion;
 mod flow;
 mod options;
+mod picture;
 mod potential;
 
 pub use flow::Flow;
 pub use options::SnakeOptions;
+pub use picture::{PictureSnake, Start};
 pub use potential::Potential;
 
 use super::polygon::{perimeter, resampled};

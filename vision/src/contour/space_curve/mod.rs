@@ -2,12 +2,14 @@
 
 mod bridge;
 mod candidates;
+mod measures;
 mod order;
 
 use std::f64::consts::PI;
 
 use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
+use serde::{Serialize, Serializer};
 
 use super::polygon::{distance_to, perimeter, signed_area};
 use crate::contour::ContourError;
@@ -17,6 +19,8 @@ use ga_camera::rig::StereoRig;
 use ga_camera::triangulation::{TriangulationError, triangulate};
 use ga_camera::{Camera, CameraError};
 use order::in_order;
+
+pub use measures::{NearestSpaceCircle, NearestSpaceLine, SpaceCurveMeasures};
 
 /// How contours are matched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,23 +37,33 @@ impl Default for SpaceCurveOptions {
     }
 }
 
-/// A point of a curve in space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A point of a curve in space. Serialised, its numbers have their units in their names.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SpaceCurvePoint {
     /// Where it is, in the world of the rig.
+    #[serde(rename = "position_metres", serialize_with = "coordinates")]
     pub position: Point<f64>,
     /// The pixel of the left contour.
+    #[serde(rename = "left_px")]
     pub left: [f64; 2],
     /// The pixel of the right view.
+    #[serde(rename = "right_px")]
     pub right: [f64; 2],
     /// The distance of the rays of both pixels in metres.
+    #[serde(rename = "gap_metres")]
     pub gap: f64,
     /// The distance of the right pixel from the right contour, in pixels.
+    #[serde(rename = "deviation_px")]
     pub deviation: f64,
     /// Whether the point lies on the plane through its neighbours, or on the straight line between
     /// them where that plane is not in front of the camera, instead of the intersection of an
     /// epipolar line, because this touches the contour or does not meet it.
+    #[serde(rename = "bridged")]
     pub is_bridged: bool,
+}
+
+fn coordinates<S: Serializer>(position: &Point<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    position.coordinates().serialize(serializer)
 }
 
 /// A closed curve in space: a point for each point of the left contour, in the same order.

@@ -18,6 +18,8 @@ use ga_character::Figure;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
 
+use crate::figure::Figure;
+use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{Command, Context};
 use crate::output;
@@ -34,7 +36,11 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        fit_character(self, context)
+        let arguments = Self {
+            joints: expanded("--joints", &self.joints)?,
+            ..self.clone()
+        };
+        fit_character(&arguments, context)
     }
 }
 

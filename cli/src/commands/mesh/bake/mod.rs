@@ -148,8 +148,12 @@ impl Command for Arguments {
         steps.begin("encode");
         let files = maps.files().map_err(|error| self.located(error))?;
         steps.begin("write");
-        let paths = files.iter();
-        output::write_together(paths.map(|(name, contents)| (self.out.join(name), contents)))?;
+        let names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+        let files = files.into_iter();
+        let files = files.map(|(name, contents)| (self.out.join(name), contents));
+        let files: Vec<(PathBuf, Vec<u8>)> = files.collect();
+        mesh_file::check_parts("--out", &[&self.fine, &self.coarse], &files)?;
+        output::write_together(files)?;
 
         let seconds = steps.finish(begin);
         drop(progress);
@@ -158,7 +162,7 @@ impl Command for Arguments {
             warnings,
             seconds,
             maps: maps.report,
-            files: files.into_iter().map(|(name, _)| name).collect(),
+            files: names,
         })
     }
 }

@@ -50,6 +50,20 @@ pub fn functions(
         .collect()
 }
 
+/// The code of [`functions`] as formatted text; functions have names.
+///
+/// # Errors
+/// The code is not Rust, which is a defect of the compiler.
+#[cfg(feature = "source")]
+pub fn text(
+    definition: &Definition,
+    path: &TokenStream,
+    compiled: &[CompiledFunction],
+) -> syn::Result<String> {
+    let file = syn::parse2(functions(definition, path, compiled))?;
+    Ok(prettyplease::unparse(&file))
+}
+
 fn always_zero(function: &CompiledFunction) -> TokenStream {
     let (attributes, warnings) = (&function.attributes, &function.warnings);
     warnings::emit(attributes, warnings, "ALWAYS_ZERO", "function")

@@ -20,6 +20,8 @@ mod versors;
 mod warnings;
 
 pub use blocks::{ask_for_import, block_handover, pending};
+#[cfg(feature = "source")]
+pub use functions::text;
 pub use functions::{function_stand_ins, functions, stand_ins_of_functions};
 pub use product_tests::product_tests;
 

@@ -1,8 +1,9 @@
 //! The `ga!` blocks of a text, and which of them use functions of which others.
 
-use ga_compiler::parse::{Block, FunctionSyntax, Import, UseSyntax, parse_functions, parse_use};
 use proc_macro2::{Ident, TokenStream};
 use syn::{Error, Result};
+
+use crate::parse::{Block, FunctionSyntax, Import, UseSyntax, parse_functions, parse_use};
 
 /// A block before the functions that it uses are found.
 struct Unlinked {

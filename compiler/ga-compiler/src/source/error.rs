@@ -8,23 +8,40 @@ use codespan_reporting::files::SimpleFile;
 use codespan_reporting::term::{Chars, Config, emit_into_string};
 use proc_macro2::Span;
 
-/// Errors in a text.
+/// Why a text gives no algebra or no functions.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SourceError {
+    /// Something is wrong in the text.
+    #[error(transparent)]
+    Faulty(#[from] Faults),
+    /// The text declares several algebras, and none of them has the name that is asked for.
+    #[error("{name} declares several algebras")]
+    SeveralAlgebras {
+        /// The name of the text.
+        name: String,
+    },
+}
+
+/// Everything that is wrong in a text. Shown as text it has several lines, which begin with
+/// `error: ` and have the lines at fault in them.
 #[derive(Debug)]
-pub(crate) struct SourceError {
+pub struct Faults {
     name: String,
     text: String,
     faults: Vec<Fault>,
 }
 
-/// One error.
-#[derive(Debug)]
-struct Fault {
-    message: String,
-    /// The bytes at fault; none for an error of the text as a whole.
-    place: Option<Range<usize>>,
+/// Something that is wrong in a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// What is wrong.
+    pub message: String,
+    /// The bytes at fault; none where it is the text as a whole.
+    pub place: Option<Range<usize>>,
 }
 
-impl SourceError {
+impl Faults {
     /// Errors in the text of that name.
     pub(super) fn new(name: &str, text: &str, errors: &syn::Error) -> Self {
         let faults = errors.into_iter().map(|error| Fault {
@@ -37,6 +54,12 @@ impl SourceError {
             faults: faults.collect(),
         }
     }
+
+    /// What is wrong, in the order of the text's items.
+    #[must_use]
+    pub fn list(&self) -> &[Fault] {
+        &self.faults
+    }
 }
 
 fn place(span: Span, text: &str) -> Option<Range<usize>> {
@@ -46,7 +69,7 @@ fn place(span: Span, text: &str) -> Option<Range<usize>> {
     text.get(place.clone()).map(|_| place)
 }
 
-impl fmt::Display for SourceError {
+impl fmt::Display for Faults {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let file = SimpleFile::new(&self.name, &self.text);
         let config = Config {
@@ -69,4 +92,4 @@ impl fmt::Display for SourceError {
     }
 }
 
-impl std::error::Error for SourceError {}
+impl std::error::Error for Faults {}
