@@ -32,7 +32,7 @@ pub use lens::Lens;
 pub use radial_tangential::RadialTangential;
 
 use ga_runtime::batch;
-use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
+use ga_runtime::cga3::{Direction, Motor, Point};
 use ga_runtime::geometry::ray::Ray;
 use ga_runtime::vga3::Vector;
 

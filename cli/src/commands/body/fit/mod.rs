@@ -18,7 +18,6 @@ use ga_character::Figure;
 use ga_mannequin::Human;
 use ga_mesh::gltf;
 
-use crate::figure::Figure;
 use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{Command, Context};
