@@ -190,7 +190,8 @@ impl JointMap {
         }
     }
 
-    /// The map of [`by_names_or_structure`](Self::by_names_or_structure), and which of both it is by.
+    /// The map of [`by_names_or_structure`](Self::by_names_or_structure), and by which of both it
+    /// is.
     #[must_use]
     pub fn found(source: &dyn Source, target: &Skeleton) -> (Self, MapOrigin) {
         let map = Self::by_names_or_structure(source, target);

@@ -32,8 +32,9 @@ use crate::unit::{LikelyUnit, likely_unit};
 /// // Lengths are in the unit of the file, those of a recording in metres.
 /// assert_eq!(target.skeleton().joints()[1].head, [20.0, 0.0, 0.0]);
 /// assert_eq!(target.to_bvh(&clip)?.joints()[1].offset, [20.0, 0.0, 0.0]);
-/// let hand = &target.to_recording(&clip)?.locals()[1];
-/// assert!((hand.translation().coordinates()[0] - 0.2).abs() < 1e-12);
+/// let recording = target.to_recording(&clip)?;
+/// let [x, ..] = recording.locals()[1].translation().coordinates();
+/// assert!((x - 0.2).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
