@@ -1,4 +1,4 @@
-//! What a command writes: text to standard output, files into a folder.
+//! What a command writes: text to standard output, and files.
 
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -8,12 +8,6 @@ use ga_files::Staged;
 use serde::Serialize;
 
 use crate::standard_output::{self, is_standard_output};
-
-/// A file to be written.
-pub(crate) struct File {
-    pub(crate) name: &'static str,
-    pub(crate) contents: Vec<u8>,
-}
 
 /// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an
 /// error.

@@ -37,8 +37,15 @@ pub const COLOURS: [RGBColor; 7] = [
 
 /// Why a chart cannot be drawn.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot draw the chart: {0}")]
-pub struct ChartError(#[from] DrawingAreaErrorKind<io::Error>);
+#[non_exhaustive]
+pub enum ChartError {
+    /// The backend fails.
+    #[error("cannot draw the chart: {0}")]
+    Drawing(#[from] DrawingAreaErrorKind<io::Error>),
+    /// The coordinates are so large that their extent is not finite, or there are none.
+    #[error("the numbers are too large for a picture")]
+    TooLarge,
+}
 
 /// A part of a chart, in fine coordinates.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -8,7 +8,7 @@ use super::chart::{self, Area, COLOURS, ChartError, FINE, font, shortened};
 const SIZE: (u32, u32) = (1000, 560);
 /// The width of the strip with the names of the series.
 const NAMES: u32 = 180;
-/// So many names fit into it.
+/// How many names fit into it.
 const MOST_NAMES: usize = 20;
 /// A longer name does not fit beside its line.
 const MOST_LETTERS: usize = 18;
@@ -34,7 +34,7 @@ const MOST_LETTERS: usize = 18;
 /// };
 /// let svg = chart.to_svg()?;
 /// assert!(svg.contains("height") && svg.contains("key") && !svg.contains("vertex"));
-/// # Ok::<(), ga_draw::document::LineChartError>(())
+/// # Ok::<(), ga_draw::document::chart::ChartError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LineChart<'a> {
@@ -65,37 +65,25 @@ pub struct Series {
     pub rings: Vec<(f64, f64)>,
 }
 
-/// Why a chart of lines cannot be drawn.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum LineChartError {
-    /// The coordinates are so large that their extent is not finite, or there are none.
-    #[error("the numbers are too large for a picture")]
-    TooLarge,
-    /// What the drawing says.
-    #[error(transparent)]
-    Chart(#[from] ChartError),
-}
-
 impl LineChart<'_> {
     /// The chart as SVG, 1000 by 560 pixels.
     ///
     /// # Errors
     ///
-    /// [`LineChartError`].
-    pub fn to_svg(&self) -> Result<String, LineChartError> {
+    /// [`ChartError`].
+    pub fn to_svg(&self) -> Result<String, ChartError> {
         let points = || self.series.iter().flat_map(|series| &series.line);
         let [start, end] = padded(points().map(|point| point.0), 0.02);
         let [low, high] = padded(points().map(|point| point.1), 0.05);
         let numbers = [low, high, start, end, high - low, end - start];
         if !numbers.iter().all(|x| x.is_finite()) {
-            return Err(LineChartError::TooLarge);
+            return Err(ChartError::TooLarge);
         }
-        Ok(chart::svg(SIZE, |root| {
+        chart::svg(SIZE, |root| {
             let (left, right) = root.split_horizontally((SIZE.0 - NAMES) * FINE);
             self.draw_lines(&left, [start, end], [low, high])?;
             self.draw_names(&right)
-        })?)
+        })
     }
 
     fn draw_lines(

@@ -20,7 +20,7 @@ mod page;
 mod svg;
 mod values;
 
-pub use line_chart::{LineChart, LineChartError, Series};
+pub use line_chart::{LineChart, Series};
 pub use overlay::{Outline, overlay};
 pub use page::{Cell, Page, Tint, percent};
 pub use svg::{Anchor, Svg, ticks};

@@ -3,10 +3,9 @@
 //! Cells are separated by commas, tabs or semicolons; after semicolons numbers may have a decimal
 //! comma. The first row says which: a tab there is the separator, otherwise a semicolon, otherwise
 //! the comma. Lines that begin with `#` are comments unless they have as many cells as the first
-//! row, two at least; empty lines do not count. A cell in
-//! quotation marks may hold separators, line ends and, doubled, quotation marks. A cell that is
-//! empty, `NA` or `NaN`, in small or capital letters, is missing. A byte order mark and `\r\n` are
-//! allowed.
+//! row, two at least; empty lines do not count. A cell in quotation marks may hold separators, line
+//! ends and, doubled, quotation marks. A cell that is empty, `NA` or `NaN`, in small or capital
+//! letters, is missing. A byte order mark and `\r\n` are allowed.
 //!
 //! ```
 //! use ga_files::table::{Table, TableError};
@@ -17,131 +16,16 @@
 //! # Ok::<(), TableError>(())
 //! ```
 
-use std::fmt::Write;
+mod cell;
+mod error;
+mod scanner;
+mod separator;
 
-/// What is wrong with a table. Lines and columns count from 1.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum TableError {
-    /// The bytes are not UTF-8.
-    #[error("line {line}: the text is not UTF-8")]
-    Encoding {
-        /// The line.
-        line: usize,
-    },
-    /// A cell begins with a quotation mark and does not end with one.
-    #[error("line {line}, column {column}: a quotation mark is not closed")]
-    Quotation {
-        /// The line where the cell begins.
-        line: usize,
-        /// The column.
-        column: usize,
-    },
-    /// A row has another number of cells than the names.
-    #[error("line {line} has {found} cells, and the first line names {expected} columns")]
-    Cells {
-        /// The line.
-        line: usize,
-        /// The line of the names.
-        first: usize,
-        /// How many cells it has.
-        found: usize,
-        /// How many columns have names.
-        expected: usize,
-    },
-    /// A row of a [rectangular](Table::rectangular) table has another number of columns than the
-    /// first line.
-    #[error("line {line}: {found} columns, but line {first} has {expected}")]
-    Columns {
-        /// The line.
-        line: usize,
-        /// The first line.
-        first: usize,
-        /// How many columns it has.
-        found: usize,
-        /// How many columns the first line has.
-        expected: usize,
-    },
-    /// The table has no rows, so that no line names its columns.
-    #[error("the table is empty")]
-    Empty,
-    /// A column is not there.
-    #[error("there is no column {wanted}; the first line names {names}")]
-    Column {
-        /// The name that was looked for.
-        wanted: String,
-        /// The names that are there.
-        names: String,
-    },
-    /// A cell is not a finite number.
-    #[error("line {line}, column {column}: {text:?} is not a finite number")]
-    Number {
-        /// The line.
-        line: usize,
-        /// The name of the column, or its number where it has none.
-        column: String,
-        /// What the cell says.
-        text: String,
-    },
-}
+use scanner::{Row, Scanner};
 
-/// What stands between cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Separator {
-    /// `,`
-    Comma,
-    /// `;`, with decimal commas in numbers.
-    Semicolon,
-    /// A tab.
-    Tab,
-}
-
-impl Separator {
-    /// The character.
-    #[must_use]
-    pub fn character(self) -> char {
-        match self {
-            Self::Comma => ',',
-            Self::Semicolon => ';',
-            Self::Tab => '\t',
-        }
-    }
-
-    /// The one that the first row of a text has outside of quotation marks.
-    fn of(text: &str) -> Self {
-        let mut row = text;
-        while let Some((line, rest)) = row.split_once('\n')
-            && !begins_row(line)
-        {
-            row = rest;
-        }
-        let (mut is_quoted, mut found) = (false, Self::Comma);
-        for character in row.chars() {
-            match character {
-                '"' => is_quoted = !is_quoted,
-                _ if is_quoted => {}
-                '\n' => break,
-                '\t' => return Self::Tab,
-                ';' => found = Self::Semicolon,
-                _ => {}
-            }
-        }
-        found
-    }
-}
-
-/// Whether a line is neither empty nor begins as a comment does.
-fn begins_row(line: &str) -> bool {
-    !is_empty(line) && !is_marked(line)
-}
-
-fn is_empty(line: &str) -> bool {
-    line.trim_matches(['\r', ' ']).is_empty()
-}
-
-/// Whether a line begins as a comment does.
-fn is_marked(line: &str) -> bool {
-    line.trim_start_matches(' ').starts_with('#')
-}
+pub use cell::{Cell, row};
+pub use error::TableError;
+pub use separator::Separator;
 
 /// Rows of cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -151,22 +35,6 @@ pub struct Table {
     names_line: usize,
     rows: Vec<Row>,
     separator: Separator,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Row {
-    line: usize,
-    cells: Vec<String>,
-    /// Whether it begins as a comment does.
-    is_marked: bool,
-}
-
-impl Row {
-    /// Whether it is a comment in a table whose rows have this number of cells. A row such as
-    /// `#1,0.5` is none.
-    fn is_comment(&self, width: usize) -> bool {
-        self.is_marked && (self.cells.len() < 2 || self.cells.len() != width)
-    }
 }
 
 impl Table {
@@ -406,142 +274,6 @@ fn number(cell: &str, separator: Separator) -> Result<Option<f64>, NotANumber> {
     };
     let finite = parsed.ok().filter(|number| number.is_finite());
     finite.map(Some).ok_or(NotANumber)
-}
-
-/// Takes rows from the beginning of a text.
-struct Scanner<'a> {
-    rest: &'a str,
-    line: usize,
-    separator: char,
-}
-
-impl Scanner<'_> {
-    /// The next row that is not empty.
-    fn row(&mut self) -> Result<Option<Row>, TableError> {
-        loop {
-            let (line, _) = self.rest.split_once('\n').unwrap_or((self.rest, ""));
-            if self.rest.is_empty() {
-                return Ok(None);
-            }
-            if !is_empty(line) {
-                break;
-            }
-            self.skip(line.len() + 1);
-        }
-        let is_marked = is_marked(self.rest);
-        let (line, mut cells) = (self.line, Vec::new());
-        loop {
-            let (cell, is_last) = self.cell(cells.len() + 1)?;
-            cells.push(cell);
-            if is_last {
-                return Ok(Some(Row {
-                    line,
-                    cells,
-                    is_marked,
-                }));
-            }
-        }
-    }
-
-    /// The next cell, and whether the row ends behind it.
-    fn cell(&mut self, column: usize) -> Result<(String, bool), TableError> {
-        let ends = [self.separator, '\n'];
-        let start = self.rest.len() - self.rest.trim_start_matches([' ', '\r']).len();
-        let mut text = String::new();
-        if self.rest[start..].starts_with('"') {
-            let line = self.line;
-            self.skip(start + 1);
-            loop {
-                let Some(end) = self.rest.find('"') else {
-                    return Err(TableError::Quotation { line, column });
-                };
-                text += &self.rest[..end];
-                self.skip(end + 1);
-                if !self.rest.starts_with('"') {
-                    break;
-                }
-                text.push('"');
-                self.skip(1);
-            }
-        }
-        let end = self.rest.find(ends).unwrap_or(self.rest.len());
-        text += self.rest[..end].trim_matches([' ', '\t', '\r']);
-        let is_last = !self.rest[end..].starts_with(self.separator);
-        self.skip(end + 1);
-        Ok((text, is_last))
-    }
-
-    /// Goes on by a number of bytes, or to the end.
-    fn skip(&mut self, bytes: usize) {
-        let (done, rest) = self.rest.split_at_checked(bytes).unwrap_or((self.rest, ""));
-        self.line += done.matches('\n').count();
-        self.rest = rest;
-    }
-}
-
-/// A cell that is written.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
-    /// A text, in quotation marks where it needs them.
-    Text(String),
-    /// A number in as many digits as say it exactly.
-    Number(f64),
-    /// Nothing.
-    Missing,
-}
-
-impl From<Option<f64>> for Cell {
-    fn from(number: Option<f64>) -> Self {
-        number.map_or(Self::Missing, Self::Number)
-    }
-}
-
-/// A row as a line of text with its end.
-#[must_use]
-pub fn row(cells: impl IntoIterator<Item = Cell>, separator: Separator) -> String {
-    let mut line = String::new();
-    for (index, cell) in cells.into_iter().enumerate() {
-        if index > 0 {
-            line.push(separator.character());
-        }
-        match cell {
-            Cell::Missing => {}
-            Cell::Text(text) if needs_quotation_marks(&text) => {
-                // Writing to a string does not fail.
-                let _ = write!(line, "\"{}\"", text.replace('"', "\"\""));
-            }
-            Cell::Text(text) => line += &text,
-            Cell::Number(number) => {
-                let number = number.to_string();
-                line += &match separator {
-                    Separator::Semicolon => number.replace('.', ","),
-                    Separator::Comma | Separator::Tab => number,
-                };
-            }
-        }
-    }
-    // An empty line would be no row.
-    if line.is_empty() {
-        line += "NA";
-    }
-    line.push('\n');
-    line
-}
-
-impl Cell {
-    /// A number in as many digits as say it exactly, with an exponent where it is very large or
-    /// very small.
-    #[must_use]
-    pub fn exact(number: f64) -> Self {
-        Self::Text(format!("{number:?}"))
-    }
-}
-
-/// Whether a text would be read as something else without quotation marks.
-fn needs_quotation_marks(text: &str) -> bool {
-    text.contains([',', ';', '\t', '"', '\n', '\r'])
-        || text.starts_with(['#', ' '])
-        || text.ends_with(' ')
 }
 
 #[cfg(test)]
