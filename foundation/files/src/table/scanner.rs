@@ -8,7 +8,7 @@ pub(super) struct Row {
     pub(super) line: usize,
     pub(super) cells: Vec<String>,
     /// Whether it begins as a comment does.
-    is_marked: bool,
+    pub(super) is_marked: bool,
 }
 
 impl Row {
