@@ -5,8 +5,8 @@
 //! - [`compare_pictures`]: the same of two pictures.
 //! - [`MEASURES`]: what is measured, as a list from which reports follow.
 //! - [`Pooled`]: one number for many frames: mean, harmonic mean, least, percentiles.
-//! - [`PictureQuality`], [`VideoQuality`]: all that is reported, with pages; [`svg()`] and [`csv()`]
-//!   show the frames.
+//! - [`PictureQuality`], [`VideoQuality`]: all that is reported, with pages; [`svg()`] and
+//!   [`csv()`] show the frames.
 //!
 //! Measures of two planes are in [`ga_image::quality`], the model of attention is in
 //! [`attention`](crate::attention).

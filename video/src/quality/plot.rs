@@ -16,8 +16,8 @@ fn finite(measure: &Measure, frame: &FrameQuality) -> Option<f64> {
     (measure.value)(frame).filter(|value| value.is_finite())
 }
 
-/// A chart of the measures over time as SVG: decibels above, indices below. Lines are interrupted at
-/// frames in which nothing differs. `name` is that of the video.
+/// A chart of the measures over time as SVG: decibels above, indices below. Lines are interrupted
+/// at frames in which nothing differs. `name` is that of the video.
 ///
 /// # Errors
 ///

@@ -32,8 +32,8 @@ use crate::frame::{Command, Context};
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The motions, two or more: names, or patterns with `*`, `?` or `[abc]`, whose files are sorted
-    /// by the numbers in their names.
+    /// The motions, two or more: names, or patterns with `*`, `?` or `[abc]`, whose files are
+    /// sorted by the numbers in their names.
     #[arg(value_name = "MOTION or GLOB", required = true)]
     motions: Vec<PathBuf>,
     /// One number of 0 or more for each motion, separated by commas.

@@ -179,8 +179,8 @@ impl TwoViews {
     ///
     /// # Errors
     /// [`TriangulationError::Noise`] for noise that is not positive and finite, and
-    /// [`TriangulationError::Point`] for the first point that is not finite, or lies in the plane of
-    /// a camera's centre or on the line of both centres.
+    /// [`TriangulationError::Point`] for the first point that is not finite, or lies in the plane
+    /// of a camera's centre or on the line of both centres.
     ///
     /// ```
     /// use ga_camera::Intrinsics;

@@ -1,5 +1,5 @@
-//! Reports: pages of HTML that need no other file, and charts in SVG for them. [`chart`] is for those
-//! that are drawn with the crate `plotters`.
+//! Reports: pages of HTML that need no other file, and charts in SVG for them. [`chart`] is for
+//! those that are drawn with the crate `plotters`.
 //!
 //! ```
 //! use ga_draw::document::{Anchor, Page, Svg};
