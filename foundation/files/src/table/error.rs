@@ -29,8 +29,8 @@ pub enum TableError {
         /// How many columns have names.
         expected: usize,
     },
-    /// A row of a [rectangular](Table::rectangular) table has another number of columns than the
-    /// first line.
+    /// A row of a [rectangular](super::Table::rectangular) table has another number of columns than
+    /// the first line.
     #[error("line {line}: {found} columns, but line {first} has {expected}")]
     Columns {
         /// The line.
