@@ -80,10 +80,13 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let matches = examples::with_examples(Cli::command()).get_matches();
+    let command = with_negative_numbers(examples::with_examples(Cli::command()));
+    let matches = command.get_matches();
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     if let Err(error) = interruption::clean_up_at_signals() {
-        eprintln!("warning: temporary files will be left where a signal ends the program: {error}");
+        output::print_error(&format!(
+            "warning: temporary files will be left where a signal ends the program: {error}\n"
+        ));
     }
     let words = iter::successors(matches.subcommand(), |(_, below)| below.subcommand());
     let words = words.map(|(word, _): (&str, &ArgMatches)| word.to_owned());
@@ -93,11 +96,23 @@ fn main() -> ExitCode {
         Err(error) => match error.downcast::<clap::Error>() {
             Ok(wrong_arguments) => wrong_arguments.exit(),
             Err(error) => {
-                eprintln!("{}", failure::text(&error));
+                output::print_error(&format!("{}\n", failure::text(&error)));
                 ExitCode::FAILURE
             }
         },
     }
+}
+
+/// Takes negative numbers as values everywhere, so that an error names the option and says what it
+/// may be.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes_them = |argument: clap::Arg| {
+        let takes_values = argument.get_action().takes_values();
+        argument.allow_negative_numbers(takes_values)
+    };
+    command
+        .mut_args(takes_them)
+        .mut_subcommands(with_negative_numbers)
 }
 
 fn run(command: &Command, context: &Context) -> Result<ExitCode> {

@@ -9,11 +9,17 @@ use serde::Serialize;
 
 use crate::standard_output::{self, is_standard_output};
 
+/// Prints text to standard error. One that is closed or full is not an error: there is no other
+/// place to say so.
+pub(crate) fn print_error(text: &str) {
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+}
+
 /// Prints text to standard output. A reader that has closed the pipe, as `head` does, is not an
 /// error.
 pub(crate) fn print(text: &str) -> Result<()> {
     if standard_output::is_taken() {
-        eprint!("{text}");
+        print_error(text);
         return Ok(());
     }
     match std::io::stdout().lock().write_all(text.as_bytes()) {

@@ -40,11 +40,7 @@ pub(crate) struct Arguments {
     /// The figure in one file, in place of mesh, rig and weights: glTF 2.0 (.glb or .gltf), y up.
     ///
     /// The figure is all meshes with a skin, as they stand without an animation.
-    #[arg(
-        long,
-        value_name = "FILE.glb",
-        conflicts_with_all = ["mesh", "rig", "weights", "group"]
-    )]
+    #[arg(long, value_name = "FILE.glb", conflicts_with_all = ["mesh", "rig", "weights", "group"])]
     character: Option<PathBuf>,
     /// The motion: BVH, y up, in any unit.
     #[arg(long, value_name = "FILE.bvh")]
@@ -77,12 +73,7 @@ pub(crate) struct Arguments {
     to: Option<usize>,
     /// Frames per second of the animation in model.glb, at most 1000. At 30, 23 seconds of 31
     /// joints add 0.3 MB.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 30.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "N", default_value_t = 30.0)]
     fps: f64,
     /// The group of the mesh that is the figure; by default `body` where there is such a group,
     /// otherwise the whole mesh.
@@ -93,7 +84,7 @@ pub(crate) struct Arguments {
     group: Option<String>,
     /// The length of one unit of the mesh in metres; by default 1 for --character, otherwise 0.1,
     /// since MakeHuman's unit is the decimetre.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     metres_per_unit: Option<f64>,
     #[command(flatten)]
     output: OutputArguments,

@@ -31,7 +31,7 @@ pub(crate) struct Arguments {
     animation: Option<Choice>,
     /// The time in seconds. Before the first key of a channel the first key counts, after the last
     /// key the last.
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS")]
     time: f64,
     /// How the joints that move a vertex are combined.
     #[arg(long, value_enum, default_value_t)]

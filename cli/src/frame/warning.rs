@@ -5,6 +5,8 @@ use std::sync::Mutex;
 
 use serde::Serialize;
 
+use crate::output;
+
 /// Something that a user should know about a result, and where it is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(crate) struct Warning {
@@ -61,7 +63,7 @@ pub(super) fn print_of_inputs() {
 /// Writes warnings to standard error, one a line.
 pub(crate) fn print(warnings: &[Warning]) {
     for warning in warnings {
-        eprintln!("warning: {}", warning.line_of_text());
+        output::print_error(&format!("warning: {}\n", warning.line_of_text()));
     }
 }
 

@@ -57,7 +57,7 @@ pub(crate) struct Arguments {
     pub(super) reference: Option<String>,
     /// Leave out calibrated points that are farther than this from where the pose takes them, in
     /// metres; by default all count.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METRES")]
     pub(super) threshold: Option<f64>,
     /// The seed of the random samples that find such points.
     #[arg(long, value_name = "N", default_value_t = PoseOptions::default().seed)]
@@ -82,20 +82,10 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "mesh")]
     pub(super) still: bool,
     /// How far a key may be from where morph targets take it, in metres.
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 1e-6,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 1e-6)]
     pub(super) tolerance: f64,
     /// Frames in a second, where the table has no times.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 30.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "N", default_value_t = 30.0)]
     pub(super) fps: f64,
     /// The frame of a surface without animation.
     #[arg(long, value_name = "FRAME", requires = "mesh")]

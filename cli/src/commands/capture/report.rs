@@ -38,7 +38,7 @@ impl frame::Report for Report {
             "{} frames of {} points; {} of them calibrated, at rest in frame {}\n\
              pose: rotations up to {:.2}°, calibrated points agree to {:.3} mm, {outliers} left \
              out\n\
-             expression: {:.2} mm on average, up to {:.2} mm at point {} in frame {}\n",
+             expression: {:.2} mm root mean square, up to {:.2} mm at point {} in frame {}\n",
             self.frames,
             self.points,
             self.calibrated.len(),

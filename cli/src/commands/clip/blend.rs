@@ -37,13 +37,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "MOTION or GLOB", required = true)]
     motions: Vec<PathBuf>,
     /// One number of 0 or more for each motion, separated by commas.
-    #[arg(
-        long,
-        value_name = "W,W,…",
-        value_delimiter = ',',
-        required = true,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "W,W,…", value_delimiter = ',', required = true)]
     weights: Vec<f64>,
     /// The length of one unit of the motions in metres: one for all, or one for each, separated by
     /// commas. A .clip is in metres.
@@ -51,8 +45,7 @@ pub(crate) struct Arguments {
         long,
         value_name = "N[,N,…]",
         value_delimiter = ',',
-        default_value = "1",
-        allow_negative_numbers = true
+        default_value = "1"
     )]
     metres_per_unit: Vec<f64>,
     /// The number of the animation in a glTF file, from 0: one for all, or one for each motion,

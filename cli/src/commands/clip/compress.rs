@@ -39,27 +39,17 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     motion: MotionArguments,
     /// The greatest error of a joint.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METRES")]
     tolerance: f64,
     /// The distance from a joint within which points are kept within the tolerance.
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 0.03,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 0.03)]
     shell: f64,
     /// A joint with bounds of its own, such as `LeftHand=0.00005` or `LeftHand=0.00005,0.2` for
     /// another shell. May be given several times.
     #[arg(long = "joint", value_name = "NAME=METRES[,SHELL]")]
     joints: Vec<NamedBound>,
     /// The greatest deviation of scalar tracks, such as the weights of morph targets.
-    #[arg(
-        long,
-        value_name = "VALUE",
-        default_value_t = 1e-4,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "VALUE", default_value_t = 1e-4)]
     track_tolerance: f64,
     /// How many vertices the mesh has that the clip moves, to compare with frames stored as meshes;
     /// by default those of a glTF file.

@@ -17,13 +17,13 @@ pub(super) struct MotionArguments {
     #[arg(value_name = "MOTION")]
     pub(super) motion: PathBuf,
     /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     pub(super) metres_per_unit: Option<f64>,
     /// The number of the animation in a glTF file, from 0 [default: 0].
     #[arg(long, value_name = "N")]
     pub(super) animation: Option<usize>,
     /// Frames per second at which a glTF animation is recorded; by default those of its keys.
-    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
+    #[arg(long, value_name = "HZ")]
     pub(super) rate: Option<f64>,
 }
 

@@ -29,10 +29,10 @@ pub(crate) struct Arguments {
     #[arg(value_name = "MOTION")]
     motion: PathBuf,
     /// Frames per second.
-    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
+    #[arg(long, value_name = "HZ")]
     rate: f64,
     /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     metres_per_unit: Option<f64>,
     /// The number of the animation in a glTF file, from 0 [default: 0].
     #[arg(long, value_name = "N")]

@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE.bvh|FILE.glb")]
     target: PathBuf,
     /// The length of one unit of a target of the kind .bvh in metres [default: 1].
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     target_metres_per_unit: Option<f64>,
     /// Which joints belong together: JSON, as in {"LeftUpLeg": "thigh_l", "Spine": ["spine_01",
     /// "spine_02"]}, the joint of the motion first.
@@ -64,12 +64,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Bones::All)]
     align: Bones,
     /// The greatest error of a joint in a target of the kind .clip.
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 1e-4,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 1e-4)]
     tolerance: f64,
     /// The motion to be written. A .glb keeps the nodes, meshes and skins of a target of that kind,
     /// and a .bvh the channels of a target of that kind.

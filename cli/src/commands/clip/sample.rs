@@ -28,13 +28,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     motion: MotionArguments,
     /// Times in seconds, separated by commas.
-    #[arg(
-        long,
-        value_name = "T,T,…",
-        value_delimiter = ',',
-        required = true,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "T,T,…", value_delimiter = ',', required = true)]
     times: Vec<f64>,
 }
 

@@ -19,11 +19,11 @@ use crate::shell::quoted;
 pub(super) struct TargetArguments {
     /// The greatest error of a joint by compression; by default that of the first motion where
     /// it is a clip, otherwise 0.0001.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METRES")]
     tolerance: Option<f64>,
     /// The distance from a joint within which points are kept within the tolerance; by default that
     /// of the first motion where it is a clip, otherwise 0.03.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METRES")]
     shell: Option<f64>,
     /// A joint with bounds of its own, such as `LeftHand=0.00005` or `LeftHand=0.00005,0.2` for
     /// another shell. May be given several times. Those of a first motion that is a clip are kept.
@@ -31,7 +31,7 @@ pub(super) struct TargetArguments {
     joints: Vec<NamedBound>,
     /// The greatest deviation of scalar tracks, such as the weights of morph targets; by default
     /// that of the first motion where it is a clip, otherwise 0.0001.
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "VALUE")]
     track_tolerance: Option<f64>,
     /// The clip to be written.
     #[arg(long, value_name = "OUT.clip")]

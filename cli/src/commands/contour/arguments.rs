@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::ValueEnum;
+use clap::{ArgGroup, ValueEnum};
 
 use super::super::stereo::Axes;
 use crate::camera_file::ChosenPair;
@@ -31,7 +31,10 @@ use crate::frame::Context;
 /// of the curve. As for nullcone stereo reconstruct, y is up and the camera looks along −z by
 /// default; with --axes camera, y is down and it looks along z.
 #[derive(Clone, Debug, clap::Args)]
-#[command(verbatim_doc_comment)]
+#[command(
+    verbatim_doc_comment,
+    group(ArgGroup::new("a snake").args(["snake", "rig"]).multiple(true))
+)]
 pub(crate) struct Arguments {
     /// The picture, or the left and the right view: names, or a pattern with `*`, `?` or `[abc]`,
     /// whose pictures are sorted by the numbers in their names.

@@ -16,7 +16,12 @@ use crate::frame::{Progress, Warning};
 pub(super) struct Settings {
     /// The circle at which the snake begins, its centre and radius in pixels, instead of the
     /// largest border.
-    #[arg(long, value_name = "U,V,RADIUS", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "U,V,RADIUS",
+        value_delimiter = ',',
+        requires = "a snake"
+    )]
     circle: Option<Vec<f64>>,
     /// The same in the right view.
     #[arg(
@@ -27,26 +32,36 @@ pub(super) struct Settings {
     )]
     right_circle: Option<Vec<f64>>,
     /// The number of points of the snake.
-    #[arg(long, value_name = "COUNT", default_value_t = 400)]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        default_value_t = 400,
+        requires = "a snake"
+    )]
     points: u16,
     /// The standard deviation of the blur before edges are found, in pixels.
-    #[arg(long, value_name = "PIXELS", default_value_t = 2.0)]
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        default_value_t = 2.0,
+        requires = "a snake"
+    )]
     sigma: f64,
     /// How strongly the snake contracts (α, in square pixels), whatever the number of points.
-    #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().tension)]
+    #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().tension, requires = "a snake")]
     tension: f64,
     /// How strongly the snake resists bending (β, in fourth powers of a pixel), whatever the number
     /// of points.
-    #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().rigidity)]
+    #[arg(long, value_name = "NUMBER", default_value_t = SnakeOptions::default().rigidity, requires = "a snake")]
     rigidity: f64,
     /// The snake has settled when no point moves farther than this in a step.
-    #[arg(long, value_name = "PIXELS", default_value_t = SnakeOptions::default().tolerance)]
+    #[arg(long, value_name = "PIXELS", default_value_t = SnakeOptions::default().tolerance, requires = "a snake")]
     tolerance: f64,
     /// The greatest number of steps of the snake.
-    #[arg(long, value_name = "COUNT", default_value_t = SnakeOptions::default().steps)]
+    #[arg(long, value_name = "COUNT", default_value_t = SnakeOptions::default().steps, requires = "a snake")]
     steps: usize,
     /// Draw the snake to edges from far away, by gradient vector flow.
-    #[arg(long)]
+    #[arg(long, requires = "a snake")]
     flow: bool,
     /// How smooth the flow is (μ).
     #[arg(

@@ -256,8 +256,8 @@ fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>
 fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
     let [left, right] = ga_files::first_unlike_pair(pairs)?;
     let text = format!(
-        "{} and {} are a pair by their places in the lists, but their numbers differ otherwise \
-         than those of the first pair",
+        "{} and {} are a pair by their places in the lists, but the numbers in their names do not \
+         belong together as those of the first pair do",
         left.display(),
         right.display()
     );

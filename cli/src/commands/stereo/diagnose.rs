@@ -34,12 +34,7 @@ pub(crate) struct Arguments {
     views: ViewPair,
     /// Matches whose rows differ from the explanation by more than this number of pixels are left
     /// out.
-    #[arg(
-        long,
-        value_name = "PX",
-        default_value_t = 1.5,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "PX", default_value_t = 1.5)]
     threshold: f64,
     /// The seed of the random samples: equal seeds give equal results.
     #[arg(long, value_name = "N", default_value_t = 1)]

@@ -32,12 +32,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "TRUTH")]
     truth: PathBuf,
     /// What the truth stores is this number × the disparity in pixels.
-    #[arg(
-        long,
-        value_name = "S",
-        default_value_t = 1.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "S", default_value_t = 1.0)]
     scale: f64,
     /// Write a picture of the map, the truth and the errors beside each other.
     #[arg(long, value_name = "FILE.png")]

@@ -48,7 +48,7 @@ pub(crate) struct Arguments {
     out: PathBuf,
     /// From 0, where all pixels of the results were seen, to 1, where the results hold all pixels
     /// of the views; by default the focal length is kept.
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    #[arg(long, value_name = "A")]
     alpha: Option<f64>,
     /// Centre each view for itself, so that what is infinitely far away has a disparity other than
     /// zero.

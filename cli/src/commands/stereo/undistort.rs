@@ -46,7 +46,7 @@ pub(crate) struct Arguments {
     new_camera: Option<PathBuf>,
     /// From 0, where all pixels of the result were seen, to 1, where it holds all pixels of the
     /// picture; by default focal lengths and principal point are kept.
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    #[arg(long, value_name = "A")]
     alpha: Option<f64>,
 }
 

@@ -45,15 +45,14 @@ pub(crate) struct Arguments {
     /// The length of one unit of the motion in metres; by default that of a metre, a decimetre, an
     /// inch, a centimetre, a millimetre or CMU's unit (an inch / 0.45) with which the body at rest
     /// is nearest to 1.7 m.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     metres_per_unit: Option<f64>,
     /// Standard deviations of the noise in pixels.
     #[arg(
         long,
         value_name = "PX,…",
         value_delimiter = ',',
-        default_value = "0,1,2,4",
-        allow_negative_numbers = true
+        default_value = "0,1,2,4"
     )]
     noise: Vec<f64>,
     /// Numbers of cameras.
@@ -65,13 +64,7 @@ pub(crate) struct Arguments {
     )]
     views: Vec<usize>,
     /// Probabilities that a view does not show a joint.
-    #[arg(
-        long,
-        value_name = "P,…",
-        value_delimiter = ',',
-        default_value = "0",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "P,…", value_delimiter = ',', default_value = "0")]
     missing: Vec<f64>,
     /// What noise and missing joints are made from.
     #[arg(long, value_name = "S", default_value_t = 1)]

@@ -84,15 +84,10 @@ pub(crate) struct Arguments {
     )]
     pub(super) fit_lengths: Option<FitLengths>,
     /// Frames a second, where the joints do not state it; 30 where nothing does.
-    #[arg(long, value_name = "RATE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATE")]
     pub(super) fps: Option<f64>,
     /// The standard deviation of a detector's joints of confidence 1, for COCO and OpenPose.
-    #[arg(
-        long,
-        value_name = "PX",
-        default_value_t = DetectorOptions::default().deviation_px,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "PX", default_value_t = DetectorOptions::default().deviation_px)]
     pub(super) deviation: f64,
     /// Which person of each picture, from 0 in the order of the file, for COCO and OpenPose; by
     /// default the one with the greatest sum of confidences.
