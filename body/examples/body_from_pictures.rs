@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ga_anim::pose::Pose;
-use ga_anim::retarget::{Retarget, Soles};
+use ga_anim::retarget::{Options, Retarget, Soles};
 use ga_body::pose_error::mean_per_joint_position_error;
 use ga_camera::Camera;
 use ga_image::colour::LinearColour;
@@ -91,7 +91,14 @@ fn main() -> Result<()> {
         let motion = ga_anim::bvh::read(Path::new(&path))?;
         let human = &studio.human;
         let soles = Soles::of_mesh(human.mesh.positions(), &human.weights)?;
-        let retarget = Retarget::new(&motion, &human.skeleton, &soles)?;
+        let retarget = Retarget::new(
+            &motion,
+            &human.skeleton,
+            &Options {
+                soles: Some(&soles),
+                ..Options::default()
+            },
+        )?;
         let count = motion.frame_count();
         let frames = (0..FRAMES).map(|frame| (2 * frame + 1) * count / (2 * FRAMES));
         let poses = frames

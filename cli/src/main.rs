@@ -16,6 +16,7 @@ mod pipeline;
 mod report;
 mod shell;
 mod standard_output;
+mod transfer;
 
 use std::iter;
 use std::process::ExitCode;

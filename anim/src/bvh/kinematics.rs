@@ -37,9 +37,13 @@ impl Bvh {
         Some(self.joints().iter().map(move |joint| {
             let mut displacement = joint.offset;
             let mut rotor = Rotor::default();
+            let positions = match joint.parent {
+                None => self.root_position_channels(),
+                Some(_) => self.position_channels(),
+            };
             for (channel, &value) in joint.channels.iter().zip(&values[joint.first_channel..]) {
                 match *channel {
-                    Channel::Position(axis) => match self.position_channels() {
+                    Channel::Position(axis) => match positions {
                         PositionChannels::Added => displacement[axis] += value,
                         PositionChannels::InPlace => displacement[axis] = value,
                     },

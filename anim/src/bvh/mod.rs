@@ -9,31 +9,36 @@
 //! ```
 //!
 //! with the rotations about the fixed axes x, y, z in the order of the channels, so that the last
-//! one acts on a point first, and with the position channels added to the offset. Angles are
-//! degrees in the file. Lengths have the file's unit, which it does not state; by convention y
-//! points up.
+//! one acts on a point first. Angles are degrees in the file. Lengths have the file's unit, which
+//! it does not state; by convention y points up.
+//!
+//! The positions of a root take the place of its offset, and those of other joints are added to
+//! theirs, with two exceptions:
+//!
+//! - Where only the sum of offset and position puts the body on the ground, they are added at the
+//!   root as well, with a [warning](Bvh::warnings). The description adds, and so does three.js;
+//!   assimp and Blender replace. Files that have both have the same numbers in both, so that adding
+//!   puts the body at twice its height.
+//! - Where the positions of other joints are near their offsets, within a quarter of their lengths,
+//!   in most frames, they take the place of these.
 //!
 //! The reader is strict where numbers would be guessed: an error names the line, and a frame has
 //! exactly one number for each channel. Two deviations are so common that such files are read, with
 //! a [warning](Bvh::warnings):
 //!
 //! - The file has one frame more or one fewer than it announces. The frames that are there count.
-//! - Position channels sit on joints below the root. Some programs write what is added to the
-//!   offset there, as the description says; others write the offset and what is added to it, so
-//!   that the numbers take the place of the offset. The second reading is chosen where the numbers
-//!   are near the offsets, within a quarter of their lengths, in most frames. It then holds for all
-//!   joints.
+//! - Position channels are on joints below the root, see above.
 //!
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
 //! readers agree.
 
-mod calibration;
 mod conversion;
 mod joint;
 mod kinematics;
 mod motion;
 mod parser;
 pub(crate) mod problem;
+mod root_offset;
 mod warning;
 mod words;
 mod writer;
@@ -43,7 +48,6 @@ use std::path::Path;
 use crate::file_error::MotionFileError;
 use ga_files::ReadError;
 
-pub use calibration::begins_with_calibration;
 pub use joint::{BvhJoint, Channel};
 pub use motion::Bvh;
 pub use problem::BvhProblem;

@@ -12,6 +12,8 @@ pub struct Bvh {
     pub(super) frame_count: usize,
     /// Frame by frame, within a frame in the order of the joints and their channels.
     pub(super) values: Vec<f64>,
+    /// Those of roots, and those of other joints.
+    pub(super) root_positions: PositionChannels,
     pub(super) positions: PositionChannels,
     pub(super) warnings: Vec<BvhWarning>,
 }
@@ -54,7 +56,13 @@ impl Bvh {
         &self.warnings
     }
 
-    /// How the position channels are meant.
+    /// How the position channels of roots are meant.
+    #[must_use]
+    pub fn root_position_channels(&self) -> PositionChannels {
+        self.root_positions
+    }
+
+    /// How the position channels of joints below the roots are meant.
     #[must_use]
     pub fn position_channels(&self) -> PositionChannels {
         self.positions

@@ -1,7 +1,8 @@
 use std::collections::HashSet;
 
+use super::root_offset::root_positions;
 use super::words::{Words, number};
-use super::{Bvh, BvhJoint, BvhProblem, BvhWarning, Channel, warning};
+use super::{Bvh, BvhJoint, BvhProblem, BvhWarning, Channel, PositionChannels, warning};
 use crate::file_error::MotionFileError;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
@@ -231,12 +232,18 @@ fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, MotionFil
     }
     let (positions, warning) = warning::position_channels(&joints, &values, channel_count);
     warnings.extend(warning);
-    Ok(Bvh {
+    let mut motion = Bvh {
         joints,
         frame_time,
         frame_count: found,
         values,
+        root_positions: PositionChannels::InPlace,
         positions,
         warnings,
-    })
+    };
+    motion.root_positions = root_positions(&motion);
+    if motion.root_positions == PositionChannels::Added {
+        motion.warnings.push(BvhWarning::RootPositionsAdded);
+    }
+    Ok(motion)
 }

@@ -4,11 +4,10 @@ use ga_runtime::vga3::Vector;
 
 use super::{BvhJoint, Channel};
 
-/// What the position channels of a recording are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What the position channels of a joint are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PositionChannels {
     /// Numbers that are added to the joint's offset, as the format is described.
-    #[default]
     Added,
     /// The place of the joint relative to its parent, with the offset in it.
     InPlace,
@@ -27,6 +26,12 @@ pub enum BvhWarning {
         /// How many there are.
         found: usize,
     },
+    /// The positions of the root are added to its offset.
+    #[error(
+        "the positions of the root are added to its offset, since only that puts the body on the \
+         ground"
+    )]
+    RootPositionsAdded,
     /// Joints below the root have position channels.
     #[error(
         "{joints} joints below the root have position channels, which are {}",
@@ -44,11 +49,13 @@ pub enum BvhWarning {
 }
 
 impl BvhWarning {
-    /// What it is, as one word for programs: `frame_count` or `positions_below_root`.
+    /// What it is, as one word for programs: `frame_count`, `root_positions_added` or
+    /// `positions_below_root`.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
             Self::FrameCount { .. } => "frame_count",
+            Self::RootPositionsAdded => "root_positions_added",
             Self::PositionsBelowRoot { .. } => "positions_below_root",
         }
     }
@@ -58,7 +65,7 @@ impl BvhWarning {
     pub fn line(&self) -> Option<usize> {
         match self {
             Self::FrameCount { line, .. } => Some(*line),
-            Self::PositionsBelowRoot { .. } => None,
+            Self::RootPositionsAdded | Self::PositionsBelowRoot { .. } => None,
         }
     }
 }

@@ -6,6 +6,7 @@ use ga_runtime::cga3::{Motor, Translator};
 use ga_runtime::geometry::EulerOrder;
 use ga_runtime::vga3::Vector;
 
+use super::root_offset::root_positions;
 use super::{Bvh, BvhJoint, Channel, PositionChannels};
 use crate::clip::Clip;
 use crate::file_error::MotionFileError;
@@ -77,6 +78,7 @@ impl Bvh {
             frame_time: clip.frame_time(),
             frame_count: 0,
             values: Vec::new(),
+            root_positions: PositionChannels::InPlace,
             positions: PositionChannels::Added,
             warnings: Vec::new(),
         };
@@ -97,6 +99,7 @@ impl Bvh {
             frame_time: clip.frame_time(),
             frame_count: 0,
             values: Vec::new(),
+            root_positions: PositionChannels::InPlace,
             positions: PositionChannels::Added,
             warnings: Vec::new(),
         };
@@ -136,7 +139,7 @@ impl Bvh {
                 let there = Vector::from(local.translator().displacement());
                 let away = there - Vector::from(joint.offset);
                 if joint.parent.is_none() {
-                    self.values.extend(away.coordinates());
+                    self.values.extend(there.coordinates());
                 } else if away.length().is_nan() || away.length() > 1e-9 * size {
                     return Err(MotionFileError::Moves {
                         name: joint.name.clone(),
@@ -151,6 +154,14 @@ impl Bvh {
             }
         }
         self.frame_count = clip.frames().len();
+        // Where the offset could be read as a part of the place, it is left out.
+        if root_positions(self) == PositionChannels::Added {
+            let roots = self
+                .joints
+                .iter_mut()
+                .filter(|joint| joint.parent.is_none());
+            roots.for_each(|joint| joint.offset = [0.0; 3]);
+        }
         Ok(())
     }
 

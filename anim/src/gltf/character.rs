@@ -3,6 +3,7 @@ use std::collections::HashSet;
 use ga_mesh::gltf::{Document, Node};
 use ga_runtime::vga3::Vector;
 
+use super::bind_pose::bind_pose;
 use super::{Placement, Player};
 use crate::character::Character;
 use crate::file_error::MotionFileError;
@@ -10,8 +11,8 @@ use crate::skeleton::{Joint, Skeleton, SkeletonError};
 use crate::skin::Method;
 use crate::weights::SkinWeights;
 
-/// The character of a document: all meshes that its skins move, as its nodes stand without an
-/// animation, with the joints of all skins in one skeleton.
+/// The character of a document: all meshes that its skins move, in the pose in which they were
+/// bound, with the joints of all skins in one skeleton.
 ///
 /// A mesh without a skin follows the joint above it, such as a hat below the head; one that has no
 /// joint above it is left out. The joints have the names of their nodes; a node without a name, or
@@ -77,7 +78,7 @@ pub fn character(document: &Document) -> Result<Character, MotionFileError> {
 
     let player = Player::new(&followed)?;
     let placement = Placement::new(&player)?;
-    let pose = player.pose(None, 0.0)?;
+    let pose = bind_pose(&player)?;
     let placed = placement.place(&pose, Method::Linear)?;
     let mut rows: Vec<Vec<(u32, f64)>> = Vec::with_capacity(placement.vertex_count());
     for (index, part) in placement.parts().iter().enumerate() {
@@ -141,7 +142,7 @@ pub(super) fn all_joints(document: &Document, player: &Player) -> Vec<usize> {
     }
 }
 
-/// These nodes, parents first, as joints where they stand without an animation.
+/// These nodes, parents first, as joints in the pose in which the skins were bound.
 pub(super) fn skeleton_of(
     document: &Document,
     player: &Player,
@@ -151,7 +152,7 @@ pub(super) fn skeleton_of(
     for (joint, &node) in joint_nodes.iter().enumerate() {
         joint_of[node] = Some(joint as u32);
     }
-    let pose = player.pose(None, 0.0)?;
+    let pose = bind_pose(player)?;
     let heads = joint_nodes
         .iter()
         .map(|&node| pose.world[node].translation.into());

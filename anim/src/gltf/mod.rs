@@ -39,6 +39,7 @@
 //! A [`Rigged`] document takes a clip as its animation and keeps its own nodes, meshes and skins.
 //! Its bones can be given [other lengths](Rigged::with_lengths).
 
+mod bind_pose;
 mod character;
 mod export;
 mod lengths;

@@ -272,7 +272,7 @@ impl<'a> Placement<'a> {
         let mut maps = Vec::with_capacity(of_skin.joints.len());
         for (joint, &node) in of_skin.joints.iter().enumerate() {
             let inverse = of_skin.inverse_bind_matrices.get(joint);
-            let map = pose.world[node] * inverse.map_or_else(Affine::default, affine);
+            let map = pose.world[node] * inverse.map_or_else(Affine::default, inverse_bind_map);
             if !is_finite(map) {
                 return Err(MotionFileError::JointNotFinite { skin, joint, node });
             }
@@ -345,7 +345,7 @@ fn has_rotation(map: Affine<f64>) -> bool {
 }
 
 /// The map of a matrix given column by column.
-fn affine(columns: &[f32; 16]) -> Affine<f64> {
+pub(super) fn inverse_bind_map(columns: &[f32; 16]) -> Affine<f64> {
     let entry = |row: usize, column: usize| f64::from(columns[4 * column + row]);
     let rows = [0, 1, 2];
     Affine::new(

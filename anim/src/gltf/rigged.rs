@@ -5,7 +5,9 @@ use ga_mesh::gltf::{
 };
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::geometry::Affine;
+use ga_runtime::vga3::Vector;
 
+use super::bind_pose::bind_pose;
 use super::character::{all_joints, skeleton_of};
 use super::{LocalFrame, Player};
 use crate::clip::Clip;
@@ -24,7 +26,8 @@ pub struct Rigged {
 }
 
 impl Rigged {
-    /// Finds the joints of a document, as its nodes stand without an animation.
+    /// Finds the joints of a document, in the pose in which its skins were bound; nodes without a
+    /// skin as they stand without an animation.
     ///
     /// # Errors
     ///
@@ -95,8 +98,9 @@ impl Rigged {
     /// (G_parent F₀_parent)⁻¹ G F₀.
     /// ```
     ///
-    /// Factors and, below the roots, translations stay as they are, so that skins and inverse bind
-    /// matrices keep their meaning.
+    /// Its translation is the place of the joint in the frame above; below the roots it is only
+    /// written where it differs from that of the node, as for a foot that hangs on the root.
+    /// Factors stay as they are, so that skins and inverse bind matrices keep their meaning.
     ///
     /// # Errors
     ///
@@ -110,7 +114,8 @@ impl Rigged {
         let mut document = self.document.clone();
         document.animations.clear();
         let player = Player::new(&document)?;
-        let rest = player.pose(None, 0.0)?;
+        let own = player.pose(None, 0.0)?.locals;
+        let rest = bind_pose(&player)?;
         let parents = player.parents().to_vec();
         let mut joints = Vec::with_capacity(self.nodes.len());
         for (joint, &node) in self.nodes.iter().enumerate() {
@@ -131,26 +136,35 @@ impl Rigged {
                 parent: self.skeleton.joints()[joint].parent,
             });
         }
+        /// Of the longest bone, what a place in single precision may differ by.
+        const NEAR: f64 = 1e-5;
+        let bones = joints
+            .iter()
+            .map(|joint| Vector::from(joint.local.translation).length());
+        let longest = bones.fold(0.0, f64::max);
         let frames = 0..clip.frames().len();
         let times: Vec<f32> = frames
             .map(|k| (k as f64 * clip.frame_time()) as f32)
             .collect();
         let mut rotations = vec![Vec::with_capacity(times.len()); self.nodes.len()];
-        let mut translations = vec![Vec::new(); self.nodes.len()];
+        let mut translations: Vec<Vec<[f64; 3]>> = vec![Vec::new(); self.nodes.len()];
         for pose in clip.frames() {
             let motions = pose.motions(&self.skeleton)?;
             for (joint, described) in joints.iter().enumerate() {
                 rotations[joint].push(described.rotation(&motions, joint));
-                if described.parent.is_none() {
-                    let head = Point::from(self.skeleton.joints()[joint].head);
-                    let place = described.above.1.transform(motions[joint].transform(head));
-                    translations[joint].push(place.coordinates().map(|x| x as f32));
-                }
+                let head = Point::from(self.skeleton.joints()[joint].head);
+                let place = motions[joint].transform(head);
+                let place = match described.parent {
+                    Some(parent) => motions[parent].reverse().transform(place),
+                    None => place,
+                };
+                translations[joint].push(described.above.1.transform(place).coordinates());
             }
         }
         let mut channels = Vec::new();
         for (joint, &node) in self.nodes.iter().enumerate() {
-            document.nodes[node].transform = joints[joint].local.to_node();
+            let own = parts(&own[node]).ok_or(MotionFileError::Uneven { node })?;
+            document.nodes[node].transform = own.to_node();
             let mut add = |keys| {
                 channels.push(Channel {
                     node,
@@ -161,8 +175,13 @@ impl Rigged {
                 });
             };
             add(Keys::Rotation(continuous(&rotations[joint])));
-            if !translations[joint].is_empty() {
-                add(Keys::Translation(std::mem::take(&mut translations[joint])));
+            let place = Vector::from(own.translation);
+            let differs = |other: &[f64; 3]| Vector::from(*other).distance(place) > NEAR * longest;
+            if joints[joint].parent.is_none() || translations[joint].iter().any(differs) {
+                let places = translations[joint].iter();
+                add(Keys::Translation(
+                    places.map(|place| place.map(|x| x as f32)).collect(),
+                ));
             }
         }
         document.animations.push(Animation {

@@ -63,6 +63,18 @@ pub enum RecordingError {
         /// The number.
         value: f64,
     },
+    /// Neither a pose nor the motion says what the rotations of the joints mean.
+    #[error(
+        "the joints do not stand as a person at rest, and no part of a body is known whose motion \
+         says what their rotations mean: give a pose of reference"
+    )]
+    NoReference,
+    /// A joint that the pose of reference does not have.
+    #[error("the pose of reference has no joint {name:?}")]
+    ReferenceJoint {
+        /// The joint.
+        name: String,
+    },
     /// A length of one unit in metres is 0, negative, infinite or not a number.
     #[error("{0} metres is not the length of a unit")]
     Unit(f64),

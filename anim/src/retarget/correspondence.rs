@@ -1,8 +1,17 @@
-use std::f64::consts::FRAC_PI_2;
+//! Which joint of the source moves which joint of the target, and how their axes belong together.
 
-use ga_runtime::cga3::{Direction, Rotor};
+use ga_runtime::cga3::{Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
+use super::bodies::{Bodies, Bone, Leg};
+use super::calibration::Calibration;
+use super::hierarchy::Hanging;
+use super::human::{Human, Role};
+use super::joint_map::parts_of_target;
+use super::reference::{self, FoundReference, Motion, Reference};
+use super::standing_pose::standing_orientation;
+use super::trunk::Trunk;
+use super::up_axis::{FoundUpAxis, UpAxis};
 use super::{JointMap, Soles, Source};
 use crate::recording::RecordingError;
 use crate::skeleton::Skeleton;
@@ -17,21 +26,12 @@ pub enum Alignment {
     EveryBone,
 }
 
-/// As fractions of the body's height: the least length of a long bone, the least distance of a limb
-/// from the middle, and the least length of a bone that has a direction.
-const LONG: f64 = 1.0 / 8.0;
-const BESIDE: f64 = 1.0 / 64.0;
-const TINY: f64 = 1e-6;
-/// A bone lies rather than stands where it rises by less than this part of its length.
-const LYING: f64 = 0.5;
-
-/// The joints of the source that move those of the target, and the rotations between their poses at
-/// rest.
+/// The joints of the source that move those of the target, and the rotations between both.
 #[derive(Clone, Debug)]
 pub(super) struct Correspondence {
     /// For each joint of the target, the one of the source that moves it.
     pub(super) source_of: Vec<Option<usize>>,
-    /// For each joint of the target, the rotor A.
+    /// For each joint of the target, the rotor K.
     pub(super) alignment: Vec<Rotor<f64>>,
     /// For each joint of the target, the bone that is parallel to the source's in every frame.
     pub(super) parallel: Vec<Option<Bone>>,
@@ -40,69 +40,180 @@ pub(super) struct Correspondence {
     pub(super) scale: f64,
     /// The mean of the legs.
     pub(super) source_leg_length: f64,
+    /// The vertical that the motion shows, and the rotation that makes the one that is used y.
+    pub(super) up: Option<FoundUpAxis>,
+    pub(super) upright: Rotor<f64>,
+    pub(super) reference: FoundReference,
+    /// How far the source is from standing where it stands most.
+    pub(super) least_cost: Option<f64>,
+    pub(super) soles: Soles,
+    pub(super) hanging: Hanging,
+    /// The joints of the target, and its trunk, for human bodies.
+    pub(super) human: Option<Human>,
+    pub(super) trunk: Option<Trunk>,
+    /// Whether the target at rest is a body that stands.
+    pub(super) stands_at_rest: bool,
 }
 
-/// A bone from one matched joint to the next.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bone {
-    /// The vector from the joint to the next one at rest, in the target.
-    pub(super) target: Vector<f64>,
-    /// The same in the source.
-    source: Vector<f64>,
-    /// The joints of the source at both ends.
-    pub(super) ends: [usize; 2],
-}
-
-/// A chain of long bones down to an ankle.
-#[derive(Clone, Debug)]
-pub(super) struct Leg {
-    /// The joint at the top, the one above the ankle, and the ankle.
-    pub(super) joints: [usize; 3],
-    /// The joints of the source that move the joint at the top and the ankle.
-    pub(super) source_top: usize,
-    pub(super) source_ankle: usize,
-}
-
-/// What is known of both bodies at rest.
-struct Bodies<'a> {
-    target: &'a Skeleton,
-    source_of: &'a [Option<usize>],
-    source_rest: Vec<[f64; 3]>,
-    /// For each joint of the target, the nearest one above that is matched: bones in between, such
-    /// as those that spread a twist, belong to it.
-    above: Vec<Option<usize>>,
-    height: f64,
-    /// The horizontal axis from one side of the target to the other.
-    lateral: Vector<f64>,
-    /// The rotation about the vertical by which the source looks in another direction.
-    facing: Rotor<f64>,
+/// What is to be matched.
+pub(super) struct Request<'a> {
+    pub(super) source: &'a dyn Source,
+    pub(super) target: &'a Skeleton,
+    pub(super) map: &'a JointMap,
+    pub(super) soles: Option<&'a Soles>,
+    pub(super) alignment: Alignment,
+    pub(super) reference: Reference<'a>,
+    /// A motion of the target's own joints, in the same order.
+    pub(super) target_motion: Option<&'a dyn Source>,
+    pub(super) up: Option<UpAxis>,
 }
 
 impl Correspondence {
-    pub(super) fn new(
-        source: &dyn Source,
-        target: &Skeleton,
-        soles: &Soles,
-        map: &JointMap,
-        alignment: Alignment,
-    ) -> Result<Self, RecordingError> {
-        let source_of = map.source_of().to_vec();
+    pub(super) fn new(request: &Request) -> Result<Self, RecordingError> {
+        let &Request { source, target, .. } = request;
+        let source_of = request.map.source_of().to_vec();
         if source_of.iter().all(Option::is_none) {
             return Err(RecordingError::NoMatch);
         }
-        let bodies = Bodies::new(source, target, soles, &source_of);
-        let long_bones = bodies.long_bones();
-        let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(target.len());
-        for (joint, bone) in target.joints().iter().zip(&long_bones) {
-            let above = joint.parent.map_or(bodies.facing, |parent| rotors[parent]);
-            let correction = bone.as_ref().and_then(|(bone, _)| {
-                let inherited: Vector<f64> = above.transform(Direction::from(bone.target)).into();
-                Rotor::between(inherited.coordinates(), bone.source.coordinates())
+        let parts = parts_of_target(target);
+        let human = Human::new(&parts).and_then(|human| human.matched(&source_of));
+        let (here, there) = (
+            human.as_ref().map(|[here, _]| here),
+            human.as_ref().map(|[_, there]| there),
+        );
+        let hanging = Hanging::new(target, here, &source_of);
+
+        let motion = Motion::new(source, there, request.up);
+        let pose = reference::pose(source, there, &motion, request.reference)?;
+        let target_motion = request
+            .target_motion
+            .filter(|_| here.is_some())
+            .map(|own| Motion::new(own, here, None));
+        let rest: Vec<Vector<f64>> = target
+            .joints()
+            .iter()
+            .map(|joint| joint.head.into())
+            .collect();
+        let at_rest = [reference::at_rest(&rest, Rotor::default())];
+        let there = there.map(|there| Calibration::new(there, &motion.moments));
+        let own = target_motion
+            .as_ref()
+            .map_or(&at_rest[..], |own| &own.moments);
+        let own = here.map(|here| Calibration::new(here, own));
+        // A target that has a motion of its own need not stand at rest.
+        let stands_at_rest = match (here, &target_motion) {
+            (Some(here), Some(_)) => {
+                standing_orientation(here, &rest).is_some_and(|rotor| rotor == Rotor::default())
+            }
+            _ => true,
+        };
+
+        let stands = match own
+            .as_ref()
+            .and_then(Calibration::most_upright)
+            .filter(|_| !stands_at_rest)
+        {
+            Some(moment) => moment.places.clone(),
+            None => rest,
+        };
+        let upright = there.as_ref().and_then(Calibration::most_upright);
+        let source_rest = match pose.as_ref().or(upright) {
+            Some(moment) => moment.places.clone(),
+            None => reference::rest_places(source),
+        };
+        let standing = own
+            .as_ref()
+            .and_then(Calibration::most_upright)
+            .filter(|_| !stands_at_rest);
+        let soles = match (request.soles, standing) {
+            (Some(soles), _) => soles.clone(),
+            (None, Some(moment)) => {
+                let joints = target.joints().iter().zip(&moment.motors);
+                let motions = joints.map(|(joint, &motor)| {
+                    motor * Translator::from_displacement(joint.head.map(|x| -x))
+                });
+                Soles::of_pose(target, &motions.collect::<Vec<_>>())
+            }
+            (None, None) => Soles::of_skeleton(target),
+        };
+        let bodies = Bodies::new(target, &hanging, stands, &source_of, source_rest, &soles);
+        let long_bones = bodies.long_bones(here);
+
+        let by_pose = pose.as_ref().filter(|_| stands_at_rest).map(|pose| {
+            let aligned = bodies.aligned(&long_bones);
+            let rotors = aligned.into_iter().zip(&source_of);
+            let rotors = rotors.map(|(aligned, source)| match source {
+                Some(there) => pose.motors[*there].rotor().reverse() * aligned,
+                None => aligned,
             });
-            rotors.push(correction.map_or(above, |correction| correction * above));
-        }
-        let (legs, [scale, source_leg_length]) = bodies.legs(&long_bones, soles)?;
-        let parallel = match alignment {
+            rotors.collect::<Vec<_>>()
+        });
+        let is_given = !matches!(request.reference, Reference::Found);
+        let by_motion = match (&there, &own, here) {
+            (Some(there), Some(own), Some(here)) if !is_given => {
+                let mut roles = here.roles(&parts, target.len());
+                for joint in ancestors(&hanging.parents, here.hips) {
+                    roles[joint] = Some(Role::Trunk(0.0));
+                }
+                let found = reference::axes(
+                    there,
+                    &roles,
+                    |joint| source_of[joint],
+                    &hanging.matched_above,
+                    &hanging.order,
+                );
+                let wanted = reference::axes(
+                    own,
+                    &roles,
+                    |joint| source_of[joint].map(|_| joint),
+                    &hanging.matched_above,
+                    &hanging.order,
+                );
+                let rotors = found
+                    .into_iter()
+                    .zip(wanted)
+                    .map(|(found, wanted)| found * wanted.reverse());
+                Some((roles, rotors.collect::<Vec<_>>()))
+            }
+            _ => None,
+        };
+        let (rotors, reference) = match (by_pose, by_motion) {
+            (Some(by_pose), Some((roles, by_motion))) => {
+                // Where both have a motion, it says of both what it says of one; what it leaves
+                // open is as at rest. Otherwise only how soles lie on the ground is better known
+                // from it.
+                let both_move = target_motion.is_some();
+                let joints = by_pose.into_iter().zip(by_motion).enumerate();
+                let rotors = joints.map(|(joint, (by_pose, by_motion))| match roles[joint] {
+                    Some(Role::Trunk(_) | Role::Leg { .. } | Role::Arm { .. }) if both_move => {
+                        by_motion
+                    }
+                    Some(Role::Foot { side }) if both_move || !bodies.is_leg_alike(here, side) => {
+                        by_motion
+                    }
+                    _ => by_pose,
+                });
+                let reference = if both_move {
+                    FoundReference::Motion
+                } else {
+                    FoundReference::Rest
+                };
+                (rotors.collect::<Vec<_>>(), reference)
+            }
+            (Some(by_pose), None) => {
+                let reference = if is_given {
+                    FoundReference::Given
+                } else {
+                    FoundReference::Rest
+                };
+                (by_pose, reference)
+            }
+            (None, Some((_, by_motion))) => (by_motion, FoundReference::Motion),
+            (None, None) => return Err(RecordingError::NoReference),
+        };
+
+        let (legs, [scale, source_leg_length]) = bodies.legs(&long_bones, &soles, here)?;
+        let parallel = match request.alignment {
             Alignment::Limbs => long_bones
                 .iter()
                 .map(|bone| bone.map(|(bone, _)| bone))
@@ -110,255 +221,28 @@ impl Correspondence {
             Alignment::EveryBone => bodies.all_bones(),
         };
         Ok(Self {
+            trunk: here
+                .zip(human.as_ref())
+                .map(|(here, [_, there])| Trunk::new(here, there, &hanging)),
+            human: here.cloned(),
+            stands_at_rest,
             source_of,
             alignment: rotors,
             parallel,
             legs,
             scale,
             source_leg_length,
+            up: motion.up,
+            upright: motion.upright,
+            reference,
+            least_cost: there.map(|there| there.least_cost),
+            soles,
+            hanging,
         })
     }
 }
 
-impl<'a> Bodies<'a> {
-    fn new(
-        source: &dyn Source,
-        target: &'a Skeleton,
-        soles: &Soles,
-        source_of: &'a [Option<usize>],
-    ) -> Self {
-        let joints = target.joints();
-        let mut above: Vec<Option<usize>> = Vec::with_capacity(joints.len());
-        for joint in joints {
-            let of_parent = |parent: usize| match source_of[parent] {
-                Some(_) => Some(parent),
-                None => above[parent],
-            };
-            above.push(joint.parent.and_then(of_parent));
-        }
-        let heights = || {
-            joints
-                .iter()
-                .flat_map(|joint| [joint.head[1], joint.tail[1]])
-        };
-        let height =
-            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-        let mut bodies = Self {
-            target,
-            source_of,
-            source_rest: source.rest_positions(),
-            above,
-            height,
-            lateral: Vector::new(1.0, 0.0, 0.0),
-            facing: Rotor::default(),
-        };
-        if let Some([ours, there]) = bodies.across(soles) {
-            let quarter = |v: Vector<f64>| (-v.e3).atan2(v.e1) / FRAC_PI_2;
-            let (sin, cos) = (quarter(ours).round() * FRAC_PI_2).sin_cos();
-            bodies.lateral = Vector::new(cos, 0.0, -sin);
-            // Bodies look along an axis. What remains is a difference of pose.
-            let quarters = (quarter(there) - quarter(ours)).round();
-            let rotor = Rotor::from_axis_angle([0.0, 1.0, 0.0], quarters * FRAC_PI_2);
-            if quarters.rem_euclid(4.0) != 0.0 {
-                bodies.facing = rotor.unwrap_or_default();
-            }
-        }
-        bodies
-    }
-
-    fn head(&self, joint: usize) -> Vector<f64> {
-        self.target.joints()[joint].head.into()
-    }
-
-    /// How far a joint is to one side of the root.
-    fn offset(&self, joint: usize) -> f64 {
-        (self.head(joint) - self.head(0)).dot(self.lateral).abs()
-    }
-
-    /// The horizontal vectors from one hip to the other at rest, in the target and in the source:
-    /// where the ways from the root to two soles part.
-    fn across(&self, soles: &Soles) -> Option<[Vector<f64>; 2]> {
-        let horizontal = |v: Vector<f64>| Vector::new(v.e1, 0.0, v.e3);
-        let ways: Vec<Vec<usize>> = soles.joints().map(|joint| self.way_to(joint)).collect();
-        let mut found: Option<(usize, [Vector<f64>; 2])> = None;
-        for (number, one) in ways.iter().enumerate() {
-            for other in &ways[number + 1..] {
-                let common = one.iter().zip(other).take_while(|(a, b)| a == b).count();
-                if common == 0 || found.as_ref().is_some_and(|&(least, _)| least <= common) {
-                    continue;
-                }
-                let pairs = one[common..].iter().zip(&other[common..]);
-                let apart = pairs.clone().find_map(|(&a, &b)| {
-                    let apart = horizontal(self.head(a) - self.head(b));
-                    (apart.length() > TINY * self.height).then_some(apart)
-                });
-                let there = pairs.filter_map(|(&a, &b)| {
-                    let [a, b] = [self.source_of[a]?, self.source_of[b]?];
-                    let [a, b] = [a, b].map(|joint| Vector::from(self.source_rest[joint]));
-                    Some(horizontal(a - b)).filter(|apart| apart.length() > 0.0)
-                });
-                if let Some(pair) = apart.zip(there.into_iter().next()) {
-                    found = Some((common, pair.into()));
-                }
-            }
-        }
-        found.map(|(_, pair)| pair)
-    }
-
-    /// The joints from a root to a joint.
-    fn way_to(&self, joint: usize) -> Vec<usize> {
-        let parent = |&joint: &usize| self.target.joints()[joint].parent;
-        let mut way: Vec<usize> = std::iter::successors(Some(joint), parent).collect();
-        way.reverse();
-        way
-    }
-
-    /// The matched joints right below a matched joint.
-    fn below(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
-        let below = joint + 1..self.target.len();
-        below.filter(move |&below| {
-            self.source_of[below].is_some() && self.above[below] == Some(joint)
-        })
-    }
-
-    fn distance_from_tail(&self, joint: usize, below: usize) -> f64 {
-        Vector::from(self.target.joints()[joint].tail).distance(self.head(below))
-    }
-
-    fn bone(&self, joint: usize, below: usize, ends: [usize; 2]) -> Bone {
-        let [from, to] = ends.map(|joint| Vector::from(self.source_rest[joint]));
-        Bone {
-            target: self.head(below) - self.head(joint),
-            source: to - from,
-            ends,
-        }
-    }
-
-    /// The long bones of limbs, each with the joint at its end.
-    fn long_bones(&self) -> Vec<Option<(Bone, usize)>> {
-        let mut bones: Vec<Option<(Bone, usize)>> = Vec::with_capacity(self.target.len());
-        for joint in 0..self.target.len() {
-            let is_beside = self.offset(joint) >= BESIDE * self.height;
-            let goes_on = self.above[joint].is_some_and(|above| bones[above].is_some());
-            let bone = self.source_of[joint].and_then(|from| {
-                let below = self
-                    .below(joint)
-                    .filter(|_| is_beside || goes_on)
-                    .min_by(|&a, &b| {
-                        let [a, b] = [a, b].map(|below| self.distance_from_tail(joint, below));
-                        a.total_cmp(&b)
-                    })
-                    .filter(|&below| {
-                        self.head(joint).distance(self.head(below)) >= LONG * self.height
-                    })?;
-                let ends = [from, self.source_of[below]?];
-                Some((self.bone(joint, below, ends), below))
-            });
-            bones.push(bone);
-        }
-        bones
-    }
-
-    /// One bone of every matched joint that has one: where several begin, that of the trunk, and
-    /// beside the trunk the one that the joint's own bone points to.
-    fn all_bones(&self) -> Vec<Option<Bone>> {
-        let mut bones: Vec<Option<Bone>> = vec![None; self.target.len()];
-        for joint in (0..self.target.len()).rev() {
-            let Some(from) = self.source_of[joint] else {
-                continue;
-            };
-            let mut candidates: Vec<(usize, Bone)> = self
-                .below(joint)
-                .filter_map(|below| {
-                    let to = self.source_of[below]?;
-                    // Joints that one joint of the source moves form a straight line.
-                    let ends = match from == to {
-                        true => bones[below]?.ends,
-                        false => [from, to],
-                    };
-                    let bone = self.bone(joint, below, ends);
-                    let has_length = bone.target.length() > TINY * self.height
-                        && bone.source.length() > TINY * self.source_height();
-                    has_length.then_some((below, bone))
-                })
-                .collect();
-            if candidates.len() > 1 {
-                let in_the_middle = |joint: usize| self.offset(joint) < BESIDE * self.height;
-                if in_the_middle(joint) {
-                    candidates.retain(|&(below, _)| in_the_middle(below));
-                    candidates.sort_by(|a, b| self.head(b.0).e2.total_cmp(&self.head(a.0).e2));
-                } else {
-                    let from_tail =
-                        |&(below, _): &(usize, Bone)| self.distance_from_tail(joint, below);
-                    candidates.sort_by(|a, b| from_tail(a).total_cmp(&from_tail(b)));
-                }
-            }
-            bones[joint] = candidates.first().map(|&(_, bone)| bone);
-        }
-        bones
-    }
-
-    fn source_height(&self) -> f64 {
-        let heights = || self.source_rest.iter().map(|place| place[1]);
-        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
-    }
-
-    /// The legs, the ratio of their lengths, and their mean length in the source.
-    fn legs(
-        &self,
-        long_bones: &[Option<(Bone, usize)>],
-        soles: &Soles,
-    ) -> Result<(Vec<Leg>, [f64; 2]), RecordingError> {
-        let mut legs: Vec<Leg> = Vec::new();
-        let (mut target_length, mut source_length) = (0.0, 0.0);
-        for sole in soles.joints() {
-            let is_matched = self.source_of[sole].is_some();
-            let lowest = if is_matched {
-                Some(sole)
-            } else {
-                self.above[sole]
-            };
-            let up = std::iter::successors(lowest, |&joint| self.above[joint]);
-            let long = up.filter_map(|joint| Some((joint, long_bones[joint]?)));
-            let mut chain: Vec<(usize, (Bone, usize))> = Vec::new();
-            for (joint, bone) in long {
-                if chain.last().is_some_and(|&(below, _)| bone.1 != below) {
-                    break;
-                }
-                chain.push((joint, bone));
-            }
-            // The ankle is the end of the lowest long bone above the sole, but for a long foot.
-            let lies = |bone: &Bone| bone.target.e2.abs() < LYING * bone.target.length();
-            if chain.len() > 2 && chain.first().is_some_and(|(_, (foot, _))| lies(foot)) {
-                chain.remove(0);
-            }
-            let (Some(&(lower, (_, ankle))), Some(&(top, _))) = (chain.first(), chain.last())
-            else {
-                continue;
-            };
-            if legs.iter().any(|leg| leg.joints[2] == ankle) {
-                continue;
-            }
-            for (_, (bone, _)) in &chain {
-                target_length += bone.target.length();
-                source_length += bone.source.length();
-            }
-            if let (Some(source_top), Some(source_ankle)) =
-                (self.source_of[top], self.source_of[ankle])
-            {
-                legs.push(Leg {
-                    joints: [top, lower, ankle],
-                    source_top,
-                    source_ankle,
-                });
-            }
-        }
-        let scale = target_length / source_length;
-        if legs.is_empty() || !scale.is_finite() {
-            Err(RecordingError::NoLegs)
-        } else {
-            let mean = source_length / legs.len() as f64;
-            Ok((legs, [scale, mean]))
-        }
-    }
+/// The joints above one.
+fn ancestors(parents: &[Option<usize>], joint: usize) -> impl Iterator<Item = usize> + '_ {
+    std::iter::successors(parents[joint], |&joint| parents[joint])
 }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use ga_runtime::cga3::{Point, Rotor};
 use ga_runtime::vga3::Vector;
 
-use super::Retarget;
+use super::{Retarget, hierarchy};
 use crate::clip::Clip;
 use crate::inverse_kinematics::{Bent, TwoBone, place_limb};
 use crate::pose::{Pose, moved};
@@ -64,6 +64,17 @@ pub struct Contact {
     /// The ankle then stands at the nearest place that the leg reaches in all these frames. Where
     /// there is none, it slides.
     pub short_by: f64,
+}
+
+impl Contact {
+    /// The same in a motion without foot locking.
+    pub(super) fn without_locking(&self) -> Self {
+        Self {
+            slide: self.slide_before,
+            short_by: 0.0,
+            ..self.clone()
+        }
+    }
 }
 
 /// A [`Retarget`] whose feet stand while the source's do.
@@ -148,7 +159,7 @@ impl<'a> Retarget<'a> {
         let foot = |joints: [usize; 3]| {
             let heads = joints.map(|joint| Vector::from(self.target.joints()[joint].head));
             let horizontal = |v: Vector<f64>| Vector::new(v.e1, 0.0, v.e3);
-            let soles = self.soles.middle(|joint| self.is_below(joint, joints[2]));
+            let soles = self.soles().middle(|joint| self.is_below(joint, joints[2]));
             let to_toes = soles.map(|soles| horizontal(soles - heads[2]));
             let knee = (heads[1] - heads[0]).reject(heads[2] - heads[0]);
             let size = heads[0].distance(heads[2]);
@@ -168,8 +179,7 @@ impl<'a> Retarget<'a> {
 
     /// Whether a joint is another one or below it.
     fn is_below(&self, joint: usize, above: usize) -> bool {
-        let parent = |&joint: &usize| self.target.joints()[joint].parent;
-        std::iter::successors(Some(joint), parent).any(|joint| joint == above)
+        hierarchy::is_below(&self.correspondence.hanging.parents, joint, above)
     }
 
     /// Each leg in every frame, without foot locking.
@@ -195,7 +205,7 @@ impl<'a> Retarget<'a> {
                 path.push(LegPose {
                     places: foot.joints.map(place),
                     forward: thigh.transform(Point::from(foot.forward)).into(),
-                    lowest: self.soles.lowest_of(&motions, |joint| sole[joint]),
+                    lowest: self.soles().lowest_of(&motions, |joint| sole[joint]),
                 });
             }
         }
@@ -207,7 +217,7 @@ impl<'a> Retarget<'a> {
         let legs = &self.correspondence.legs;
         let mut ankles = vec![Vec::with_capacity(self.source.frame_count()); legs.len()];
         for frame in 0..self.source.frame_count() {
-            let Some(frames) = self.source.frames_of_joints(frame) else {
+            let Some(frames) = self.source_frames(frame) else {
                 break;
             };
             for (ankle, leg) in ankles.iter_mut().zip(legs) {

@@ -119,24 +119,16 @@ impl JointMap {
         let there = parts(source.names().into_iter());
         let here = parts(names(target));
         let matched: HashSet<usize> = by_names.source_of.iter().copied().flatten().collect();
-        let legs = |parts: &Parts| {
-            [Part::UpperLeg, Part::LowerLeg, Part::Foot]
-                .iter()
-                .all(|&part| {
-                    let sides = [Some(Side::Left), Some(Side::Right)];
-                    sides.iter().all(|&side| parts.contains_key(&(part, side)))
-                })
-        };
         // Equal names need no meaning.
         let is_known = 2 * matched.len() >= target.len().min(source.names().len());
-        if is_known || (legs(&there) && legs(&here)) {
+        if is_known || (has_legs(&there) && has_legs(&here)) {
             return by_names;
         }
-        let there = match legs(&there) {
+        let there = match has_legs(&there) {
             true => there,
             false => parts_by_structure(&source.parents(), &source.rest_positions()),
         };
-        let here = match legs(&here) {
+        let here = match has_legs(&here) {
             true => here,
             false => parts_of_skeleton(target),
         };
@@ -304,6 +296,26 @@ fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
 
 fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
     skeleton.joints().iter().map(|joint| joint.name.as_str())
+}
+
+/// The joints of each part of a skeleton: by their names, or where those do not tell both legs by
+/// its structure.
+pub(super) fn parts_of_target(skeleton: &Skeleton) -> Parts {
+    let by_names = parts(names(skeleton));
+    match has_legs(&by_names) {
+        true => by_names,
+        false => parts_of_skeleton(skeleton),
+    }
+}
+
+/// Whether thighs, shins and feet of both sides are known.
+fn has_legs(parts: &Parts) -> bool {
+    [Part::UpperLeg, Part::LowerLeg, Part::Foot]
+        .iter()
+        .all(|&part| {
+            let sides = [Some(Side::Left), Some(Side::Right)];
+            sides.iter().all(|&side| parts.contains_key(&(part, side)))
+        })
 }
 
 fn parts_of_skeleton(skeleton: &Skeleton) -> Parts {

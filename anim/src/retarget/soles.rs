@@ -4,6 +4,7 @@ use ga_runtime::batch;
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
+use crate::pose::moved;
 use crate::skeleton::Skeleton;
 use crate::weights::error::SkinError;
 use crate::weights::{Influence, SkinWeights};
@@ -51,18 +52,25 @@ impl Soles {
     /// that lie within 1/16 of its height above its lowest point.
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
-        let joints = skeleton.joints();
-        let ends = || joints.iter().flat_map(|joint| [joint.head, joint.tail]);
+        Self::of_pose(skeleton, &vec![Motor::default(); skeleton.len()])
+    }
+
+    /// The same of a skeleton that stands after these motions of its joints.
+    pub(super) fn of_pose(skeleton: &Skeleton, motions: &[Motor<f64>]) -> Self {
+        let joints = skeleton.joints().iter().zip(motions);
+        let bones =
+            joints.map(|(joint, &motion)| [joint.head, joint.tail].map(|end| moved(motion, end)));
+        let bones: Vec<[[f64; 3]; 2]> = bones.collect();
+        let ends = || bones.iter().flatten().copied();
         let limit = limit(ends(), BONE);
         let ground = ends().map(|end| end[1]).fold(f64::INFINITY, f64::min);
-        let lies_low = joints
-            .iter()
-            .enumerate()
-            .filter(|(_, joint)| joint.head[1].max(joint.tail[1]) <= limit);
-        let points = lies_low.flat_map(|(index, joint)| {
-            [joint.head, joint.tail].map(|[x, _, z]| (index, [x, ground, z]))
+        let bones = bones.iter().enumerate();
+        let lies_low = bones.filter(|(_, bone)| bone.iter().all(|end| end[1] <= limit));
+        let points = lies_low.flat_map(|(index, bone)| {
+            let back = motions[index].reverse();
+            bone.map(|[x, _, z]| (index, moved(back, [x, ground, z])))
         });
-        Self::new(joints.len(), points)
+        Self::new(skeleton.len(), points)
     }
 
     fn new(joint_count: usize, points: impl Iterator<Item = (usize, [f64; 3])>) -> Self {

@@ -3,6 +3,7 @@
 use ga_mesh::gltf::{self, Document};
 
 use super::soles::Soles;
+use super::source::Source;
 use crate::MotionFileError;
 use crate::bvh::Bvh;
 use crate::clip::Clip;
@@ -40,7 +41,8 @@ use crate::unit::{LikelyUnit, likely_unit};
 #[derive(Clone, Debug)]
 pub struct Target {
     skeleton: Skeleton,
-    soles: Soles,
+    /// For a skeleton that stands at rest.
+    soles: Option<Soles>,
     metres_per_unit: f64,
     origin: Origin,
 }
@@ -54,7 +56,8 @@ enum Origin {
 
 impl Target {
     /// The skeleton of a BVH file at rest, in the unit of the file, which is `metres_per_unit`
-    /// long. It stands on its lowest bones.
+    /// long. Its motion says how
+    /// the axes of its joints are meant.
     ///
     /// # Errors
     ///
@@ -62,15 +65,15 @@ impl Target {
     pub fn from_bvh(motion: Bvh, metres_per_unit: f64) -> Result<Self, SkeletonError> {
         let skeleton = motion.skeleton()?;
         Ok(Self {
-            soles: Soles::of_skeleton(&skeleton),
+            soles: None,
             skeleton,
             metres_per_unit,
             origin: Origin::Bvh(motion),
         })
     }
 
-    /// The joints of a glTF document as its nodes stand without an animation, in metres. They stand
-    /// on the lowest vertices where there is a skin, otherwise on the lowest bones.
+    /// The joints of a glTF document in the pose in which its skins were bound, in metres. They
+    /// stand on the lowest vertices where there is a skin, otherwise on the lowest bones.
     ///
     /// # Errors
     ///
@@ -80,9 +83,9 @@ impl Target {
         let skeleton = rigged.skeleton().clone();
         let soles = match character(document) {
             Ok(body) if body.skeleton == skeleton => {
-                Soles::of_mesh(body.mesh.positions(), &body.weights)?
+                Some(Soles::of_mesh(body.mesh.positions(), &body.weights)?)
             }
-            _ => Soles::of_skeleton(&skeleton),
+            _ => None,
         };
         Ok(Self {
             skeleton,
@@ -98,10 +101,19 @@ impl Target {
         &self.skeleton
     }
 
-    /// What it stands on.
+    /// What it stands on; `None` where only its bones say it.
     #[must_use]
-    pub fn soles(&self) -> &Soles {
-        &self.soles
+    pub fn soles(&self) -> Option<&Soles> {
+        self.soles.as_ref()
+    }
+
+    /// The motion of the skeleton in its file, where that is a recording.
+    #[must_use]
+    pub fn motion(&self) -> Option<&dyn Source> {
+        match &self.origin {
+            Origin::Bvh(motion) if motion.frame_count() > 0 => Some(motion),
+            _ => None,
+        }
     }
 
     /// The likely length of a unit of the skeleton by its size; a metre for glTF, whose unit it is.

@@ -3,30 +3,34 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::Retarget;
-use super::correspondence::Alignment;
-use super::foot_locking::FootLocking;
+use super::checks::Checks;
+use super::foot_locking::{Contact, FootLocking};
 use super::joint_map::{JointMap, MapOrigin};
+use super::reference::FoundReference;
 use super::source::Source;
 use super::standing::StandingFoot;
-use super::target::Target;
+use super::up_axis::FoundUpAxis;
+use super::{Options, Retarget};
 use crate::clip::Clip;
 use crate::recording::RecordingError;
+use crate::skeleton::Skeleton;
 
-/// How a motion is transferred to a [`Target`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Which bones become parallel to those of the motion.
-    pub alignment: Alignment,
+/// How a motion is transferred.
+#[derive(Clone, Copy, Debug)]
+pub struct TransferOptions<'a> {
+    /// How the rotations are found.
+    pub retarget: Options<'a>,
     /// Whether standing feet stay in their places.
     pub foot_locking: bool,
     /// The length of one unit of the motion in metres.
     pub motion_metres_per_unit: f64,
     /// The length of one unit of the target in metres.
     pub target_metres_per_unit: f64,
+    /// The first and the last frame of the motion that is transferred; `None` for all.
+    pub frames: Option<[usize; 2]>,
 }
 
-/// All frames of a motion on a target, and what is said of it.
+/// The frames of a motion on a target, and what is said of it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Transfer {
     /// The motion of the target.
@@ -60,6 +64,16 @@ pub struct Transfer {
     pub short_by_metres: f64,
     /// The feet that stand.
     pub feet: Vec<StandingFoot>,
+    /// What the motions of the joints were found from.
+    pub reference: FoundReference,
+    /// The vertical of the motion.
+    #[serde(skip)]
+    pub up: Option<FoundUpAxis>,
+    /// How far the motion is from standing at all, see [`Retarget::least_cost_of_standing`].
+    #[serde(skip)]
+    pub least_cost_of_standing: Option<f64>,
+    /// What the motion of the target looks like.
+    pub checks: Checks,
 }
 
 impl Transfer {
@@ -67,18 +81,23 @@ impl Transfer {
     ///
     /// # Errors
     ///
-    /// Those of [`Retarget::with_alignment`] and [`Retarget::with_foot_locking`].
+    /// Those of [`Retarget::new`] and [`Retarget::with_foot_locking`].
     pub fn new(
         source: &dyn Source,
-        target: &Target,
+        skeleton: &Skeleton,
         (map, map_by): (&JointMap, MapOrigin),
-        options: &Options,
+        options: &TransferOptions,
     ) -> Result<Self, RecordingError> {
-        let (skeleton, soles) = (target.skeleton(), target.soles());
-        let retarget = Retarget::with_alignment(source, skeleton, soles, map, options.alignment)?;
+        let by_map = Options {
+            map: Some(map),
+            ..options.retarget
+        };
+        let retarget = Retarget::new(source, skeleton, &by_map)?;
         let foot_locking = FootLocking::new(options.motion_metres_per_unit);
         let locked = retarget.with_foot_locking(&foot_locking)?;
-        let frames = 0..=source.frame_count().saturating_sub(1);
+        let all = [0, source.frame_count().saturating_sub(1)];
+        let [first, last] = options.frames.unwrap_or(all);
+        let frames = first..=last;
         let clip = match options.foot_locking {
             true => locked.clip(frames)?,
             false => retarget.clip(frames)?,
@@ -89,6 +108,15 @@ impl Transfer {
             options.target_metres_per_unit,
             options.foot_locking,
         );
+        let contacts = match options.foot_locking {
+            true => locked.contacts().to_vec(),
+            false => locked
+                .contacts()
+                .iter()
+                .map(Contact::without_locking)
+                .collect(),
+        };
+        let checks = retarget.checks(&clip, first, &contacts, options.target_metres_per_unit)?;
         let greatest = |of: fn(&StandingFoot) -> f64| feet.iter().map(of).fold(0.0, f64::max);
         Ok(Self {
             frames: clip.frames().len(),
@@ -105,6 +133,10 @@ impl Transfer {
             slide_free_metres: greatest(|foot| foot.slide_free_metres),
             short_by_metres: greatest(|foot| foot.short_by_metres),
             feet,
+            reference: retarget.reference(),
+            up: retarget.found_up_axis(),
+            least_cost_of_standing: retarget.least_cost_of_standing(),
+            checks,
             clip,
         })
     }

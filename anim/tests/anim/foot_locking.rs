@@ -7,7 +7,7 @@ use ga_anim::bvh::{self, Bvh};
 use ga_anim::gltf::character;
 use ga_anim::pose::Pose;
 use ga_anim::recording::RecordingError;
-use ga_anim::retarget::{Alignment, FootLocking, JointMap, LockedFeet, Retarget, Soles};
+use ga_anim::retarget::{Alignment, FootLocking, JointMap, LockedFeet, Options, Retarget, Soles};
 use ga_anim::rig;
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::vga3::Vector;
@@ -261,7 +261,7 @@ proptest! {
     ) {
         let walk = walk(stride, 4);
         let skeleton = target([thigh, shin, foot, hips], size);
-        let retarget = Retarget::new(&walk.source, &skeleton, &Soles::of_skeleton(&skeleton)).unwrap();
+        let retarget = Retarget::new(&walk.source, &skeleton, &Options::default()).unwrap();
         let locked = retarget.with_foot_locking(&FootLocking::new(1.0)).unwrap();
         let [free, fixed] = both(&retarget, &locked, &skeleton, walk.source.frame_count());
         only_legs_deviate(&skeleton, &[[3, 4, 5], [7, 8, 9]], &free, &fixed);
@@ -304,7 +304,7 @@ fn a_leg_that_is_too_short_is_reported() {
     }
     let source = bvh::decode(text.as_bytes()).unwrap();
     let skeleton = target([1.0; 4], 1.0);
-    let retarget = Retarget::new(&source, &skeleton, &Soles::of_skeleton(&skeleton)).unwrap();
+    let retarget = Retarget::new(&source, &skeleton, &Options::default()).unwrap();
     let locked = retarget.with_foot_locking(&FootLocking::new(1.0)).unwrap();
     assert_eq!(locked.contacts().len(), 2);
     for contact in locked.contacts() {
@@ -337,7 +337,7 @@ fn a_leg_that_is_too_short_is_reported() {
 fn settings_that_are_no_numbers_are_errors() {
     let walk = walk(0.2, 1);
     let skeleton = target([1.0; 4], 1.0);
-    let retarget = Retarget::new(&walk.source, &skeleton, &Soles::of_skeleton(&skeleton)).unwrap();
+    let retarget = Retarget::new(&walk.source, &skeleton, &Options::default()).unwrap();
     for unit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = retarget
             .with_foot_locking(&FootLocking::new(unit))
@@ -382,7 +382,17 @@ fn slow_runs(source: &Bvh, ankle: usize, metres_per_unit: f64) -> Vec<Range<usiz
 fn assert_real_feet_stand(skeleton: &Skeleton, soles: &Soles, map: &JointMap, source: &Bvh) {
     const UNIT: f64 = 0.056_444;
     for alignment in [Alignment::Limbs, Alignment::EveryBone] {
-        let retarget = Retarget::with_alignment(source, skeleton, soles, map, alignment).unwrap();
+        let retarget = Retarget::new(
+            source,
+            skeleton,
+            &Options {
+                soles: Some(soles),
+                map: Some(map),
+                alignment,
+                ..Options::default()
+            },
+        )
+        .unwrap();
         let locked = retarget.with_foot_locking(&FootLocking::new(UNIT)).unwrap();
         let [free, fixed] = both(&retarget, &locked, skeleton, source.frame_count());
         let mut ankles: Vec<usize> = locked

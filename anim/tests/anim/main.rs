@@ -23,6 +23,8 @@ mod recording_edit;
 mod recording_gltf;
 mod retarget;
 mod retarget_real;
+mod retarget_reference;
+mod retarget_rigs;
 mod rig;
 mod skin;
 mod skin_oracle;

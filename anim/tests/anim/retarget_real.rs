@@ -2,7 +2,7 @@
 
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::pose::Pose;
-use ga_anim::retarget::{Retarget, Soles};
+use ga_anim::retarget::{Options, Retarget, Soles};
 use ga_anim::rig;
 use ga_anim::skeleton::Skeleton;
 use ga_anim::skin::{BodyReport, Method};
@@ -44,7 +44,15 @@ fn real() -> Option<Real> {
 impl Real {
     fn retarget(&self) -> Retarget<'_> {
         let soles = Soles::of_mesh(self.body.positions(), &self.weights).unwrap();
-        Retarget::new(&self.source, &self.skeleton, &soles).unwrap()
+        Retarget::new(
+            &self.source,
+            &self.skeleton,
+            &Options {
+                soles: Some(&soles),
+                ..Options::default()
+            },
+        )
+        .unwrap()
     }
 
     fn report(&self, pose: &Pose) -> BodyReport {

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use ga_anim::pose::Pose;
-use ga_anim::retarget::{Retarget, Soles};
+use ga_anim::retarget::{Options, Retarget, Soles};
 use ga_body::BodyError;
 use ga_body::marked::MarkedBody;
 use ga_body::marker::{Dot, Hue};
@@ -58,7 +58,15 @@ fn a_pose_of_motion_capture_is_found() {
     let motion = ga_anim::bvh::read(path).unwrap();
     let human = &STUDIO.human;
     let soles = Soles::of_mesh(human.mesh.positions(), &human.weights).unwrap();
-    let retarget = Retarget::new(&motion, &human.skeleton, &soles).unwrap();
+    let retarget = Retarget::new(
+        &motion,
+        &human.skeleton,
+        &Options {
+            soles: Some(&soles),
+            ..Options::default()
+        },
+    )
+    .unwrap();
     let error = joint_error(&retarget.pose(1400).unwrap(), FRONT_AND_BACK, Shading::Lit);
     assert!(error <= 10.0, "{error} mm");
 }

@@ -4,16 +4,18 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail, ensure};
-use ga_anim::bvh::{self, Bvh};
 use ga_anim::character::Character;
-use ga_anim::clip::Clip;
-use ga_anim::retarget::{FootLocking, JointMap, Retarget, Soles};
+use ga_anim::motion_file::{Format, Options};
+use ga_anim::recording::Recording;
+use ga_anim::retarget::{Soles, Transfer, begins_with_calibration};
+use ga_anim::unit::likely_unit;
 use ga_character::{Animation, Figure, Storyboard};
 
-use crate::frame::{Command, Context};
+use crate::frame::{Command, Context, Warning};
 use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::report::{Input, MotionInput, Performed};
+use crate::transfer::{Body, Motion, TransferArguments, metres};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -23,9 +25,9 @@ use crate::report::{Input, MotionInput, Performed};
 /// --json prints what report.json holds, with the paths of the files as "written" and the time that
 /// it took as "seconds".
 ///
-/// Motion and rig are matched by the names of their joints: equal names, and the usual names of
-/// Mixamo, MakeHuman, CMU, 3ds Max Biped, and such as `UpperLeg_L`. With --map, they are matched by
-/// a file. They may differ in unit, in proportions and in how the arms and legs stand at rest.
+/// Motion and rig are matched as by `clip retarget`: by the names of their joints, by the shape of
+/// the hierarchy, or by a file with --map. They may differ in unit, in proportions, in the
+/// vertical, and in the pose in which rotations are zero.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh: Wavefront OBJ, y up, looking along +z, standing upright.
@@ -39,21 +41,14 @@ pub(crate) struct Arguments {
     weights: Option<PathBuf>,
     /// The figure in one file, in place of mesh, rig and weights: glTF 2.0 (.glb or .gltf), y up.
     ///
-    /// The figure is all meshes with a skin, as they stand without an animation.
+    /// The figure is all meshes with a skin, in the pose in which they were bound.
     #[arg(long, value_name = "FILE.glb", conflicts_with_all = ["mesh", "rig", "weights", "group"])]
     character: Option<PathBuf>,
-    /// The motion: BVH, y up, in any unit.
-    #[arg(long, value_name = "FILE.bvh")]
+    /// The motion: BVH in any unit, the first animation of a glTF file, or a compressed clip.
+    #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: PathBuf,
-    /// Which joints belong together, where their names do not say so: JSON, as in {"LeftUpLeg":
-    /// "thigh_l", "LeftLeg": "calf_l"}, the joint of the motion first. Other joints of the rig
-    /// move with the ones above them. `nullcone clip retarget --json` prints such a map, found by
-    /// the shape of the hierarchy.
-    #[arg(long, value_name = "FILE.json")]
-    map: Option<PathBuf>,
-    /// Keep feet in their places that stand in the motion; thighs and shins deviate for that.
-    #[arg(long)]
-    foot_locking: bool,
+    #[command(flatten)]
+    transfer: TransferArguments,
     /// Smooth the skin weights: in each pass, those of every vertex move half the way to the mean
     /// of those of its neighbours. At most 100.
     ///
@@ -98,8 +93,8 @@ impl Arguments {
 
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
         let figure = [&self.mesh, &self.rig, &self.weights, &self.character];
-        let files = figure.into_iter().chain([&self.map]).flatten();
-        files.chain([&self.motion])
+        let files = figure.into_iter().flatten().chain([&self.motion]);
+        files.chain(self.transfer.inputs())
     }
 
     /// The file of the skeleton.
@@ -125,17 +120,20 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
     let mut warnings = Vec::new();
-    let motion = motion_file::read(&arguments.motion, &mut warnings)?;
+    let motion = motion_file::read_any(&arguments.motion, Options::default(), &mut warnings)?;
+    let motion = motion
+        .recording()
+        .with_context(|| arguments.motion.display().to_string())?;
     progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
-    let retargeted = retarget(arguments, &figure.character, &motion, range)?;
-    let clip = retargeted
+    let transfer = transferred(arguments, &figure.character, &motion, range, &mut warnings)?;
+    let clip = transfer
         .clip
         .resampled(arguments.fps)
         .with_context(|| format!("--fps {}", arguments.fps))?;
 
-    let storyboard = Storyboard::of_recording(&retargeted.clip, range.from);
-    let deviation = storyboard.deviation(&figure.character, &retargeted.clip)?;
+    let storyboard = Storyboard::of_recording(&transfer.clip, range.from);
+    let deviation = storyboard.deviation(&figure.character, &transfer.clip)?;
     let motion_name = ga_files::name(&arguments.motion);
     let figure_file = |part: &Option<PathBuf>| {
         let path = arguments.character.as_ref().or(part.as_ref());
@@ -153,8 +151,8 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
             first_frame: range.from,
             last_frame: range.to,
             calibration_frame_left_out: range.calibration_left_out,
-            joints_without_counterpart: retargeted.unmatched,
-            metres_per_unit: retargeted.scale,
+            joints_without_counterpart: transfer.joints_without_counterpart,
+            metres_per_unit: transfer.target_units_per_unit,
         },
     };
     let performance = Performance {
@@ -228,7 +226,7 @@ struct Range {
     calibration_left_out: bool,
 }
 
-fn frames(arguments: &Arguments, motion: &Bvh) -> Result<Range> {
+fn frames(arguments: &Arguments, motion: &Recording) -> Result<Range> {
     let count = motion.frame_count();
     let path = arguments.motion.display();
     ensure!(count > 0, "{path}: the motion has no frames");
@@ -240,7 +238,7 @@ fn frames(arguments: &Arguments, motion: &Bvh) -> Result<Range> {
     }
     let to = arguments.to.unwrap_or(count - 1);
     let calibration_left_out =
-        arguments.from.is_none() && to > 0 && bvh::begins_with_calibration(motion);
+        arguments.from.is_none() && to > 0 && begins_with_calibration(motion);
     Ok(Range {
         from: arguments.from.unwrap_or(calibration_left_out.into()),
         to,
@@ -249,47 +247,36 @@ fn frames(arguments: &Arguments, motion: &Bvh) -> Result<Range> {
 }
 
 /// The motion on the figure.
-struct Retargeted {
-    clip: Clip,
-    unmatched: Vec<String>,
-    scale: f64,
-}
-
-fn retarget(
+fn transferred(
     arguments: &Arguments,
     character: &Character,
-    motion: &Bvh,
+    motion: &Recording,
     range: Range,
-) -> Result<Retargeted> {
+    warnings: &mut Vec<Warning>,
+) -> Result<Transfer> {
+    let path = &arguments.motion;
     let onto = || {
-        format!(
-            "{} cannot move {}",
-            arguments.motion.display(),
-            arguments.rig().unwrap_or(Path::new("the figure")).display()
-        )
+        let rig = arguments.rig().unwrap_or(Path::new("the figure"));
+        format!("{} cannot move {}", path.display(), rig.display())
     };
-    let Character {
-        mesh,
-        skeleton,
-        weights,
-    } = character;
-    let soles = Soles::of_mesh(mesh.positions(), weights).with_context(onto)?;
-    let map = match &arguments.map {
-        Some(path) => ga_files::read(path, |bytes| JointMap::decode(bytes, motion, skeleton))?,
-        None => JointMap::by_names(motion, skeleton),
+    let soles = Soles::of_mesh(character.mesh.positions(), &character.weights);
+    let soles = soles.with_context(onto)?;
+    let metres_per_unit = match Format::of_path(path)? {
+        Format::Bvh => metres(likely_unit(motion), &path.display().to_string(), warnings)?,
+        Format::Gltf | Format::Clip => 1.0,
     };
-    let retarget = Retarget::with_map(motion, skeleton, &soles, &map).with_context(onto)?;
-    let frames = range.from..=range.to;
-    let clip = if arguments.foot_locking {
-        // The person of the motion is as large as the figure, which is in metres.
-        let locked = retarget.with_foot_locking(&FootLocking::new(retarget.scale()));
-        locked.and_then(|locked| locked.clip(frames))
-    } else {
-        retarget.clip(frames)
+    let motion = Motion {
+        file: path,
+        source: motion,
+        metres_per_unit,
+        frames: Some([range.from, range.to]),
     };
-    Ok(Retargeted {
-        clip: clip.with_context(onto)?,
-        unmatched: retarget.unmatched().map(ToOwned::to_owned).collect(),
-        scale: retarget.scale(),
-    })
+    let body = Body {
+        skeleton: &character.skeleton,
+        soles: Some(&soles),
+        motion: None,
+        metres_per_unit: 1.0,
+    };
+    let transfer = arguments.transfer.transfer(&motion, &body, warnings);
+    transfer.with_context(onto)
 }

@@ -135,7 +135,6 @@ fn a_map_names_the_joints_that_belong_together() {
     assert_success(&animate(folder.path(), &[]));
     let expected = std::fs::read(folder.path().join("out/model.glb")).unwrap();
     std::fs::write(&path, strange).unwrap();
-    assert!(!animate(folder.path(), &[]).status.success());
     let map = serde_json::Value::Object(map).to_string();
     std::fs::write(folder.path().join("map.json"), map).unwrap();
     let output = animate(folder.path(), &["--map", "map.json"]);

@@ -3,7 +3,7 @@
 mod faults;
 mod properties;
 
-use ga_anim::bvh::{self, BvhWarning, Channel, PositionChannels};
+use ga_anim::bvh::{self, Bvh, BvhWarning, Channel, PositionChannels};
 use nullcone_shared_data::shared;
 use serde_json::Value;
 
@@ -104,19 +104,23 @@ fn the_joints_of_a_real_recording_are_where_they_should_be() {
     assert_eq!(motion.joint_positions(motion.frame_count()), None);
 }
 
-/// By a matrix for each channel in turn, apart from any motor.
-fn places_by_matrices(joints: &[Link], frame: &[f64]) -> Vec<[f64; 3]> {
+/// By a matrix for each channel in turn, apart from any motor. `root` is how the positions of the
+/// first joint are meant.
+fn places_by_matrices(joints: &[Link], frame: &[f64], root: PositionChannels) -> Vec<[f64; 3]> {
     let mut values = frame.iter();
     let (mut turn, mut place) = (
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [0.0; 3],
     );
     let mut places = Vec::new();
-    for (channels, offset) in joints {
+    for (index, (channels, offset)) in joints.iter().enumerate() {
         let (mut shift, above) = (*offset, turn);
         for channel in channels {
             let value = values.next().unwrap();
             match *channel {
+                Channel::Position(axis) if index == 0 && root == PositionChannels::InPlace => {
+                    shift[axis] = *value;
+                }
                 Channel::Position(axis) => shift[axis] += value,
                 Channel::Rotation(axis) => {
                     let (sine, cosine) = value.to_radians().sin_cos();
@@ -186,8 +190,7 @@ fn six_channels(positions: [[f64; 3]; 3], offset_of_root: f64) -> String {
 
 #[test]
 fn positions_below_the_root_are_added_to_offsets_or_take_their_place() {
-    let added = [[0.5, 9.0, 1.0], [0.0; 3], [0.1, 0.0, 0.0]];
-    // In place of the offsets, the root's as well.
+    let added = [[0.5, 10.0, 1.0], [0.0; 3], [0.1, 0.0, 0.0]];
     let in_place = [[0.5, 10.0, 1.0], [0.0, -4.0, 1.0], [3.1, 0.0, 0.0]];
     let added = bvh::decode(six_channels(added, 1.0).as_bytes()).unwrap();
     let in_place = bvh::decode(six_channels(in_place, 1.0).as_bytes()).unwrap();
@@ -291,3 +294,25 @@ fn a_deep_hierarchy_is_no_danger() {
 
 /// The channels and the offset of a joint.
 type Link = (Vec<Channel>, [f64; 3]);
+
+/// A leg that hangs from a root, whose place is given with its offset, or relative to it.
+#[test]
+fn positions_of_a_root_replace_its_offset_unless_only_the_sum_stands_on_the_ground() {
+    let leg = |height: f64| {
+        let text = format!(
+            "HIERARCHY\nROOT hips {{ OFFSET 3 0 90 CHANNELS 3 Xposition Yposition Zposition\n\
+             JOINT foot {{ OFFSET 0 0 -85 CHANNELS 1 Xrotation }} }}\n\
+             MOTION\nFrames: 2\nFrame Time: 0.1\n1 2 {height} 0\n1 2 {height} 0\n"
+        );
+        bvh::decode(text.as_bytes()).unwrap()
+    };
+    let place = |motion: &Bvh| motion.joint_positions(1).unwrap()[0];
+    let absolute = leg(88.0);
+    assert_eq!(place(&absolute), [1.0, 2.0, 88.0]);
+    assert_eq!(absolute.warnings(), []);
+    let relative = leg(-2.0);
+    assert_eq!(place(&relative), [4.0, 2.0, 88.0]);
+    assert_eq!(relative.warnings(), [BvhWarning::RootPositionsAdded]);
+    // Neither stands on the ground.
+    assert_eq!(place(&leg(400.0)), [1.0, 2.0, 400.0]);
+}

@@ -4,7 +4,7 @@ mod structure;
 
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::recording::RecordingError;
-use ga_anim::retarget::{JointMap, Retarget, Soles};
+use ga_anim::retarget::{JointMap, Options, Retarget, Soles};
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::vga3::Vector;
 
@@ -283,7 +283,16 @@ fn other_names_mean_nothing() {
     let map = JointMap::by_names(&motion, &target);
     assert!(map.source_of().iter().all(Option::is_none));
     let soles = Soles::of_skeleton(&target);
-    let error = Retarget::with_map(&motion, &target, &soles, &map).unwrap_err();
+    let error = Retarget::new(
+        &motion,
+        &target,
+        &Options {
+            soles: Some(&soles),
+            map: Some(&map),
+            ..Options::default()
+        },
+    )
+    .unwrap_err();
     assert_eq!(error, RecordingError::NoMatch);
     // Helpers beside the joints that they are named after, and the CMU's joints beside the hips.
     let mut names = NAMES[5].1;
@@ -337,7 +346,15 @@ fn bones_in_between_move_with_the_one_above() {
     let motion = recording(&NAMES[0].1);
     let target = with_joints_in_between(&NAMES[4].1);
     let soles = Soles::of_skeleton(&target);
-    let retarget = Retarget::new(&motion, &target, &soles).unwrap();
+    let retarget = Retarget::new(
+        &motion,
+        &target,
+        &Options {
+            soles: Some(&soles),
+            ..Options::default()
+        },
+    )
+    .unwrap();
     assert!((retarget.scale() - 1.0).abs() < 1e-12);
     assert_eq!(retarget.unmatched().count(), 4);
     for frame in 0..2 {
@@ -403,7 +420,15 @@ fn maps_from_json_and_their_faults() {
     let other = skeleton(&NAMES[0].1);
     let short = Skeleton::new(other.joints()[..5].to_vec()).unwrap();
     let soles = Soles::of_skeleton(&short);
-    let wrong = Retarget::with_map(&motion, &short, &soles, &found);
+    let wrong = Retarget::new(
+        &motion,
+        &short,
+        &Options {
+            soles: Some(&soles),
+            map: Some(&found),
+            ..Options::default()
+        },
+    );
     assert!(matches!(wrong, Err(RecordingError::Skeleton(_))));
 }
 

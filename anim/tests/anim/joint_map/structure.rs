@@ -1,7 +1,7 @@
 //! Joints without known names, matched by the structure of the skeleton.
 
 use ga_anim::bvh::{self};
-use ga_anim::retarget::{JointMap, Retarget, Soles};
+use ga_anim::retarget::{JointMap, Options, Retarget, Soles};
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_runtime::vga3::Vector;
 
@@ -72,7 +72,16 @@ fn structure_tells_bones_in_between_and_sides() {
         }
         assert_eq!(map.source_of().iter().flatten().count(), BODY.len());
         let soles = Soles::of_skeleton(&target);
-        Retarget::with_map(&motion, &target, &soles, &map).unwrap();
+        Retarget::new(
+            &motion,
+            &target,
+            &Options {
+                soles: Some(&soles),
+                map: Some(&map),
+                ..Options::default()
+            },
+        )
+        .unwrap();
     }
 }
 
@@ -130,7 +139,16 @@ fn bones_in_between_in_the_source_bend_none_of_the_target() {
     let soles = Soles::of_skeleton(&target);
     let map = JointMap::by_names(&motion, &target);
     assert_eq!(map.source_of()[6], motion.index("LeftArm"));
-    let retarget = Retarget::with_map(&motion, &target, &soles, &map).unwrap();
+    let retarget = Retarget::new(
+        &motion,
+        &target,
+        &Options {
+            soles: Some(&soles),
+            map: Some(&map),
+            ..Options::default()
+        },
+    )
+    .unwrap();
     let bones = retarget.pose(0).unwrap().bones(&target).unwrap();
     let places = motion.joint_positions(0).unwrap();
     for (from, to) in [("LeftArm", "LeftForeArm"), ("LeftForeArm", "LeftHand")] {

@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
-use clap::ValueEnum;
 use ga_anim::clip::compressed;
 use ga_anim::motion_file::Format as MotionFormat;
-use ga_anim::retarget::{Alignment, JointMap, MapOrigin, Options, StandingFoot, Target, Transfer};
-use ga_anim::unit::{LikelyUnit, likely_unit};
+use ga_anim::retarget::{MapOrigin, Target, Transfer};
+use ga_anim::unit::likely_unit;
 use ga_mesh::gltf;
 use serde::Serialize;
 
@@ -17,6 +16,7 @@ use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
 use crate::motion_file;
 use crate::output;
 use crate::shell::quoted;
+use crate::transfer::{Body, Motion, TransferArguments, metres};
 
 /// Transfer a motion to another skeleton.
 ///
@@ -24,7 +24,20 @@ use crate::shell::quoted;
 /// the shape of the hierarchy where the names say nothing, or by a file given with --map. Matched
 /// bones become parallel to those of the motion and keep their lengths; other joints move with the
 /// ones above them. The scale is the ratio of the lengths of the legs, and the feet are put on the
-/// ground at y = 0. Both bodies stand upright at rest, y up.
+/// ground at y = 0, unless --keep-height is given.
+///
+/// What the rotations of the motion mean is found from the pose in which they are zero, where that
+/// is a person who stands, and otherwise from what the joints do during the motion, so that it does
+/// not depend on the axes in which they are written. --reference-frame and --reference-pose give a
+/// pose that is like the target at rest. The vertical of the motion is found, or given with --up.
+/// The rest of a character is the pose in which its skin was bound.
+///
+/// "checks" are measures of the motion as it is written, each the worst of all frames, with the
+/// frame and the joint in "worst". Warnings name what a person does not do: a head more than 60°
+/// from the trunk, bones longer or shorter by 1e-6, feet that are more than 0.05 legs above the
+/// ground or below it in three quarters of the frames, a knee that bends backwards in more than 5 %
+/// of the frames, and a joint that rotates by over 60° more than the one that moves it from one
+/// frame to the next.
 ///
 /// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one
 /// place, and only thighs and shins deviate for that. A leg that is too short is reported. Where
@@ -46,23 +59,15 @@ use crate::shell::quoted;
 pub(crate) struct Arguments {
     #[command(flatten)]
     motion: MotionArguments,
-    /// The skeleton: BVH at rest, or the joints of a glTF file as its nodes stand without an
-    /// animation.
+    /// The skeleton: that of a BVH file, or the joints of a glTF file in the pose in which its skin
+    /// was bound.
     #[arg(long, value_name = "FILE.bvh|FILE.glb")]
     target: PathBuf,
     /// The length of one unit of a target of the kind .bvh in metres [default: 1].
     #[arg(long, value_name = "N")]
     target_metres_per_unit: Option<f64>,
-    /// Which joints belong together: JSON, as in {"LeftUpLeg": "thigh_l", "Spine": ["spine_01",
-    /// "spine_02"]}, the joint of the motion first.
-    #[arg(long, value_name = "FILE.json")]
-    map: Option<PathBuf>,
-    /// Keep standing feet in their places.
-    #[arg(long)]
-    foot_locking: bool,
-    /// Which bones become parallel to those of the motion.
-    #[arg(long, value_enum, default_value_t = Bones::All)]
-    align: Bones,
+    #[command(flatten)]
+    transfer: TransferArguments,
     /// The greatest error of a joint in a target of the kind .clip.
     #[arg(long, value_name = "METRES", default_value_t = 1e-4)]
     tolerance: f64,
@@ -74,15 +79,6 @@ pub(crate) struct Arguments {
     check: Check,
 }
 
-/// Which bones become parallel.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Bones {
-    /// One bone of every matched joint.
-    All,
-    /// Those of arms and legs; the trunk keeps its form, which suits a skin.
-    Limbs,
-}
-
 impl Command for Arguments {
     type Report = Report;
 
@@ -92,7 +88,7 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let inputs = [&self.motion.motion, &self.target].into_iter();
-        let mut files = context.files(inputs.chain(&self.map))?;
+        let mut files = context.files(inputs.chain(self.transfer.inputs()))?;
         let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
         let format = files.write("--out", &self.out, &formats)?;
         let progress = context.progress(5);
@@ -102,14 +98,6 @@ impl Command for Arguments {
         progress.step("reading the motion");
         let (source, _) = self.motion.recording(&mut warnings)?;
         let (file, target_file) = (self.motion.file(), self.target.display().to_string());
-        let skeleton = target.skeleton();
-        let (map, map_by) = match &self.map {
-            Some(path) => {
-                let map = ga_files::read(path, |bytes| JointMap::decode(bytes, &source, skeleton))?;
-                (map, MapOrigin::File)
-            }
-            None => JointMap::found(&source, skeleton),
-        };
         progress.step("transferring the motion");
         let source_unit = match (self.motion.format()?, self.motion.metres_per_unit) {
             (MotionFormat::Bvh, None) => metres(likely_unit(&source), &file, &mut warnings)?,
@@ -120,18 +108,20 @@ impl Command for Arguments {
             None => metres(target.likely_unit()?, &target_file, &mut warnings)?,
             Some(unit) => unit,
         };
-        let options = Options {
-            alignment: match self.align {
-                Bones::All => Alignment::EveryBone,
-                Bones::Limbs => Alignment::Limbs,
-            },
-            foot_locking: self.foot_locking,
-            motion_metres_per_unit: source_unit,
-            target_metres_per_unit: target_unit,
+        let body = Body {
+            skeleton: target.skeleton(),
+            soles: target.soles(),
+            motion: target.motion(),
+            metres_per_unit: target_unit,
         };
-        let transfer = Transfer::new(&source, &target, (&map, map_by), &options)
-            .with_context(|| format!("{file} cannot move {target_file}"))?;
-        warnings.extend(transfer.feet.iter().filter_map(too_short));
+        let motion = Motion {
+            file: &self.motion.motion,
+            source: &source,
+            metres_per_unit: source_unit,
+            frames: None,
+        };
+        let transfer = self.transfer.transfer(&motion, &body, &mut warnings);
+        let transfer = transfer.with_context(|| format!("{file} cannot move {target_file}"))?;
         progress.step("writing");
         self.write(format, &target, &transfer, &progress)?;
         Ok(Report {
@@ -202,36 +192,6 @@ impl Arguments {
     }
 }
 
-/// The length of a unit in metres where it is not given.
-fn metres(unit: Option<LikelyUnit>, file: &str, warnings: &mut Vec<Warning>) -> Result<f64> {
-    let unit = unit.with_context(|| format!("{file}: the body has no bones"))?;
-    if !unit.is_clear {
-        let message = format!(
-            "the length of a unit is not clear: {:.6} m is taken, with which the body is as large \
-             as an adult",
-            unit.metres
-        );
-        warnings.push(Warning::new("unclear_unit", message).in_file(Path::new(file)));
-    }
-    Ok(unit.metres)
-}
-
-/// The warning of a leg that is too short.
-fn too_short(foot: &StandingFoot) -> Option<Warning> {
-    let frame = foot.is_short_from()?;
-    let message = format!(
-        "the leg above {} is too short: from frame {frame} on, the foot stands {:.1} cm from its \
-         place",
-        foot.joint,
-        100.0 * foot.short_by_metres
-    );
-    Some(Warning {
-        joint: Some(foot.joint.clone()),
-        frame: Some(frame),
-        ..Warning::new("leg_too_short", message)
-    })
-}
-
 /// What was written, with which joints, and how feet stand.
 #[derive(Debug, Serialize)]
 pub(crate) struct Report {
@@ -268,7 +228,9 @@ impl frame::Report for Report {
             MapOrigin::File => "the map",
         };
         let mut lines = format!(
-            "{out}: {frames} frames on {matched} of {joints} joints of {target}, matched by {by}\n"
+            "{out}: {frames} frames on {matched} of {joints} joints of {target}, matched by {by}\n\
+             a unit of the motion is {} m\n",
+            transfer.motion_metres_per_unit
         );
         for foot in &transfer.feet {
             let free = match transfer.foot_locking {

@@ -10,7 +10,7 @@ use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::motion_file;
 use crate::output;
-use ga_anim::bvh::begins_with_calibration;
+use ga_anim::retarget::begins_with_calibration;
 
 /// Measure how accurately bodies are reconstructed from their joints in pictures.
 ///

@@ -1,8 +1,9 @@
 //! Calibration poses before the motion.
 
+use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-use super::Bvh;
+use super::source::Source;
 
 /// From a calibration pose a joint moves more than this many times as far as between any two later
 /// frames.
@@ -12,15 +13,18 @@ const JUMP: f64 = 3.0;
 /// motion: from there to the second frame some joint moves more than three times as far as any
 /// joint between two later frames. Two frames are not enough to tell.
 #[must_use]
-pub fn begins_with_calibration(motion: &Bvh) -> bool {
+pub fn begins_with_calibration(motion: &dyn Source) -> bool {
+    let places = |frame: usize| -> Option<Vec<Vector<f64>>> {
+        let motors = motion.frames_of_joints(frame)?.into_iter();
+        Some(
+            motors
+                .map(|motor| motor.transform(Point::default()).into())
+                .collect(),
+        )
+    };
     let mut steps = (1..motion.frame_count()).filter_map(|frame| {
-        let (before, after) = (
-            motion.joint_positions(frame - 1)?,
-            motion.joint_positions(frame)?,
-        );
-        let ways = before.into_iter().zip(after);
-        let ways = ways.map(|(a, b)| Vector::from(a).distance(b.into()));
-        Some(ways.fold(0.0, f64::max))
+        let ways = places(frame - 1)?.into_iter().zip(places(frame)?);
+        Some(ways.map(|(a, b)| a.distance(b)).fold(0.0, f64::max))
     });
     let Some(first) = steps.next() else {
         return false;
@@ -32,6 +36,7 @@ pub fn begins_with_calibration(motion: &Bvh) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bvh::Bvh;
 
     /// An arm of length 1, rotated by these angles.
     fn arm(degrees: &[f64]) -> Bvh {

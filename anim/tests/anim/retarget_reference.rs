@@ -1,0 +1,192 @@
+//! Retargeting without trust in the pose in which rotations are zero: recordings of one motion that
+//! are written with other axes of their joints.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use ga_anim::bvh::Bvh;
+use ga_anim::recording::{RecordedJoint, Recording};
+use ga_anim::retarget::{FoundReference, Options, Reference, Retarget, Source, UpAxis};
+use ga_anim::skeleton::Skeleton;
+use ga_anim::transform::Transform;
+use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::vga3::Vector;
+use nullcone_shared_data::shared;
+
+/// A recording of the cases, in its own unit.
+fn case(path: &str) -> Option<Bvh> {
+    Some(ga_anim::bvh::read(shared(&format!("cases/motion/{path}"))?).unwrap())
+}
+
+fn places(source: &dyn Source, frame: usize) -> Vec<Vector<f64>> {
+    let frames = source.frames_of_joints(frame).unwrap();
+    frames
+        .iter()
+        .map(|motor| motor.transform(Point::default()).into())
+        .collect()
+}
+
+/// The places of the target's joints in a frame.
+fn heads(retarget: &Retarget, target: &Skeleton, frame: usize) -> Vec<Vector<f64>> {
+    let bones = retarget.pose(frame).unwrap().bones(target).unwrap();
+    bones.into_iter().map(|[head, _]| head.into()).collect()
+}
+
+/// The largest difference between two recordings of all places after transfer to a skeleton.
+fn difference(sources: [&dyn Source; 2], target: &Skeleton, options: &Options) -> f64 {
+    let both = sources.map(|source| Retarget::new(source, target, options).unwrap());
+    let mut largest: f64 = 0.0;
+    for frame in 0..sources[0].frame_count() {
+        let [a, b] = both.each_ref().map(|one| heads(one, target, frame));
+        for (a, b) in a.into_iter().zip(b) {
+            largest = largest.max(a.distance(b));
+        }
+    }
+    largest
+}
+
+/// Two files of one motion: one stands at rest, in the other all bones lie along one axis.
+#[test]
+fn a_motion_is_the_same_whatever_the_axes_of_its_joints() {
+    let Some((upright, along)) =
+        case("rest-not-upright/upright.bvh").zip(case("rest-not-upright/along_x.bvh"))
+    else {
+        return;
+    };
+    let target = upright.skeleton().unwrap();
+    let options = Options {
+        target_motion: Some(&upright),
+        keeps_height: true,
+        ..Options::default()
+    };
+    let retarget = Retarget::new(&along, &target, &options).unwrap();
+    assert_eq!(retarget.reference(), FoundReference::Motion);
+    for frame in 0..along.frame_count() {
+        let found = heads(&retarget, &target, frame);
+        for (found, wanted) in found.into_iter().zip(places(&upright, frame)) {
+            // The file has six digits.
+            assert!(
+                found.distance(wanted) < 1e-3,
+                "frame {frame}: {found:?} {wanted:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_recording_comes_back_from_its_own_skeleton() {
+    for path in [
+        "rest-not-upright/upright.bvh",
+        "rest-not-upright/along_x.bvh",
+        "onto-itself/upright.bvh",
+    ] {
+        let Some(motion) = case(path) else { return };
+        let target = motion.skeleton().unwrap();
+        let options = Options {
+            target_motion: Some(&motion),
+            keeps_height: true,
+            ..Options::default()
+        };
+        let retarget = Retarget::new(&motion, &target, &options).unwrap();
+        let clip = retarget.clip(0..=motion.frame_count() - 1).unwrap();
+        let again = motion.with_clip(&target, &clip).unwrap();
+        for frame in 0..motion.frame_count() {
+            for (found, wanted) in places(&again, frame)
+                .into_iter()
+                .zip(places(&motion, frame))
+            {
+                assert!(
+                    found.distance(wanted) < 1e-9,
+                    "{path} {frame}: {found:?} {wanted:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A person whose bones all lie along x where the rotations are zero stands upright.
+#[test]
+fn a_person_stands_whatever_the_pose_at_zero() {
+    let Some((standing, upright)) =
+        case("zero-pose/standing.bvh").zip(case("rest-not-upright/upright.bvh"))
+    else {
+        return;
+    };
+    let target = upright.skeleton().unwrap();
+    let retarget = Retarget::new(&standing, &target, &Options::default()).unwrap();
+    assert_eq!(retarget.reference(), FoundReference::Motion);
+    for frame in 0..standing.frame_count() {
+        let heads = heads(&retarget, &target, frame);
+        let [hips, head] = ["Hips", "Head"].map(|name| heads[target.index(name).unwrap()]);
+        let angle = (head - hips).angle(Vector::new(0.0, 1.0, 0.0)).unwrap();
+        assert!(angle.to_degrees() < 0.1, "frame {frame}: {angle}");
+    }
+}
+
+/// A z-up recording stands as one with y up.
+#[test]
+fn the_vertical_is_found_from_the_motion() {
+    let Some((z_up, upright)) = case("z-up/zup.bvh").zip(case("rest-not-upright/upright.bvh"))
+    else {
+        return;
+    };
+    let target = upright.skeleton().unwrap();
+    let options = Options::default();
+    let retarget = Retarget::new(&z_up, &target, &options).unwrap();
+    assert_eq!(retarget.found_up_axis().unwrap().axis, UpAxis::Z);
+    for frame in 0..z_up.frame_count() {
+        let heads = heads(&retarget, &target, frame);
+        let [hips, head] = ["Hips", "Head"].map(|name| heads[target.index(name).unwrap()]);
+        let angle = (head - hips).angle(Vector::new(0.0, 1.0, 0.0)).unwrap();
+        assert!(angle.to_degrees() < 20.0, "frame {frame}: {angle}");
+    }
+}
+
+/// A recording whose joints have other axes: every rotation and every bone is expressed in them.
+fn with_axes(recording: &Recording, axes: &[Rotor<f64>]) -> Recording {
+    let parents = recording.parents();
+    let changed = |joint: usize, local: &Transform<f64>| {
+        let above = parents[joint].map_or(Rotor::default(), |parent| axes[parent]);
+        Transform::from(Motor::from(above.reverse()) * local.motor * Motor::from(axes[joint]))
+    };
+    let joints = recording.joints().iter().enumerate();
+    let joints = joints.map(|(index, joint)| RecordedJoint {
+        name: joint.name.clone(),
+        parent: joint.parent,
+        // At rest all joints have the axes of the model, so that bones point elsewhere.
+        rest: Transform::from(Motor::from(changed(index, &joint.rest).motor.translator())),
+    });
+    let count = parents.len();
+    let locals = recording.locals().iter().enumerate();
+    let locals = locals.map(|(index, local)| changed(index % count, local));
+    Recording::new(
+        joints.collect(),
+        recording.frame_time(),
+        locals.collect(),
+        Vec::new(),
+    )
+    .unwrap()
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(16))]
+    /// A walk of a person on a character, written with random axes of all joints.
+    #[test]
+    fn random_axes_make_no_difference(
+        angles in proptest::collection::vec(proptest::array::uniform3(-3.0..3.0f64), 64),
+        other in proptest::collection::vec(proptest::array::uniform3(-3.0..3.0f64), 64),
+    ) {
+        let Some(upright) = case("rest-not-upright/upright.bvh") else { return Ok(()) };
+        let recording = Recording::from_bvh(&upright, 0.01).unwrap();
+        let [a, b] = [angles, other].map(|angles| {
+            let axes = angles.into_iter().map(|v| Rotor::from_rotation_vector(v).unwrap());
+            with_axes(&recording, &axes.collect::<Vec<_>>())
+        });
+        let target = recording.to_skeleton().unwrap();
+        let found = difference([&a, &b], &target, &Options::default());
+        proptest::prop_assert!(found < 1e-9, "{found}");
+        // With the same pose of reference, the pose in which rotations are zero does not matter.
+        let options = Options { reference: Reference::Frame(3), ..Options::default() };
+        let found = difference([&a, &b], &target, &options);
+        proptest::prop_assert!(found < 1e-9, "{found}");
+    }
+}
