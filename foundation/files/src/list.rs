@@ -124,6 +124,9 @@ pub fn natural_order(paths: &mut [PathBuf]) {
 /// let pairs = [["l1.png", "r1.png"], ["l2.png", "r3.png"]].map(|pair| pair.map(Into::into));
 /// assert_eq!(first_unlike_pair(&pairs), Some(&pairs[1]));
 /// assert_eq!(first_unlike_pair(&pairs[..1]), None);
+/// // The number of the camera differs alike in all pairs.
+/// let pairs = [["0-7.png", "1-7.png"], ["0-8.png", "1-8.png"]].map(|pair| pair.map(Into::into));
+/// assert_eq!(first_unlike_pair(&pairs), None);
 /// ```
 #[must_use]
 pub fn first_unlike_pair(pairs: &[[PathBuf; 2]]) -> Option<&[PathBuf; 2]> {

@@ -237,10 +237,26 @@ mod tests {
         outputs.write("--out", folder.join("notes.txt")).unwrap();
         let whole = outputs.write_folder("--views", folder, ["a"]);
         assert!(matches!(whole, Err(OutputError::InputFolder { .. })));
+        std::fs::create_dir(folder.join("sub")).unwrap();
+        outputs
+            .write_folder("--views", &folder.join("sub"), ["a"])
+            .unwrap();
         let below = outputs.write_folder("--views", &folder.join("1.png/b"), ["a"]);
         assert!(matches!(below, Err(OutputError::FileInPlace { .. })));
         let stream = outputs.write_folder("--views", Path::new("-"), ["a"]);
         assert!(matches!(stream, Err(OutputError::NoFolder { .. })));
+    }
+
+    #[test]
+    fn outputs_that_do_not_exist_yet_are_told_apart() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        std::fs::create_dir(folder.join("a")).unwrap();
+        let mut outputs = Outputs::new(|_| false);
+        outputs.write("--out", folder.join("a/x.png")).unwrap();
+        outputs.write("--plot", folder.join("a/y.png")).unwrap();
+        let same = outputs.write("--csv", folder.join("a/../a/x.png"));
+        assert!(matches!(same, Err(OutputError::Same { .. })));
     }
 
     #[test]
