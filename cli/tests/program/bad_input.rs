@@ -41,9 +41,19 @@ fn fails(replaced: &[(&str, &[u8])], options: &[&str], parts: &[&str]) {
 
 #[test]
 fn missing_files() {
-    for option in ["--mesh", "--rig", "--weights", "--motion"] {
+    for option in ["--mesh", "--rig", "--weights"] {
         fails(&[], &[option, "nowhere"], &["cannot read nowhere: "]);
     }
+    fails(
+        &[],
+        &["--motion", "nowhere.bvh"],
+        &["cannot read nowhere.bvh: "],
+    );
+    fails(
+        &[],
+        &["--motion", "nowhere"],
+        &["nowhere: a motion is a file of the kind .bvh"],
+    );
     fails(&[], &["--mesh", "."], &["cannot read .: "]);
 }
 
@@ -152,11 +162,11 @@ fn motions() {
     fails(
         &[("motion.bvh", empty.as_bytes())],
         &[],
-        &["motion.bvh: the motion has no frames"],
+        &["motion.bvh: the recording has no frames"],
     );
-    let stranger = ["hips", "chest", "thigh", "shin", "foot"]
-        .iter()
-        .fold(bvh, |text, name| text.replace(name, &format!("my {name}")));
+    // Neither the names nor the shape of the hierarchy are those of a body.
+    let stranger = "HIERARCHY\nROOT rock\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\nJOINT stone\n{\n\
+                    OFFSET 0 2 0\nCHANNELS 1 Xrotation\n}\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0\n";
     fails(
         &[("motion.bvh", stranger.as_bytes())],
         &[],
