@@ -52,7 +52,7 @@ impl LayoutName {
         }
     }
 
-    /// Opens the views; where there is no second file, the first has both.
+    /// Opens the views; without a second file, both are in the first.
     pub(super) fn open(
         self,
         first: &Path,
