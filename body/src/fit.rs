@@ -277,7 +277,7 @@ impl<'a> BodyFit<'a> {
         if places.wrong.is_empty() {
             return descend(&self.observed(observation), near, DRAWN, normal);
         }
-        let right = without(observation, &places.wrong);
+        let right = observation.without(&places.wrong);
         let mut found = descend(&self.observed(&right), near, DRAWN, normal)?;
         found.cost += WRONG * places.wrong.len() as f64;
         Some(found)
@@ -308,7 +308,7 @@ impl<'a> BodyFit<'a> {
             .iter()
             .position(|weight| *weight > (1.0 - NEGLIGIBLE) * total);
         if let Some(Candidate { found, wrong, .. }) = main.map(|main| &found[main]) {
-            let right = without(observation, wrong);
+            let right = observation.without(wrong);
             let nearest = descend(&self.observed(&right), found.state.clone(), FAR, normal);
             return nearest.map_or_else(|| found.state.clone(), |found| found.state);
         }
@@ -487,15 +487,6 @@ impl<'a> BodyFit<'a> {
 
 fn least(mut found: Vec<Candidate>) -> Found {
     found.swap_remove(0).found
-}
-
-/// An observation without some points of views.
-fn without(observation: &Observation, wrong: &[(usize, usize)]) -> Observation {
-    let mut right = observation.clone();
-    for &(view, point) in wrong {
-        right.views[view][point] = None;
-    }
-    right
 }
 
 fn is_same(a: &[Vector<f64>], b: &[Vector<f64>]) -> bool {

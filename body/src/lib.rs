@@ -122,4 +122,13 @@ impl Observation {
             views: vec![vec![None; points]; views],
         }
     }
+
+    /// The same without some points, each given as the index of a view and that of the point.
+    fn without(&self, points: &[(usize, usize)]) -> Self {
+        let mut others = self.clone();
+        for &(view, point) in points {
+            others.views[view][point] = None;
+        }
+        others
+    }
 }

@@ -18,7 +18,6 @@ pub(crate) enum Format {
     Mesh(ga_mesh::format::Format),
     Obj,
     Pfm,
-    Ply,
     Png,
     Svg,
     Text,
@@ -41,7 +40,7 @@ impl Format {
             Self::Mesh(format) => format.endings(),
             Self::Obj => &["obj"],
             Self::Pfm => &["pfm"],
-            Self::Ply => &["ply"],
+
             Self::Png => &["png"],
             Self::Svg => &["svg"],
             Self::Text => &["txt"],

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
+use ga_mesh::Mesh;
 use ga_mesh::format::{self, Options};
-use ga_mesh::{Image, Mesh, obj};
 use serde::Serialize;
 
 use crate::format::{Format, endings};
@@ -20,12 +20,11 @@ pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
     Ok((mesh, warnings))
 }
 
-/// The formats of meshes that fit, by their endings.
+/// The formats of meshes that fit, in the order of the library, of which the first is what goes to
+/// standard output.
 pub(crate) fn formats(fits: impl Fn(format::Format) -> bool) -> Vec<Format> {
-    let mut formats = format::Format::ALL.to_vec();
-    formats.retain(|format| fits(*format));
-    formats.sort_by_key(|format| format.endings());
-    formats.into_iter().map(Format::Mesh).collect()
+    let formats = format::Format::ALL.into_iter();
+    formats.filter(|f| fits(*f)).map(Format::Mesh).collect()
 }
 
 /// The endings of all files that are read, as in `.obj, .ply or .glb`.
@@ -105,7 +104,7 @@ pub(crate) fn check_parts(
             continue;
         }
         for mesh in meshes {
-            let mut parts = parts(mesh)?.into_iter();
+            let mut parts = format::parts(mesh)?.into_iter();
             if parts.any(|part| ga_files::is_same_file(part, path)) {
                 bail!(
                     "{option} {}: it is a part of the input {}, which would be lost",
@@ -116,30 +115,4 @@ pub(crate) fn check_parts(
         }
     }
     Ok(())
-}
-
-/// The libraries of materials and the pictures that the file of a mesh refers to.
-fn parts(file: &Path) -> Result<Vec<PathBuf>> {
-    let folder = file.parent().unwrap_or(Path::new(""));
-    let mut parts = Vec::new();
-    let mesh = if Format::Obj.fits(file) {
-        let mut library = |name: &str| {
-            let path = folder.join(name);
-            let bytes = std::fs::read(&path)?;
-            parts.push(path);
-            Ok(bytes)
-        };
-        ga_files::read(file, |bytes| {
-            obj::decode_with_libraries(bytes, &mut library)
-        })?
-        .0
-    } else {
-        format::read(file)?.0
-    };
-    for texture in mesh.materials().iter().flat_map(|m| m.textures()) {
-        if let Image::File(path) = &texture.image {
-            parts.push(folder.join(path));
-        }
-    }
-    Ok(parts)
 }

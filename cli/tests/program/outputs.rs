@@ -58,7 +58,7 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "mesh convert none.obj",
         "OUT",
-        ".glb, .gltf, .obj or .ply",
+        ".obj, .ply, .glb or .gltf",
         "stl",
     ),
     ("mesh subdivide none.obj --levels 1", "--out", ".obj", "ply"),

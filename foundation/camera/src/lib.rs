@@ -44,5 +44,6 @@ pub mod rig;
 pub mod triangulation;
 
 pub use camera::{
-    Camera, CameraError, Fisheye, FrameProjection, Intrinsics, Lens, RadialTangential, by_twist,
+    Camera, CameraError, Fisheye, FrameProjection, Intrinsics, Lens, LensModel, RadialTangential,
+    by_twist,
 };

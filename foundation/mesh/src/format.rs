@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use ga_files::ReadError;
 
-use crate::{FileError, Image, Mesh, gltf, obj, ply};
+use crate::{FileError, Image, Material, Mesh, gltf, obj, ply};
 
 /// A format of mesh files. All are read and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,10 +37,13 @@ struct Description {
     /// The usual one first.
     endings: &'static [&'static str],
     keeps_materials: bool,
+    keeps_animations: bool,
     read: fn(&Path) -> Result<Read, FileError>,
     files: fn(&Path, &Mesh, &Options) -> Result<Files, FileError>,
     /// What is left out of a mesh, a sentence each.
     omissions: fn(&Mesh) -> Vec<String>,
+    /// The files beside one that it is read with, but for pictures.
+    libraries: fn(&Path) -> Result<Vec<PathBuf>, FileError>,
 }
 
 impl Format {
@@ -54,25 +57,30 @@ impl Format {
                 name: "Wavefront OBJ with MTL",
                 endings: &["obj"],
                 keeps_materials: true,
+                keeps_animations: false,
                 read: |path| {
                     let (mesh, warnings) = obj::read_with_warnings(path)?;
                     Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
                 },
                 files: |path, mesh, _| Ok(obj::files(path, mesh)),
                 omissions: textures_without_place,
+                libraries: libraries_of_obj,
             },
             Self::Ply => &Description {
                 name: "PLY",
                 endings: &["ply"],
                 keeps_materials: false,
+                keeps_animations: false,
                 read: |path| Ok((ply::read(path)?, Vec::new())),
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
                 omissions: |_| Vec::new(),
+                libraries: |_| Ok(Vec::new()),
             },
             Self::Gltf => &Description {
                 name: "glTF 2.0",
                 endings: &["glb", "gltf"],
                 keeps_materials: true,
+                keeps_animations: true,
                 read: |path| {
                     let mesh = gltf::read(path)?.to_mesh(gltf::Vertices::Merged);
                     let wrong = |problem| ReadError::Contents {
@@ -83,6 +91,7 @@ impl Format {
                 },
                 files: |path, mesh, _| gltf::mesh_files(path, mesh),
                 omissions: |_| Vec::new(),
+                libraries: |_| Ok(Vec::new()),
             },
         }
     }
@@ -104,6 +113,12 @@ impl Format {
     #[must_use]
     pub fn keeps_materials(self) -> bool {
         self.description().keeps_materials
+    }
+
+    /// Whether a mesh can move in it.
+    #[must_use]
+    pub fn keeps_animations(self) -> bool {
+        self.description().keeps_animations
     }
 
     /// What the format cannot hold of a mesh although it keeps the like, a sentence each: textures
@@ -161,6 +176,24 @@ pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
     (Format::of_path(path)?.description().read)(path)
 }
 
+/// The files beside a mesh that it is read with: libraries of materials, and pictures.
+///
+/// # Errors
+///
+/// [`FileError`].
+pub fn parts(path: impl AsRef<Path>) -> Result<Vec<PathBuf>, FileError> {
+    let path = path.as_ref();
+    let description = Format::of_path(path)?.description();
+    let (mesh, _) = (description.read)(path)?;
+    let mut parts = (description.libraries)(path)?;
+    for texture in mesh.materials().iter().flat_map(Material::textures) {
+        if let Image::File(picture) = &texture.image {
+            parts.push(path.with_file_name(picture));
+        }
+    }
+    Ok(parts)
+}
+
 /// Writes a mesh and the files beside it, all of them or none.
 ///
 /// # Errors
@@ -205,6 +238,20 @@ pub fn encode_files(
         _ => (path.with_file_name(name), contents),
     });
     Ok(files.collect())
+}
+
+/// The libraries of materials that an OBJ file names and that are there.
+fn libraries_of_obj(path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let mut libraries = Vec::new();
+    ga_files::read(path, |bytes| {
+        obj::decode_with_libraries(bytes, |name| {
+            let library = path.with_file_name(name);
+            let bytes = std::fs::read(&library)?;
+            libraries.push(library);
+            Ok(bytes)
+        })
+    })?;
+    Ok(libraries)
 }
 
 /// The textures that MTL cannot place, a sentence for each material and reason.

@@ -1,5 +1,7 @@
 //! The measures as a list: their names, and where they are found.
 
+use ga_image::quality::MULTISCALE_LEAST_SIDE;
+
 use super::FrameQuality;
 
 /// A measure of a frame.
@@ -16,6 +18,8 @@ pub struct Measure {
     pub of_luma: bool,
     /// Its value for a frame that has one.
     pub value: fn(&FrameQuality) -> Option<f64>,
+    /// Why frames with this number of columns and rows have no value, where that is so.
+    pub lack: fn([usize; 2]) -> Option<String>,
 }
 
 /// What the numbers of a measure are.
@@ -39,6 +43,7 @@ const fn luma(
         scale,
         of_luma: true,
         value,
+        lack: |_| None,
     }
 }
 
@@ -53,6 +58,7 @@ const fn colour(
         scale: Scale::Decibels,
         of_luma: false,
         value,
+        lack: |_| None,
     }
 }
 
@@ -76,9 +82,12 @@ pub const MEASURES: [Measure; 8] = [
         Some(frame.luma.psnr)
     }),
     luma("ssim", "SSIM", Scale::Index, |frame| Some(frame.luma.ssim)),
-    luma("ms_ssim", "MS-SSIM", Scale::Index, |frame| {
-        frame.luma.ms_ssim
-    }),
+    Measure {
+        lack: too_small_for_scales,
+        ..luma("ms_ssim", "MS-SSIM", Scale::Index, |frame| {
+            frame.luma.ms_ssim
+        })
+    },
     luma(
         "attention_psnr",
         "attention PSNR",
@@ -96,3 +105,13 @@ pub const MEASURES: [Measure; 8] = [
     }),
     colour("psnr_6_1_1", "PSNR 6:1:1", FrameQuality::psnr_6_1_1),
 ];
+
+/// Why there is no index at several scales.
+fn too_small_for_scales([width, height]: [usize; 2]) -> Option<String> {
+    (width.min(height) < MULTISCALE_LEAST_SIDE).then(|| {
+        format!(
+            "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
+             {MULTISCALE_LEAST_SIDE}"
+        )
+    })
+}

@@ -1,7 +1,6 @@
 //! The measures of pictures and videos in the numbers and words that are reported. Infinite numbers
 //! are null in JSON.
 
-use ga_image::quality::MULTISCALE_LEAST_SIDE;
 use serde::{Serialize, Serializer};
 
 use super::measure::{MEASURES, Measure, Scale};
@@ -14,9 +13,8 @@ use super::video::FrameQuality;
 pub struct PictureQuality {
     #[serde(flatten, serialize_with = "by_key")]
     values: Vec<(Measure, Option<f64>)>,
-    /// Why there is no MS-SSIM.
-    #[serde(rename = "ms_ssim_reason", skip_serializing_if = "Option::is_none")]
-    pub too_small: Option<String>,
+    #[serde(flatten)]
+    lacks: Lacks,
 }
 
 /// The measures of a video, as an object with the keys of their means over the frames.
@@ -31,12 +29,35 @@ pub struct VideoQuality {
     /// The measures of luma over the frames.
     #[serde(serialize_with = "by_key")]
     pooled: Vec<(Measure, Option<Pooled>)>,
-    /// Why there is no MS-SSIM.
-    #[serde(rename = "ms_ssim_reason", skip_serializing_if = "Option::is_none")]
-    pub too_small: Option<String>,
+    #[serde(flatten)]
+    lacks: Lacks,
     /// Why the comparison ended before the videos.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
+}
+
+/// The measures that frames are too small for, and why.
+#[derive(Clone, Debug)]
+struct Lacks(Vec<(Measure, String)>);
+
+impl Lacks {
+    fn of(size: [usize; 2]) -> Self {
+        let lacks = MEASURES.into_iter();
+        let lacks = lacks.filter_map(|measure| Some((measure, (measure.lack)(size)?)));
+        Self(lacks.collect())
+    }
+
+    fn reasons(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let lacks = self.0.iter();
+        lacks.map(|(measure, reason)| (measure.key, reason.as_str()))
+    }
+}
+
+impl Serialize for Lacks {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let reasons = self.reasons();
+        serializer.collect_map(reasons.map(|(key, reason)| (format!("{key}_reason"), reason)))
+    }
 }
 
 fn by_key<V: Serialize, S: Serializer>(
@@ -99,14 +120,19 @@ impl PictureQuality {
             values: of_luma
                 .map(|measure| (measure, (measure.value)(picture)))
                 .collect(),
-            too_small: too_small(size),
+            lacks: Lacks::of(size),
         }
+    }
+
+    /// The keys of the measures that the picture is too small for, and why.
+    pub fn lacks(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.lacks.reasons()
     }
 
     /// The measures in words.
     #[must_use]
     pub fn rows(&self) -> Vec<MeasureRow> {
-        rows(&self.values, self.too_small.as_deref(), EQUAL)
+        rows(&self.values, &self.lacks, EQUAL)
     }
 }
 
@@ -127,16 +153,21 @@ impl VideoQuality {
             frames: frames.len(),
             psnr_of_mean_mse: psnr_of(mean_mse, range),
             pooled: of_luma.collect(),
-            too_small: too_small(size),
+            lacks: Lacks::of(size),
             error: None,
         })
+    }
+
+    /// The keys of the measures that the frames are too small for, and why.
+    pub fn lacks(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.lacks.reasons()
     }
 
     /// The means over the frames in words.
     #[must_use]
     pub fn rows(&self) -> Vec<MeasureRow> {
         // A mean is infinite where one frame has no error.
-        let mut rows = rows(&self.means, self.too_small.as_deref(), EQUAL_FRAME);
+        let mut rows = rows(&self.means, &self.lacks, EQUAL_FRAME);
         let all = MeasureRow::decibels("PSNR of mean MSE", self.psnr_of_mean_mse, EQUAL);
         rows.push(all);
         rows
@@ -160,27 +191,22 @@ impl VideoQuality {
     }
 }
 
-/// Values in words. `reason` says why there is no MS-SSIM, `equal` what it means that a number is
+/// Values in words. `lacks` says why there are none, `equal` what it means that a number is
 /// infinite. Grey pictures have no rows for colour differences.
-fn rows(values: &[(Measure, Option<f64>)], reason: Option<&str>, equal: &str) -> Vec<MeasureRow> {
+fn rows(values: &[(Measure, Option<f64>)], lacks: &Lacks, equal: &str) -> Vec<MeasureRow> {
+    let reason = |key: &str| {
+        let mut reasons = lacks.reasons();
+        let found = reasons.find(|(lacking, _)| *lacking == key);
+        found.map_or("it is not defined", |(_, reason)| reason)
+    };
     let row = |(measure, value): &(Measure, Option<f64>)| match (measure.scale, value) {
         (Scale::Decibels, Some(value)) => Some(MeasureRow::decibels(measure.name, *value, equal)),
         (Scale::Index, Some(value)) => Some(MeasureRow::index(measure.name, *value)),
         (_, None) => measure.of_luma.then(|| MeasureRow {
             name: measure.name,
             number: "none".to_owned(),
-            remark: format!(": {}", reason.unwrap_or("it is not defined")),
+            remark: format!(": {}", reason(measure.key)),
         }),
     };
     values.iter().filter_map(row).collect()
-}
-
-/// Why there is no MS-SSIM.
-fn too_small([width, height]: [usize; 2]) -> Option<String> {
-    (width.min(height) < MULTISCALE_LEAST_SIDE).then(|| {
-        format!(
-            "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
-             {MULTISCALE_LEAST_SIDE}"
-        )
-    })
 }

@@ -4,13 +4,13 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::calibration::CalibrationError;
-use ga_camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
+use ga_camera::{CameraError, Intrinsics, Lens, LensModel};
 
 /// The kind of a lens, and the coefficients of its distortion that a calibration determines. The
 /// others stay as they are at the start, which is 0 where no camera is given.
 ///
-/// As text: `none`, or names that are separated by commas, such as `k1,k2,p1,p2,k3`, or
-/// `fisheye`.
+/// As text: `none`; names that are separated by commas, such as `k1,k2,p1,p2,k3`; or the
+/// [name](LensModel::name) of a lens, of which all coefficients are determined, as `fisheye`.
 ///
 /// ```
 /// use ga_vision::calibration::LensTerms;
@@ -22,15 +22,8 @@ use ga_camera::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LensTerms {
-    kind: Kind,
+    model: LensModel,
     is_free: [bool; TERMS.len()],
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Pinhole,
-    RadialTangential,
-    Fisheye,
 }
 
 /// The coefficients of [`RadialTangential`] that a calibration may determine. The tilt of the
@@ -43,33 +36,29 @@ impl LensTerms {
     /// A pinhole.
     #[must_use]
     pub fn none() -> Self {
-        Self::of(Kind::Pinhole, 0)
+        Self::of(LensModel::Pinhole, 0)
     }
 
     /// Radial and tangential distortion: k1, k2, p1, p2 and k3, OpenCV's default.
     #[must_use]
     pub fn radial_tangential() -> Self {
-        Self::of(Kind::RadialTangential, 5)
+        Self::of(LensModel::RadialTangential, 5)
     }
 
     /// A fisheye lens with k1 to k4.
     #[must_use]
     pub fn fisheye() -> Self {
-        Self::of(Kind::Fisheye, 4)
+        Self::of(LensModel::Fisheye, 4)
     }
 
-    fn of(kind: Kind, free: usize) -> Self {
+    fn of(model: LensModel, free: usize) -> Self {
         let is_free = std::array::from_fn(|k| k < free);
-        Self { kind, is_free }
+        Self { model, is_free }
     }
 
     /// The lens without distortion at which a search begins.
     pub(super) fn lens(&self) -> Result<Lens, CameraError> {
-        Ok(match self.kind {
-            Kind::Pinhole => Lens::Pinhole,
-            Kind::RadialTangential => RadialTangential::new(&[0.0; 12])?.into(),
-            Kind::Fisheye => Fisheye::new(&[0.0; 4])?.into(),
-        })
+        self.model.lens(&vec![0.0; self.model.coefficients().len()])
     }
 
     /// The intrinsic parameters that vary, as indices of [`Intrinsics::parameters`]: focal lengths,
@@ -90,14 +79,14 @@ impl Default for LensTerms {
 
 impl fmt::Display for LensTerms {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.kind {
-            Kind::Pinhole => formatter.write_str("none"),
-            Kind::Fisheye => formatter.write_str("fisheye"),
-            Kind::RadialTangential => {
+        match self.model {
+            LensModel::Pinhole => formatter.write_str("none"),
+            LensModel::RadialTangential => {
                 let free = (0..TERMS.len()).filter(|&k| self.is_free[k]);
                 let free: Vec<&str> = free.map(|k| TERMS[k]).collect();
                 formatter.write_str(&free.join(","))
             }
+            other => formatter.write_str(other.name()),
         }
     }
 }
@@ -106,13 +95,14 @@ impl FromStr for LensTerms {
     type Err = CalibrationError;
 
     fn from_str(text: &str) -> Result<Self, CalibrationError> {
-        match text {
-            "none" => return Ok(Self::none()),
-            "fisheye" => return Ok(Self::fisheye()),
+        match (text, LensModel::named(text)) {
+            ("none", _) => return Ok(Self::none()),
+            (_, Some(LensModel::RadialTangential)) => return Ok(Self::radial_tangential()),
+            (_, Some(model)) => return Ok(Self::of(model, model.coefficients().len())),
             _ => {}
         }
         let wrong = || CalibrationError::LensTerms(text.to_owned());
-        let mut terms = Self::of(Kind::RadialTangential, 0);
+        let mut terms = Self::of(LensModel::RadialTangential, 0);
         for name in text.split(',') {
             let place = TERMS.iter().position(|known| *known == name.trim());
             let place = &mut terms.is_free[place.ok_or_else(wrong)?];

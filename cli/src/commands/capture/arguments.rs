@@ -90,7 +90,7 @@ pub(crate) struct Arguments {
     /// The frame of a surface without animation.
     #[arg(long, value_name = "FRAME", requires = "mesh")]
     pub(super) frame: Option<String>,
-    /// What to write: .csv, .glb, .obj or .ply. May be given several times.
+    /// What to write: .csv, .obj, .ply, .glb or .gltf. May be given several times.
     #[arg(long, value_name = "FILE")]
     pub(super) out: Vec<PathBuf>,
     /// Write the pose of each frame as CSV.

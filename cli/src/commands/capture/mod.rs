@@ -105,6 +105,11 @@ fn described(error: &CaptureError, points: &PointTable, reference: usize) -> Err
     }
 }
 
+/// Whether a surface can move in a format.
+fn animates(format: Format) -> bool {
+    matches!(format, Format::Mesh(format) if format.keeps_animations())
+}
+
 impl Arguments {
     /// Checks the arguments that need no file, and says of which format each --out is.
     fn check(&self, context: &Context) -> Result<Vec<Format>> {
@@ -128,7 +133,7 @@ impl Arguments {
         context.need_result(is_asked, "--out, --pose, --matrix")?;
         let mut formats = Vec::with_capacity(self.out.len());
         for path in &self.out {
-            let known = [Format::Csv, Format::Glb, Format::Obj, Format::Ply];
+            let known = [vec![Format::Csv], mesh_file::formats(|_| true)].concat();
             let format = files.write("--out", path, &known)?;
             ensure!(
                 format == Format::Csv || self.mesh.is_some(),
@@ -136,7 +141,7 @@ impl Arguments {
                 path.display()
             );
             ensure!(
-                matches!(format, Format::Csv | Format::Glb) || self.frame.is_some(),
+                format == Format::Csv || animates(format) || self.frame.is_some(),
                 "--out {}: a surface without animation needs --frame",
                 path.display()
             );
@@ -194,16 +199,17 @@ impl Arguments {
         for (path, &format) in self.out.iter().zip(formats) {
             let cannot = || format!("cannot make {}", path.display());
             match (format, surface, &self.mesh) {
-                (Format::Glb, Some((head, motion)), Some(from)) => {
+                (format, Some((head, motion)), Some(from)) if animates(format) => {
                     let times = points.times(self.fps);
-                    let glb = || -> Result<_> {
+                    let moving = || -> Result<_> {
                         let rest = relocated(&head.mesh_at_rest()?, from, path)?;
                         let document = head.document(&rest, motion, poses.as_deref(), &times)?;
-                        Ok(gltf::encode(&document)?)
+                        Ok(gltf::document_files(path, &document)?)
                     };
-                    files.push((path.clone(), glb().with_context(cannot)?));
+                    let named = moving().with_context(cannot)?.into_iter();
+                    files.extend(named.map(|(name, bytes)| (path.with_file_name(name), bytes)));
                 }
-                (Format::Obj | Format::Ply, Some((head, motion)), Some(from)) => {
+                (Format::Mesh(_), Some((head, motion)), Some(from)) => {
                     let pose = poses.as_ref().map(|poses| poses[shown]);
                     let in_frame = || -> Result<_> {
                         let mesh = head.mesh_in_frame(motion, shown, pose)?;

@@ -47,8 +47,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     pub(super) chosen: ChosenPair,
     /// What is written: the picture with the contours over it (.svg), or for two views the curve as
-    /// a closed line (.obj).
-    #[arg(long, value_name = "FILE.svg or FILE.obj")]
+    /// a closed line (.obj, .ply, .glb or .gltf).
+    #[arg(long, value_name = "FILE")]
     pub(super) out: Option<PathBuf>,
     /// The level above which pixels belong to regions, instead of Otsu's.
     #[arg(long, value_name = "LEVEL", conflicts_with = "snake")]
@@ -79,9 +79,12 @@ pub(super) enum Figure {
 }
 
 /// Fails where the file that is to be written is not of its format, or cannot be written.
-pub(super) fn check_out(arguments: &Arguments, context: &Context, format: Format) -> Result<()> {
+pub(super) fn check_out(
+    arguments: &Arguments,
+    context: &Context,
+    formats: &[Format],
+) -> Result<Option<Format>> {
     let inputs = arguments.images.iter().chain(&arguments.rig);
     let mut files = context.files(inputs)?;
-    files.write_if_given("--out", arguments.out.as_ref(), &[format])?;
-    Ok(())
+    files.write_if_given("--out", arguments.out.as_ref(), formats)
 }

@@ -15,7 +15,6 @@ use super::Arguments;
 use super::arguments::{Figure, check_out};
 use super::settling::Settled;
 use crate::commands::stereo::views;
-use crate::format::Format;
 use crate::frame::{Context, Warning};
 use crate::mesh_file;
 use crate::output;
@@ -44,7 +43,7 @@ pub(super) fn run(
     rig_path: &Path,
     context: &Context,
 ) -> Result<Report> {
-    check_out(arguments, context, Format::Obj)?;
+    let format = check_out(arguments, context, &mesh_file::formats(|_| true))?;
     let [left, right] = paths;
     let progress = context.progress(4);
     progress.step("reading the views");
@@ -73,8 +72,8 @@ pub(super) fn run(
         Some(Figure::Line) => line = Some(curve.nearest_line()?),
         None => {}
     }
-    if let Some(out) = &arguments.out {
-        let files = mesh_file::files(out, Format::Obj, &curve.to_mesh()?, &Options::default())?;
+    if let (Some(out), Some(format)) = (&arguments.out, format) {
+        let files = mesh_file::files(out, format, &curve.to_mesh()?, &Options::default())?;
         output::write_together(files)?;
     }
     let warnings = [left_snake.warning(left), right_snake.warning(right)];

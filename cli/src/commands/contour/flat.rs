@@ -32,7 +32,7 @@ pub(crate) struct Report {
 }
 
 pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Result<Report> {
-    check_out(arguments, context, Format::Svg)?;
+    check_out(arguments, context, &[Format::Svg])?;
     let progress = context.progress(1);
     progress.step("finding the contours");
     let colours: Plane<[u8; 3]> = file::read(image)?.to_rgb();

@@ -9,7 +9,6 @@ use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, TagText, subdi
 use ga_mesh::{Mesh, MeshError};
 use serde::Serialize;
 
-use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::mesh_file::{self, Written};
 
@@ -54,9 +53,9 @@ pub(crate) struct Arguments {
     /// Whether sharpness falls by 1 a level, or is also averaged along chains of creases.
     #[arg(long, default_value = "normal")]
     crease_method: CreaseMethodName,
-    /// The file to be written. Materials go into a file of the same name ending in .mtl beside it;
-    /// a file of that name that is there already is replaced.
-    #[arg(long, value_name = "OUT.obj")]
+    /// The file to be written: .obj, .ply, .glb or .gltf. Materials of .obj go into a file of the
+    /// same name ending in .mtl beside it; a file of that name that is there already is replaced.
+    #[arg(long, value_name = "OUT")]
     out: PathBuf,
 }
 
@@ -96,7 +95,9 @@ impl Command for Arguments {
         let arguments = self;
         let Self { input, out, .. } = arguments;
         let inputs = [input].into_iter().chain(&arguments.creases);
-        let format = context.files(inputs)?.write("--out", out, &[Format::Obj])?;
+        let format = context
+            .files(inputs)?
+            .write("--out", out, &mesh_file::formats(|_| true))?;
         let progress = context.progress(3);
         progress.step("reading");
         let (mesh, warnings) = mesh_file::read(input)?;

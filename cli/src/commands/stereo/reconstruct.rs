@@ -15,7 +15,7 @@ use serde::Serialize;
 use super::match_views::{Mode, threads};
 use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
-use crate::format::Format;
+use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context};
 use crate::{mesh_file, output};
 
@@ -128,8 +128,7 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let mut files = context.files(self.views.paths().into_iter().chain([&*self.rig]))?;
-        let formats = [Format::Ply, Format::Obj, Format::Glb, Format::Gltf];
-        let format = files.write("--out", &self.out, &formats)?;
+        let format = files.write("--out", &self.out, &mesh_file::formats(|_| true))?;
         self.check(format)?;
         let begin = Instant::now();
         let progress = context.progress(5);
@@ -166,7 +165,7 @@ impl Command for Arguments {
         let depths = surface.summary();
         let surface = surface.moved(&(self.axes.motor() * pair.to_left()));
         let view = &pair.views()[0];
-        let mesh = if self.cloud || (format == Format::Ply && !self.surface) {
+        let mesh = if self.cloud || !(self.surface || keeps_materials(format)) {
             surface.to_cloud(view)?
         } else if self.texture {
             surface.to_textured_mesh("image/png", png::encode(view)?.into())?
@@ -196,6 +195,11 @@ impl Command for Arguments {
     }
 }
 
+/// Whether a surface keeps its picture in a format.
+fn keeps_materials(format: Format) -> bool {
+    matches!(format, Format::Mesh(format) if format.keeps_materials())
+}
+
 impl Arguments {
     /// Fails where the arguments contradict each other.
     fn check(&self, format: Format) -> Result<()> {
@@ -205,9 +209,12 @@ impl Arguments {
             self.min_confidence
         );
         ensure!(
-            !(self.texture && format == Format::Ply),
-            "{}: PLY holds no pictures; --texture needs .obj or .glb",
-            self.out.display()
+            !self.texture || keeps_materials(format),
+            "{}: the format holds no pictures; --texture needs {}",
+            self.out.display(),
+            endings(&mesh_file::formats(
+                ga_mesh::format::Format::keeps_materials
+            ))
         );
         Ok(())
     }

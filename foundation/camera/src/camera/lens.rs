@@ -23,6 +23,119 @@ pub enum Lens {
     Fisheye(Fisheye),
 }
 
+/// A kind of lens.
+///
+/// # Examples
+///
+/// ```
+/// use ga_camera::{Lens, LensModel};
+///
+/// let model = LensModel::named("fisheye").ok_or("no such lens")?;
+/// assert_eq!(model.coefficients(), ["k1", "k2", "k3", "k4"]);
+/// let lens = model.lens(&[0.1, 0.0, 0.0, 0.0])?;
+/// assert_eq!((lens.model(), lens.coefficients()[0]), (LensModel::Fisheye, 0.1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LensModel {
+    /// [`Lens::Pinhole`].
+    Pinhole,
+    /// [`Lens::RadialTangential`].
+    RadialTangential,
+    /// [`Lens::Fisheye`].
+    Fisheye,
+}
+
+/// What is known of a kind of lens.
+struct Description {
+    name: &'static str,
+    /// What ROS and kalibr call it.
+    other_names: &'static [&'static str],
+    coefficients: &'static [&'static str],
+    /// How many coefficients files have.
+    counts: &'static [usize],
+    lens: fn(&[f64]) -> Result<Lens, CameraError>,
+}
+
+impl LensModel {
+    /// All kinds.
+    pub const ALL: [Self; 3] = [Self::Pinhole, Self::RadialTangential, Self::Fisheye];
+
+    /// The table of the kinds. Files and calibrations follow from it.
+    const fn description(self) -> &'static Description {
+        match self {
+            Self::Pinhole => &Description {
+                name: "pinhole",
+                other_names: &[],
+                coefficients: &[],
+                counts: &[0],
+                lens: |coefficients| match coefficients {
+                    [] => Ok(Lens::Pinhole),
+                    _ => Err(CameraError::CoefficientCount {
+                        found: coefficients.len(),
+                        expected: "0",
+                    }),
+                },
+            },
+            Self::RadialTangential => &Description {
+                name: "radial-tangential",
+                other_names: &["plumb_bob", "radtan", "rational_polynomial"],
+                coefficients: &radial_tangential::NAMES,
+                counts: &[5, 8, 12, 14],
+                lens: |coefficients| Ok(RadialTangential::new(coefficients)?.into()),
+            },
+            Self::Fisheye => &Description {
+                name: "fisheye",
+                other_names: &["equidistant"],
+                coefficients: &fisheye::NAMES,
+                counts: &[4],
+                lens: |coefficients| Ok(Fisheye::new(coefficients)?.into()),
+            },
+        }
+    }
+
+    /// Its name in JSON and in options.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.description().name
+    }
+
+    /// Its name, and those that ROS and kalibr have for it.
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        let description = self.description();
+        [description.name]
+            .into_iter()
+            .chain(description.other_names.iter().copied())
+    }
+
+    /// The kind of a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|model| model.name() == name)
+    }
+
+    /// The names of the distortion coefficients, as OpenCV writes them.
+    #[must_use]
+    pub fn coefficients(self) -> &'static [&'static str] {
+        self.description().coefficients
+    }
+
+    /// How many coefficients, the first of all, files have. The greatest number is that of all.
+    #[must_use]
+    pub fn counts(self) -> &'static [usize] {
+        self.description().counts
+    }
+
+    /// The lens with these coefficients, in OpenCV's order.
+    ///
+    /// # Errors
+    /// [`CameraError`] as [`RadialTangential::new`] and [`Fisheye::new`];
+    /// [`CameraError::CoefficientCount`] for a pinhole with coefficients.
+    pub fn lens(self, coefficients: &[f64]) -> Result<Lens, CameraError> {
+        (self.description().lens)(coefficients)
+    }
+}
+
 /// An image and its derivatives by the point and by the coefficients, by rows. Unused places of the
 /// latter are zero.
 pub(super) struct LensImage {
@@ -39,6 +152,16 @@ pub(super) enum NoImage {
 }
 
 impl Lens {
+    /// Its kind.
+    #[must_use]
+    pub fn model(&self) -> LensModel {
+        match self {
+            Self::Pinhole => LensModel::Pinhole,
+            Self::RadialTangential(_) => LensModel::RadialTangential,
+            Self::Fisheye(_) => LensModel::Fisheye,
+        }
+    }
+
     /// How many distortion coefficients the lens has: 0, 14 or 4.
     #[must_use]
     pub fn coefficient_count(&self) -> usize {
@@ -48,11 +171,7 @@ impl Lens {
     /// The names of the distortion coefficients, as OpenCV writes them.
     #[must_use]
     pub fn names(&self) -> &'static [&'static str] {
-        match self {
-            Self::Pinhole => &[],
-            Self::RadialTangential(_) => &radial_tangential::NAMES,
-            Self::Fisheye(_) => &fisheye::NAMES,
-        }
+        self.model().coefficients()
     }
 
     /// The distortion coefficients in OpenCV's order, followed by zeros.
@@ -72,17 +191,9 @@ impl Lens {
     /// A lens of the same kind with other coefficients.
     ///
     /// # Errors
-    /// [`CameraError`] as [`RadialTangential::new`] and [`Fisheye::new`].
+    /// As [`LensModel::lens`].
     pub fn with_coefficients(&self, coefficients: &[f64]) -> Result<Self, CameraError> {
-        match self {
-            Self::Pinhole if coefficients.is_empty() => Ok(Self::Pinhole),
-            Self::Pinhole => Err(CameraError::CoefficientCount {
-                found: coefficients.len(),
-                expected: "0",
-            }),
-            Self::RadialTangential(_) => Ok(RadialTangential::new(coefficients)?.into()),
-            Self::Fisheye(_) => Ok(Fisheye::new(coefficients)?.into()),
-        }
+        self.model().lens(coefficients)
     }
 
     /// The image of a point at focal length 1.

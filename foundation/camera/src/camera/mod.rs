@@ -28,7 +28,7 @@ mod tilt;
 pub use error::CameraError;
 pub use fisheye::Fisheye;
 pub use intrinsics::{FrameProjection, Intrinsics};
-pub use lens::Lens;
+pub use lens::{Lens, LensModel};
 pub use radial_tangential::RadialTangential;
 
 use ga_runtime::batch;

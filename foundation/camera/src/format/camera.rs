@@ -15,7 +15,7 @@
 use super::camera_file::{CameraFile, NamedCamera, SINGLE};
 use super::error::{CameraFileError, Place};
 use super::yaml::{Matrix, Storage};
-use crate::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
+use crate::{CameraError, Intrinsics, Lens, LensModel};
 
 /// The names of K.
 pub(super) const MATRIX: [&str; 5] = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M"];
@@ -29,8 +29,7 @@ const DISTORTION: [&str; 5] = [
 
 /// The camera of a file.
 pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
-    let is_fisheye = is_fisheye(storage)?;
-    let intrinsics = intrinsics(storage, &MATRIX, &DISTORTION, is_fisheye)?;
+    let intrinsics = intrinsics(storage, &MATRIX, &DISTORTION, lens_model(storage)?)?;
     let camera = NamedCamera::new(SINGLE, intrinsics).with_size(size(storage)?);
     Ok(CameraFile::new(vec![camera]))
 }
@@ -51,7 +50,7 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
 pub fn encode(intrinsics: &Intrinsics, size: Option<[usize; 2]>) -> String {
     let mut storage = Storage::default();
     set_size(&mut storage, size);
-    if matches!(intrinsics.lens(), Lens::Fisheye(_)) {
+    if intrinsics.lens().model() == LensModel::Fisheye {
         storage.set_number("fisheye_model", 1.0);
     }
     set_intrinsics(&mut storage, [MATRIX[0], DISTORTION[0]], intrinsics);
@@ -106,7 +105,7 @@ pub(super) fn intrinsics(
     storage: &Storage,
     matrix: &[&'static str],
     distortion: &[&'static str],
-    is_fisheye: bool,
+    model: LensModel,
 ) -> Result<Intrinsics, CameraFileError> {
     let (name, values) = shaped::<9>(storage, matrix, &[[3, 3]], "3 × 3")?;
     let refuse = |name: &str, error: CameraError| CameraFileError::Camera {
@@ -126,27 +125,36 @@ pub(super) fn intrinsics(
             expected: "one row or one column",
         });
     }
-    let values = matrix.values();
-    let lens = match (values, is_fisheye) {
-        ([], _) => Ok(Lens::Pinhole),
-        (values, true) => Fisheye::new(values).map(Lens::from),
-        (values, false) => RadialTangential::new(values).map(Lens::from),
+    let lens = match matrix.values() {
+        [] => Ok(Lens::Pinhole),
+        values => model.lens(values),
     };
     Ok(plain.with_lens(lens.map_err(|error| refuse(name, error))?))
 }
 
-pub(super) fn is_fisheye(storage: &Storage) -> Result<bool, CameraFileError> {
+/// The kind of lens that a distortion describes; that of most files where the file does not say it.
+pub(super) fn lens_model(storage: &Storage) -> Result<LensModel, CameraFileError> {
     if let Some(number) = storage.number("fisheye_model")? {
-        return Ok(number != 0.0);
+        return Ok(match number {
+            0.0 => LensModel::RadialTangential,
+            _ => LensModel::Fisheye,
+        });
     }
-    match storage.text("distortion_model")?.as_deref() {
-        Some("equidistant" | "fisheye") => Ok(true),
-        None | Some("plumb_bob" | "rational_polynomial" | "radtan") => Ok(false),
-        Some(_) => Err(CameraFileError::Value {
+    let Some(name) = storage.text("distortion_model")? else {
+        return Ok(LensModel::RadialTangential);
+    };
+    let distorting = LensModel::ALL
+        .into_iter()
+        .filter(|model| *model != LensModel::Pinhole);
+    let names = distorting.flat_map(|model| model.names().map(move |name| (name, model)));
+    let names: Vec<_> = names.collect();
+    let named = names.iter().find(|(known, _)| *known == name);
+    named
+        .map(|(_, model)| *model)
+        .ok_or_else(|| CameraFileError::Lens {
             place: place(storage, "distortion_model"),
-            expected: "equidistant, fisheye, plumb_bob, radtan or rational_polynomial",
-        }),
-    }
+            known: names.iter().map(|(known, _)| *known).collect(),
+        })
 }
 
 pub(super) fn size(storage: &Storage) -> Result<Option<[usize; 2]>, CameraFileError> {
@@ -200,19 +208,15 @@ pub(super) fn set_intrinsics(
 ) {
     let values = intrinsics.to_matrix().into_iter().flatten().collect();
     set(storage, matrix, [3, 3], values);
-    let all = intrinsics.lens().coefficients();
-    let count = match intrinsics.lens() {
-        Lens::Pinhole => return,
-        Lens::Fisheye(_) => 4,
-        Lens::RadialTangential(_) => {
-            let used = all.iter().rposition(|x| *x != 0.0).map_or(0, |k| k + 1);
-            let counts = [5, 8, 12, 14];
-            counts
-                .into_iter()
-                .find(|count| *count >= used)
-                .unwrap_or(14)
-        }
-    };
+    let lens = intrinsics.lens();
+    if lens == Lens::Pinhole {
+        return;
+    }
+    let all = lens.coefficients();
+    let used = all.iter().rposition(|x| *x != 0.0).map_or(0, |k| k + 1);
+    let mut counts = lens.model().counts().iter().copied();
+    let count = counts.find(|count| *count >= used);
+    let count = count.unwrap_or(lens.coefficient_count());
     set(storage, distortion, [1, count], all[..count].to_vec());
 }
 

@@ -82,6 +82,14 @@ pub enum CameraFileError {
         /// What it must be.
         expected: &'static str,
     },
+    /// A lens has a name that is not known.
+    #[error("{place} is not one of {}", .known.join(", "))]
+    Lens {
+        /// The name.
+        place: Place,
+        /// The names that are known.
+        known: Vec<&'static str>,
+    },
     /// A number is infinite or not a number.
     #[error("{place} has the value {value}, which is not finite")]
     NotFinite {

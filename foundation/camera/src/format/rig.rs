@@ -17,14 +17,14 @@
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 
 use super::camera::{
-    self, by_rows, first, intrinsics, is_fisheye, missing, place, set, set_intrinsics, set_size,
+    self, by_rows, first, intrinsics, lens_model, missing, place, set, set_intrinsics, set_size,
     shaped, size,
 };
 use super::camera_file::{CameraFile, NamedCamera};
 use super::error::CameraFileError;
 use super::rotation::nearest_rotor;
 use super::yaml::Storage;
-use crate::Lens;
+use crate::LensModel;
 use crate::rig::StereoRig;
 
 const MATRICES: [[&str; 4]; 2] = [
@@ -69,8 +69,8 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
 }
 
 fn pair(storage: &Storage) -> Result<CameraFile, CameraFileError> {
-    let is_fisheye = is_fisheye(storage)?;
-    let side = |k: usize| intrinsics(storage, &MATRICES[k], &DISTORTIONS[k], is_fisheye);
+    let model = lens_model(storage)?;
+    let side = |k: usize| intrinsics(storage, &MATRICES[k], &DISTORTIONS[k], model);
     let intrinsics = [side(0)?, side(1)?];
     let poses = [Motor::default(), pose(storage)?];
     let size = size(storage)?;
@@ -97,7 +97,7 @@ pub fn storage(rig: &StereoRig, size: Option<[usize; 2]>) -> Result<Storage, Cam
     let mut storage = Storage::default();
     set_size(&mut storage, size);
     let sides = [rig.left.intrinsics, rig.right.intrinsics];
-    match sides.map(|side| matches!(side.lens(), Lens::Fisheye(_))) {
+    match sides.map(|side| side.lens().model() == LensModel::Fisheye) {
         [true, true] => storage.set_number("fisheye_model", 1.0),
         [false, false] => {}
         _ => return Err(CameraFileError::MixedLenses),

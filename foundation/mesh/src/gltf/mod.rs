@@ -57,4 +57,4 @@ pub use material::{
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
 pub use problem::{Element, Problem};
 pub use reader::{SUPPORTED_EXTENSIONS, decode, read};
-pub use writer::{GltfFiles, encode, encode_files, write};
+pub use writer::{GltfFiles, document_files, encode, encode_files, write};

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use crate::format::camera_file::NamedCamera;
 use crate::format::error::{CameraFileError, Place};
 use crate::format::rotation::{ROTATION_TOLERANCE, nearest_rotor};
-use crate::{CameraError, Fisheye, Intrinsics, Lens, RadialTangential};
+use crate::{CameraError, Intrinsics, LensModel};
 
 /// The keys of a pose.
 pub(super) const POSE: [&str; 3] = ["rotation", "quaternion_wxyz", "translation"];
@@ -179,26 +179,28 @@ impl<'a> Object<'a> {
             given.then(|| self.number(key)).transpose()
         };
         let skew = optional("skew")?.unwrap_or(0.0);
-        let kinds = "\"pinhole\", \"radial-tangential\" or \"fisheye\"";
-        let kind = match self.fields.get("lens") {
-            Some(value) => Some(value.as_str().ok_or_else(|| self.of_type("lens", kinds))?),
+        let unknown = || CameraFileError::Lens {
+            place: self.place("lens"),
+            known: LensModel::ALL.map(LensModel::name).to_vec(),
+        };
+        let named = |value: &Value| value.as_str().and_then(LensModel::named);
+        let named = match self.fields.get("lens") {
+            Some(value) => Some(named(value).ok_or_else(unknown)?),
             None => None,
         };
         let values = match self.fields.get("distortion") {
             Some(value) => self.list("distortion", value, "a list of numbers")?,
             None => Vec::new(),
         };
-        let lens = match (kind, values.as_slice()) {
-            (None | Some("pinhole" | "radial-tangential"), []) => Lens::Pinhole,
-            (Some("fisheye"), values) => Fisheye::new(values).map_err(refuse)?.into(),
-            (None | Some("radial-tangential"), values) => {
-                RadialTangential::new(values).map_err(refuse)?.into()
-            }
-            (Some("pinhole"), _) => {
+        let model = match named {
+            None | Some(LensModel::RadialTangential) if values.is_empty() => LensModel::Pinhole,
+            None => LensModel::RadialTangential,
+            Some(LensModel::Pinhole) if !values.is_empty() => {
                 return Err(self.of_type("distortion", "empty, which the lens \"pinhole\" needs"));
             }
-            (Some(_), _) => return Err(self.of_type("lens", kinds)),
+            Some(model) => model,
         };
+        let lens = model.lens(&values).map_err(refuse)?;
         let mut camera = NamedCamera::new(name, plain.with_lens(lens)).with_skew(skew);
         camera.size = Some([self.pixels("width")?, self.pixels("height")?]);
         camera.near = optional("near")?;

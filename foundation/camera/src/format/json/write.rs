@@ -96,11 +96,7 @@ impl Camera {
             cx,
             cy,
             skew,
-            lens: match lens {
-                Lens::Pinhole => None,
-                Lens::RadialTangential(_) => Some("radial-tangential"),
-                Lens::Fisheye(_) => Some("fisheye"),
-            },
+            lens: (lens != Lens::Pinhole).then(|| lens.model().name()),
             distortion: lens.coefficients()[..lens.coefficient_count()].to_vec(),
             rotation: camera.pose.map(|pose| pose.rotor().to_matrix()),
             translation: camera.pose.map(|pose| pose.translator().displacement()),
