@@ -40,7 +40,6 @@ impl Format {
             Self::Mesh(format) => format.endings(),
             Self::Obj => &["obj"],
             Self::Pfm => &["pfm"],
-
             Self::Png => &["png"],
             Self::Svg => &["svg"],
             Self::Text => &["txt"],
