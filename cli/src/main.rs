@@ -51,8 +51,8 @@ struct Cli {
 const STATUS: &str = "\
 Status:
   0    success
-  1    the input is wrong, or the work failed
-  2    the arguments are wrong
+  1    the input or a value is wrong, or the work failed
+  2    the arguments cannot be read
   3    the verdict of a command with --check is not good
   130  ended by Ctrl-C, and so on: 128 and the number of the signal
 

@@ -20,11 +20,19 @@ pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
     Ok((mesh, warnings))
 }
 
-/// The formats of meshes that fit, in the order of the library, of which the first is what goes to
-/// standard output.
+/// The formats of meshes that fit, by their endings, of which the first goes to standard output.
 pub(crate) fn formats(fits: impl Fn(format::Format) -> bool) -> Vec<Format> {
-    let formats = format::Format::ALL.into_iter();
-    formats.filter(|f| fits(*f)).map(Format::Mesh).collect()
+    let mut formats = format::Format::ALL.to_vec();
+    formats.retain(|format| fits(*format));
+    formats.sort_by_key(|format| format.endings());
+    formats.into_iter().map(Format::Mesh).collect()
+}
+
+/// All formats of meshes, with the one first that goes to standard output.
+pub(crate) fn all_formats(first: format::Format) -> Vec<Format> {
+    let mut formats = formats(|_| true);
+    formats.sort_by_key(|format| *format != Format::Mesh(first));
+    formats
 }
 
 /// The endings of all files that are read, as in `.obj, .ply or .glb`.

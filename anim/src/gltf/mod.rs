@@ -51,7 +51,7 @@ mod sampler;
 
 pub use character::character;
 pub use export::{animation, joint_nodes, vertex_weights};
-pub use moment::{Bounds, Moment, MomentPart};
+pub use moment::{Moment, MomentPart};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
 pub use rigged::Rigged;

@@ -1,7 +1,7 @@
 //! A document at one moment, as a mesh.
 
-use ga_mesh::Mesh;
 use ga_mesh::gltf::{Animation, Document};
+use ga_mesh::{Bounds, Mesh};
 use serde::Serialize;
 
 use super::placement::Placement;
@@ -37,15 +37,6 @@ pub struct Moment {
     /// The vertices and faces.
     #[serde(skip)]
     pub mesh: Mesh,
-}
-
-/// The corners of a box.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Bounds {
-    /// The least coordinates.
-    pub min: [f64; 3],
-    /// The greatest coordinates.
-    pub max: [f64; 3],
 }
 
 /// The vertices of a primitive of the mesh of a node.

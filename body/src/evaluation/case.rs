@@ -51,7 +51,7 @@ impl Case {
     pub(super) fn missing_in_words(missing: f64) -> String {
         match missing {
             0.0 => String::new(),
-            missing => format!(", {} % missing", 100.0 * missing),
+            missing => format!(", {} % of the joints missing", 100.0 * missing),
         }
     }
 }
@@ -59,10 +59,7 @@ impl Case {
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let views = Self::counted_views(self.views);
-        write!(f, "{views}, {} px of noise", self.noise_px)?;
-        match self.missing {
-            0.0 => Ok(()),
-            missing => write!(f, ", {} % of the joints missing", 100.0 * missing),
-        }
+        let missing = Self::missing_in_words(self.missing);
+        write!(f, "{views}, {} px of noise{missing}", self.noise_px)
     }
 }

@@ -40,10 +40,7 @@ impl Evaluation {
         let bars = CAPTION + BARS.1 * in_bars.len() as u32 + 16;
         let charts = views_of(&rows).len().div_ceil(COLUMNS) as u32;
         let curves = CAPTION + legend_height(&rows) + CURVES.1 * charts;
-        let missing = match least_missing {
-            0.0 => String::new(),
-            missing => format!(", {} % of the joints missing", 100.0 * missing),
-        };
+        let missing = Case::missing_in_words(least_missing);
         let under = format!("{name}, {noise} px of noise{missing}; not Human3.6M");
         chart::svg((CURVES.0, bars + curves), |root| {
             let (above, below) = root.split_vertically(bars * FINE);

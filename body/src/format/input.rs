@@ -119,8 +119,7 @@ fn folder(path: &Path) -> Result<Detections, JointsReadError> {
     }
     let mut frames = Vec::with_capacity(files.len());
     for file in files {
-        let name = file.file_name().unwrap_or(file.as_os_str());
-        let name = name.to_string_lossy().into_owned();
+        let name = ga_files::name(&file);
         let frame = ga_files::read(&file, |bytes| openpose::decode_file(&name, bytes))?;
         frames.push((name, frame));
     }

@@ -145,7 +145,7 @@ impl Arguments {
     fn picture(&self, table: &KeyTable, sampled: &SampledTable) -> Result<String> {
         const HEIGHT: f64 = 560.0;
         const MOST_VERTICES: usize = 400;
-        let (name, keys) = (self.keys.file_name().unwrap_or_default(), &table.times);
+        let (name, keys) = (ga_files::name(&self.keys), &table.times);
         let ends = match &self.ends {
             ChannelEnds::Slopes(_) => "given slopes at the ends".to_owned(),
             other => format!("{other} ends"),
@@ -166,8 +166,7 @@ impl Arguments {
         let series: Vec<Series> = series.collect();
         let chart = LineChart {
             title: &format!(
-                "{}: cubic spline through {} keys, {ends}",
-                name.to_string_lossy(),
+                "{name}: cubic spline through {} keys, {ends}",
                 keys.len()
             ),
             horizontal: &table.names[0],

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Error, Result};
+use anyhow::{Context as _, Error, Result};
 use ga_draw::document::Page;
 use ga_draw::document::chart::ChartError;
 use ga_files::Staged;
@@ -83,7 +83,10 @@ impl<V> Shown<V> {
         if plot.is_none() && context.report().is_none() {
             return Ok(self);
         }
-        let svg = svg(&self.values)?;
+        let svg = svg(&self.values).with_context(|| match plot {
+            Some(path) => format!("cannot draw {}", path.display()),
+            None => "cannot draw the chart of --report".to_owned(),
+        })?;
         if context.report().is_some() {
             self.page = Some(page(&self.values, &svg));
         }

@@ -245,7 +245,7 @@ fn bad_input_leaves_nothing() {
     );
     fails(
         &["mesh", "convert", "t.obj", "t.stl"],
-        &["OUT t.stl: its name must end in .obj, .ply, .glb or .gltf"],
+        &["OUT t.stl: its name must end in .glb, .gltf, .obj or .ply"],
     );
     fails(&["mesh", "info", "no.ply"], &["cannot read no.ply: "]);
     assert_eq!(names(folder.path()), before);

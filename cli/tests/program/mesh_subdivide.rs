@@ -143,7 +143,7 @@ fn bad_input_leaves_nothing() {
     let levels = ["in.obj", "--out", "fine.obj", "--levels", "40"];
     fails(&levels, &["--levels 40 would give", "faces"]);
     fails(
-        &["in.obj", "--out", "fine.ply", "--levels", "1"],
-        &["--out fine.ply", ".obj"],
+        &["in.obj", "--out", "fine.stl", "--levels", "1"],
+        &["--out fine.stl", ".obj, .glb, .gltf or .ply"],
     );
 }

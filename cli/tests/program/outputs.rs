@@ -28,7 +28,12 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
         "ply",
     ),
     ("contour none.png", "--out", ".svg", "png"),
-    ("contour none.png b.png --rig r.yml", "--out", ".obj", "svg"),
+    (
+        "contour none.png b.png --rig r.yml",
+        "--out",
+        ".obj, .glb, .gltf or .ply",
+        "svg",
+    ),
     (
         "clip compress none.bvh --tolerance 1e-4",
         "--out",
@@ -58,10 +63,15 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "mesh convert none.obj",
         "OUT",
-        ".obj, .ply, .glb or .gltf",
+        ".glb, .gltf, .obj or .ply",
         "stl",
     ),
-    ("mesh subdivide none.obj --levels 1", "--out", ".obj", "ply"),
+    (
+        "mesh subdivide none.obj --levels 1",
+        "--out",
+        ".obj, .glb, .gltf or .ply",
+        "stl",
+    ),
     ("quality compare none.y4m b.y4m", "--csv", ".csv", "txt"),
     ("quality compare none.y4m b.y4m", "--plot", ".svg", "jpg"),
     (
@@ -107,13 +117,13 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "stereo reconstruct none.png b.png --rig r.yml",
         "--out",
-        ".ply, .obj, .glb or .gltf",
+        ".ply, .glb, .gltf or .obj",
         "stl",
     ),
     (
         "capture none.csv --calibrated 0,1,2,3",
         "--out",
-        ".csv, .glb, .obj or .ply",
+        ".csv, .glb, .gltf, .obj or .ply",
         "txt",
     ),
     (

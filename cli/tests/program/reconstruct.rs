@@ -268,7 +268,7 @@ fn bad_input_writes_nothing() {
         ("left.png right.png --rig rig.yml --near 90", "none of the"),
         (
             "left.png right.png --rig rig.yml --out m.ply --texture",
-            "PLY holds no pictures",
+            "the format holds no pictures; --texture needs .glb, .gltf or .obj",
         ),
     ] {
         let mut all = vec!["stereo", "reconstruct"];

@@ -191,7 +191,7 @@ fn nothing_is_written_where_a_view_is_wrong() {
     let line = "texture square.obj --views views/views.json --out t.ply";
     assert_failure(
         &nullcone(folder, line.split_whitespace()),
-        &["--out t.ply: its name must end in .obj, .glb or .gltf"],
+        &["--out t.ply: its name must end in .glb, .gltf or .obj"],
     );
     std::fs::write(folder.join("views/views.json"), &good).unwrap();
     let line = "texture square.obj --views views/views.json --out t.glb --size 64";

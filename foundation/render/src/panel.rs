@@ -2,10 +2,7 @@
 
 use ga_image::plane::Plane;
 
-use crate::text::{self, LINE_HEIGHT, Weight};
-
-const PAPER: [u8; 3] = [250, 250, 252];
-const INK: [u8; 3] = [44, 52, 64];
+use crate::text::{self, INK, LINE_HEIGHT, PAPER, Weight};
 
 /// Around everything, in pixels.
 const MARGIN: u32 = 10;

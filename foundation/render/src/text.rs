@@ -8,6 +8,10 @@ const HEIGHT: RasterHeight = RasterHeight::Size16;
 /// The height of a line in pixels.
 pub const LINE_HEIGHT: u32 = HEIGHT.val() as u32;
 
+/// The colours of sheets and of the letters on them.
+pub(crate) const PAPER: [u8; 3] = [250, 250, 252];
+pub(crate) const INK: [u8; 3] = [44, 52, 64];
+
 /// How bold letters are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {

@@ -71,6 +71,14 @@ pub enum TextureError {
         /// What is wrong.
         problem: FormatError,
     },
+    /// The pixels of a picture do not make a texture.
+    #[error("the picture of material {material:?}: {problem}")]
+    Pixels {
+        /// The name of the material.
+        material: String,
+        /// What is wrong.
+        problem: Box<TextureError>,
+    },
     /// There are no pixels.
     #[error("a texture needs at least one pixel, but this one has {width} × {height}")]
     Empty {

@@ -29,6 +29,14 @@ pub enum KeyFrameError {
         /// What the operating system said.
         source: io::Error,
     },
+    /// A picture of a frame that is not later than those before.
+    #[error("the picture of frame {frame} comes after that of frame {after}")]
+    Order {
+        /// The frame.
+        frame: usize,
+        /// The last frame before.
+        after: usize,
+    },
     /// A picture cannot be kept.
     #[error("cannot keep the picture of frame {frame}: {problem}")]
     Picture {

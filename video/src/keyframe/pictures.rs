@@ -18,8 +18,13 @@ use super::error::KeyFrameError;
 /// let mut pictures = Pictures::new()?;
 /// let red = Plane::filled(4, 3, [255_u8, 0, 0]);
 /// pictures.keep(7, &red)?;
-/// assert_eq!(pictures.picture(7)?, Some(red));
+/// assert_eq!(pictures.picture(7)?, Some(red.clone()));
 /// assert_eq!(pictures.png(8)?, None);
+/// // Between two frames that are kept others may be read.
+/// let blue = Plane::filled(4, 3, [0, 0, 255]);
+/// pictures.keep(9, &blue)?;
+/// assert_eq!([pictures.picture(7)?, pictures.picture(9)?], [Some(red), Some(blue.clone())]);
+/// assert!(pictures.keep(9, &blue).is_err());
 /// # Ok::<(), ga_video::keyframe::KeyFrameError>(())
 /// ```
 #[derive(Debug)]
@@ -55,11 +60,17 @@ impl Pictures {
     ///
     /// # Errors
     ///
-    /// [`KeyFrameError::Temporary`], [`KeyFrameError::Picture`].
+    /// [`KeyFrameError::Order`] for a frame that is not later, [`KeyFrameError::Temporary`],
+    /// [`KeyFrameError::Picture`].
     pub fn keep(&mut self, frame: usize, picture: &Plane<[u8; 3]>) -> Result<(), KeyFrameError> {
+        if let Some(last) = self.entries.last().filter(|last| last.frame >= frame) {
+            let after = last.frame;
+            return Err(KeyFrameError::Order { frame, after });
+        }
         let bytes = png::encode(picture);
         let bytes = bytes.map_err(|problem| KeyFrameError::Picture { frame, problem })?;
-        let written = self.file.write_all(&bytes);
+        let written = self.file.seek(SeekFrom::Start(self.end));
+        let written = written.and_then(|_| self.file.write_all(&bytes));
         written.map_err(|error| failed("write to", error))?;
         self.entries.push(Entry {
             frame,

@@ -19,7 +19,7 @@ pub struct Measure {
     /// Its value for a frame that has one.
     pub value: fn(&FrameQuality) -> Option<f64>,
     /// Why frames with this number of columns and rows have no value, where that is so.
-    pub lack: fn([usize; 2]) -> Option<String>,
+    pub reason_for_none: fn([usize; 2]) -> Option<String>,
 }
 
 /// What the numbers of a measure are.
@@ -43,7 +43,7 @@ const fn luma(
         scale,
         of_luma: true,
         value,
-        lack: |_| None,
+        reason_for_none: |_| None,
     }
 }
 
@@ -58,7 +58,7 @@ const fn colour(
         scale: Scale::Decibels,
         of_luma: false,
         value,
-        lack: |_| None,
+        reason_for_none: |_| None,
     }
 }
 
@@ -83,7 +83,7 @@ pub const MEASURES: [Measure; 8] = [
     }),
     luma("ssim", "SSIM", Scale::Index, |frame| Some(frame.luma.ssim)),
     Measure {
-        lack: too_small_for_scales,
+        reason_for_none: too_small_for_scales,
         ..luma("ms_ssim", "MS-SSIM", Scale::Index, |frame| {
             frame.luma.ms_ssim
         })

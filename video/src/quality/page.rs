@@ -28,9 +28,7 @@ impl ComparedFiles<'_> {
     /// The last part of the path of what is measured.
     #[must_use]
     pub fn name(&self) -> String {
-        let name = self.distorted.file_name();
-        let name = name.unwrap_or(self.distorted.as_os_str());
-        name.to_string_lossy().into_owned()
+        ga_files::name(self.distorted)
     }
 
     fn page(&self, start: &str) -> Page {

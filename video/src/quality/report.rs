@@ -14,7 +14,7 @@ pub struct PictureQuality {
     #[serde(flatten, serialize_with = "by_key")]
     values: Vec<(Measure, Option<f64>)>,
     #[serde(flatten)]
-    lacks: Lacks,
+    reasons: Reasons,
 }
 
 /// The measures of a video, as an object with the keys of their means over the frames.
@@ -30,7 +30,7 @@ pub struct VideoQuality {
     #[serde(serialize_with = "by_key")]
     pooled: Vec<(Measure, Option<Pooled>)>,
     #[serde(flatten)]
-    lacks: Lacks,
+    reasons: Reasons,
     /// Why the comparison ended before the videos.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
@@ -38,24 +38,23 @@ pub struct VideoQuality {
 
 /// The measures that frames are too small for, and why.
 #[derive(Clone, Debug)]
-struct Lacks(Vec<(Measure, String)>);
+struct Reasons(Vec<(Measure, String)>);
 
-impl Lacks {
+impl Reasons {
     fn of(size: [usize; 2]) -> Self {
-        let lacks = MEASURES.into_iter();
-        let lacks = lacks.filter_map(|measure| Some((measure, (measure.lack)(size)?)));
-        Self(lacks.collect())
+        let reason = |measure: Measure| Some((measure, (measure.reason_for_none)(size)?));
+        Self(MEASURES.into_iter().filter_map(reason).collect())
     }
 
-    fn reasons(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        let lacks = self.0.iter();
-        lacks.map(|(measure, reason)| (measure.key, reason.as_str()))
+    fn iter(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let reasons = self.0.iter();
+        reasons.map(|(measure, reason)| (measure.key, reason.as_str()))
     }
 }
 
-impl Serialize for Lacks {
+impl Serialize for Reasons {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let reasons = self.reasons();
+        let reasons = self.iter();
         serializer.collect_map(reasons.map(|(key, reason)| (format!("{key}_reason"), reason)))
     }
 }
@@ -120,19 +119,19 @@ impl PictureQuality {
             values: of_luma
                 .map(|measure| (measure, (measure.value)(picture)))
                 .collect(),
-            lacks: Lacks::of(size),
+            reasons: Reasons::of(size),
         }
     }
 
     /// The keys of the measures that the picture is too small for, and why.
-    pub fn lacks(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        self.lacks.reasons()
+    pub fn reasons(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.reasons.iter()
     }
 
     /// The measures in words.
     #[must_use]
     pub fn rows(&self) -> Vec<MeasureRow> {
-        rows(&self.values, &self.lacks, EQUAL)
+        rows(&self.values, &self.reasons, EQUAL)
     }
 }
 
@@ -153,21 +152,21 @@ impl VideoQuality {
             frames: frames.len(),
             psnr_of_mean_mse: psnr_of(mean_mse, range),
             pooled: of_luma.collect(),
-            lacks: Lacks::of(size),
+            reasons: Reasons::of(size),
             error: None,
         })
     }
 
     /// The keys of the measures that the frames are too small for, and why.
-    pub fn lacks(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        self.lacks.reasons()
+    pub fn reasons(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.reasons.iter()
     }
 
     /// The means over the frames in words.
     #[must_use]
     pub fn rows(&self) -> Vec<MeasureRow> {
         // A mean is infinite where one frame has no error.
-        let mut rows = rows(&self.means, &self.lacks, EQUAL_FRAME);
+        let mut rows = rows(&self.means, &self.reasons, EQUAL_FRAME);
         let all = MeasureRow::decibels("PSNR of mean MSE", self.psnr_of_mean_mse, EQUAL);
         rows.push(all);
         rows
@@ -191,12 +190,11 @@ impl VideoQuality {
     }
 }
 
-/// Values in words. `lacks` says why there are none, `equal` what it means that a number is
+/// Values in words. `reasons` say why there are none, `equal` what it means that a number is
 /// infinite. Grey pictures have no rows for colour differences.
-fn rows(values: &[(Measure, Option<f64>)], lacks: &Lacks, equal: &str) -> Vec<MeasureRow> {
+fn rows(values: &[(Measure, Option<f64>)], reasons: &Reasons, equal: &str) -> Vec<MeasureRow> {
     let reason = |key: &str| {
-        let mut reasons = lacks.reasons();
-        let found = reasons.find(|(lacking, _)| *lacking == key);
+        let found = reasons.iter().find(|(without, _)| *without == key);
         found.map_or("it is not defined", |(_, reason)| reason)
     };
     let row = |(measure, value): &(Measure, Option<f64>)| match (measure.scale, value) {

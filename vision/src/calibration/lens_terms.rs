@@ -10,14 +10,16 @@ use ga_camera::{CameraError, Intrinsics, Lens, LensModel};
 /// others stay as they are at the start, which is 0 where no camera is given.
 ///
 /// As text: `none`; names that are separated by commas, such as `k1,k2,p1,p2,k3`; or the
-/// [name](LensModel::name) of a lens, of which all coefficients are determined, as `fisheye`.
+/// [name](LensModel::name) of another lens, all of whose coefficients are determined, as `fisheye`.
 ///
 /// ```
 /// use ga_vision::calibration::LensTerms;
 ///
 /// let terms: LensTerms = "k1,k2,p1,p2".parse()?;
 /// assert_eq!(terms.to_string(), "k1,k2,p1,p2");
-/// assert!("k1,k1".parse::<LensTerms>().is_err() && "k9".parse::<LensTerms>().is_err());
+/// for wrong in ["k1,k1", "k9", "pinhole", "radial-tangential"] {
+///     assert!(wrong.parse::<LensTerms>().is_err());
+/// }
 /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +28,7 @@ pub struct LensTerms {
     is_free: [bool; TERMS.len()],
 }
 
-/// The coefficients of [`RadialTangential`] that a calibration may determine. The tilt of the
+/// The coefficients of [`LensModel::RadialTangential`] that a calibration may determine. The tilt of the
 /// sensor is not among them: beside the principal point it is not determined.
 const TERMS: [&str; 12] = [
     "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
@@ -97,9 +99,8 @@ impl FromStr for LensTerms {
     fn from_str(text: &str) -> Result<Self, CalibrationError> {
         match (text, LensModel::named(text)) {
             ("none", _) => return Ok(Self::none()),
-            (_, Some(LensModel::RadialTangential)) => return Ok(Self::radial_tangential()),
+            (_, Some(LensModel::Pinhole | LensModel::RadialTangential)) | (_, None) => {}
             (_, Some(model)) => return Ok(Self::of(model, model.coefficients().len())),
-            _ => {}
         }
         let wrong = || CalibrationError::LensTerms(text.to_owned());
         let mut terms = Self::of(LensModel::RadialTangential, 0);

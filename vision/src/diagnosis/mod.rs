@@ -130,7 +130,7 @@ pub enum DiagnosisFault {
     /// The vertical disparities are too large.
     #[error(
         "the views are not rectified: 95 % of the vertical disparities are below {most:.3} px, and \
-         should be below 1 px"
+         should be below {RECTIFIED_LIMIT} px"
     )]
     NotRectified {
         /// What 95 % of the absolute values stay below, in pixels.

@@ -60,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     pub(super) snake: bool,
     #[command(flatten)]
-    pub(super) settings: settling::Settings,
+    pub(super) snake_arguments: settling::SnakeArguments,
     /// Fit a figure to the curve of two views.
     #[arg(long, value_enum, value_name = "FIGURE", requires = "rig")]
     pub(super) fit: Option<Figure>,

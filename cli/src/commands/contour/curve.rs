@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use ga_mesh::format::Options;
+use ga_mesh::format::{Format as MeshFormat, Options};
 use ga_vision::contour::space_curve::{
     NearestSpaceCircle, NearestSpaceLine, SpaceCurveMeasures, SpaceCurveOptions, SpaceCurvePoint,
     space_curve,
@@ -43,7 +43,7 @@ pub(super) fn run(
     rig_path: &Path,
     context: &Context,
 ) -> Result<Report> {
-    let format = check_out(arguments, context, &mesh_file::formats(|_| true))?;
+    let format = check_out(arguments, context, &mesh_file::all_formats(MeshFormat::Obj))?;
     let [left, right] = paths;
     let progress = context.progress(4);
     progress.step("reading the views");
@@ -54,8 +54,8 @@ pub(super) fn run(
     let rig = file.rig;
     progress.step("moving the left snake");
     let settle = |side: usize| {
-        let (settings, least_area) = (&arguments.settings, arguments.least_area);
-        let settled = settings.settle(&pictures[side], side == 1, least_area, &progress);
+        let (snake, least_area) = (&arguments.snake_arguments, arguments.least_area);
+        let settled = snake.settle(&pictures[side], side == 1, least_area, &progress);
         settled.with_context(|| paths[side].display().to_string())
     };
     let left_snake = settle(0)?;

@@ -50,8 +50,8 @@ pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Res
     };
     if arguments.snake {
         progress.step("moving the snake");
-        let settings = &arguments.settings;
-        let settled = settings.settle(&picture, false, least_area, &progress);
+        let snake = &arguments.snake_arguments;
+        let settled = snake.settle(&picture, false, least_area, &progress);
         let settled = settled.with_context(named)?;
         report.contours = vec![MeasuredContour::new(settled.points.clone(), false, None)];
         report.warnings.extend(settled.warning(image));

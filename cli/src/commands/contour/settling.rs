@@ -13,7 +13,7 @@ use crate::frame::{Progress, Warning};
 
 /// How a snake settles.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Settings {
+pub(super) struct SnakeArguments {
     /// The circle at which the snake begins, its centre and radius in pixels, instead of the
     /// largest border.
     #[arg(
@@ -86,7 +86,7 @@ pub(super) struct Settled {
     energies: Vec<f64>,
 }
 
-impl Settings {
+impl SnakeArguments {
     /// A snake that settles at edges of the left or only view, or of the right one.
     pub(super) fn settle(
         &self,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Error, Result, ensure};
 use clap::ValueEnum;
-use ga_mesh::format::{self, Options};
+use ga_mesh::format::{self, Format as MeshFormat, Options};
 use ga_mesh::subdivision::{Boundary, CreaseMethod, Rules, Scheme, TagText, subdivide};
 use ga_mesh::{Mesh, MeshError};
 use serde::Serialize;
@@ -95,9 +95,10 @@ impl Command for Arguments {
         let arguments = self;
         let Self { input, out, .. } = arguments;
         let inputs = [input].into_iter().chain(&arguments.creases);
-        let format = context
-            .files(inputs)?
-            .write("--out", out, &mesh_file::formats(|_| true))?;
+        let format =
+            context
+                .files(inputs)?
+                .write("--out", out, &mesh_file::all_formats(MeshFormat::Obj))?;
         let progress = context.progress(3);
         progress.step("reading");
         let (mesh, warnings) = mesh_file::read(input)?;

@@ -118,7 +118,7 @@ impl Arguments {
         let frame = frame.with_context(|| self.names())?;
         let found = PictureQuality::new(&frame, size);
         let text = found.rows().iter().map(line).collect();
-        let warnings = warnings(found.lacks());
+        let warnings = warnings(found.reasons());
         let page = context.report().map(|_| {
             let map = quality::similarity_map(&reference, &distorted)?;
             let page = found.page(self.files(), &map);
@@ -162,7 +162,7 @@ impl Arguments {
         };
         found.error = compared.as_ref().err().map(ToString::to_string);
         let text = text(&found);
-        let warnings = warnings(found.lacks());
+        let warnings = warnings(found.reasons());
         let files = self.files();
         let drawn = Shown::new(found, text).with_plot(
             self.plot.as_ref(),
@@ -214,11 +214,10 @@ impl Arguments {
     }
 }
 
-fn warnings<'a>(lacks: impl Iterator<Item = (&'static str, &'a str)>) -> Vec<Warning> {
+fn warnings<'a>(reasons: impl Iterator<Item = (&'static str, &'a str)>) -> Vec<Warning> {
     let message = |(key, reason): (&str, &str)| format!("{key} is null: {reason}");
-    lacks
-        .map(|lack| Warning::new("too_few_pixels", message(lack)))
-        .collect()
+    let warning = |reason| Warning::new("too_few_pixels", message(reason));
+    reasons.map(warning).collect()
 }
 
 fn line(row: &MeasureRow) -> String {

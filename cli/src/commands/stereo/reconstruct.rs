@@ -7,7 +7,7 @@ use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_camera::frame::y_up;
 use ga_image::png;
-use ga_mesh::format::Options;
+use ga_mesh::format::{Format as MeshFormat, Options};
 use ga_runtime::cga3::Motor;
 use ga_vision::surface::{DepthSummary, PairOptions, RectifiedPair, Surface, SurfaceOptions};
 use serde::Serialize;
@@ -128,7 +128,7 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let mut files = context.files(self.views.paths().into_iter().chain([&*self.rig]))?;
-        let format = files.write("--out", &self.out, &mesh_file::formats(|_| true))?;
+        let format = files.write("--out", &self.out, &mesh_file::all_formats(MeshFormat::Ply))?;
         self.check(format)?;
         let begin = Instant::now();
         let progress = context.progress(5);
@@ -212,9 +212,7 @@ impl Arguments {
             !self.texture || keeps_materials(format),
             "{}: the format holds no pictures; --texture needs {}",
             self.out.display(),
-            endings(&mesh_file::formats(
-                ga_mesh::format::Format::keeps_materials
-            ))
+            endings(&mesh_file::formats(MeshFormat::keeps_materials))
         );
         Ok(())
     }

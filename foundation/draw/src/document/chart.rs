@@ -79,8 +79,7 @@ pub fn font<'a>(height: u32) -> FontDesc<'a> {
 
 /// A chart that was drawn [`FINE`] times as large, with its width and height as it is shown; the
 /// view box keeps the fine coordinates.
-#[must_use]
-pub fn shown_small(svg: &str, (width, height): (u32, u32)) -> String {
+fn shown_small(svg: &str, (width, height): (u32, u32)) -> String {
     let size = |factor: u32| {
         format!(
             "width=\"{}\" height=\"{}\"",

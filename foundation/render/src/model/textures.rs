@@ -69,7 +69,10 @@ pub fn load_texture(
         Meaning::Colour => Mipmap::colour(&pixels, sampler(reference)),
         Meaning::Data => Mipmap::data(&pixels, sampler(reference)),
     };
-    texture.map(Some)
+    texture.map(Some).map_err(|problem| TextureError::Pixels {
+        material: material(),
+        problem: Box::new(problem),
+    })
 }
 
 /// Loads each picture once for each way in which it is read.

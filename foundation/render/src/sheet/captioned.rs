@@ -3,10 +3,7 @@
 use ga_image::plane::{Plane, PlaneError};
 use ga_image::resample::{Method, resize};
 
-use crate::text::{self, Weight};
-
-const PAPER: [u8; 3] = [250, 250, 252];
-const INK: [u8; 3] = [44, 52, 64];
+use crate::text::{self, INK, PAPER, Weight};
 
 /// Columns of the sheet, the width of a picture, and the space around it.
 const COLUMNS: usize = 4;

@@ -6,7 +6,7 @@ use crate::resolve::KEY_TANGENT;
 use crate::shade::WorldLighting;
 use crate::{Ground, RenderError, Vector, View};
 
-/// The cameras of the frames, and the ground they all see.
+/// The views of the frames, and the ground they all see.
 pub(super) struct Stage {
     pub(super) views: Vec<View>,
     pub(super) ground: Ground,

@@ -5,10 +5,8 @@ use ga_image::plane::Plane;
 use super::layout::{BORDER, CAPTION, Size};
 use super::{Frame, Kind, Options};
 use crate::Rendering;
-use crate::text::{self, Weight};
+use crate::text::{self, INK, PAPER, Weight};
 
-const PAPER: [u8; 3] = [250, 250, 252];
-const INK: [u8; 3] = [44, 52, 64];
 const KEY: [u8; 3] = [210, 84, 12];
 const IN_BETWEEN: [u8; 3] = [86, 110, 142];
 const IN_BETWEEN_BORDER: [u8; 3] = [196, 204, 214];

@@ -118,6 +118,26 @@ fn a_third_set_of_texture_coordinates_has_a_warning() {
     assert!(own[0].contains("\"wood\"") && own[0].contains("normals"));
 }
 
+/// The message names the material, whatever is wrong with its picture.
+#[test]
+fn a_picture_that_makes_no_texture_names_its_material() {
+    for bytes in [&b"P5 0 0 255\n"[..], b"no picture"] {
+        let picture = Image::Embedded {
+            media_type: "image/x-portable-graymap".to_owned(),
+            bytes: bytes.into(),
+        };
+        let mesh = square(Material {
+            base_colour_texture: Some(Texture::new(picture)),
+            ..Material::named("wood")
+        });
+        let error = Model::from_mesh(&mesh, None).unwrap_err().to_string();
+        assert!(
+            error.starts_with("the picture of material \"wood\": "),
+            "{error}"
+        );
+    }
+}
+
 /// A picture of 4 × 4 pixels, red for the columns and green for the rows from the top.
 fn numbered() -> Image {
     let picture = Plane::from_fn(4, 4, |column, row| [60 * column as u8, 60 * row as u8, 0]);

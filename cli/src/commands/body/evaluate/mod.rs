@@ -128,8 +128,7 @@ impl Command for Arguments {
         let evaluation = evaluation.with_context(|| file.clone())?;
         drop(progress);
         if let Some(path) = &self.plot {
-            let name = self.motion.file_name().unwrap_or(self.motion.as_os_str());
-            let svg = evaluation.plot(&name.to_string_lossy());
+            let svg = evaluation.plot(&ga_files::name(&self.motion));
             let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
             output::write(path, svg.as_bytes())?;
         }

@@ -60,8 +60,7 @@ use crate::frame::Check;
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The joints in the views: one file, or a file or folder for each view. Names, or patterns
-    /// with
-    /// `*`, `?` or `[abc]`, whose files are sorted by the numbers in their names.
+    /// with `*`, `?` or `[abc]`, whose files are sorted by the numbers in their names.
     #[arg(long, value_name = "J.json or GLOB", required = true, num_args = 1..)]
     pub(super) joints: Vec<PathBuf>,
     #[command(flatten)]
