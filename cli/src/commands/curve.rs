@@ -165,10 +165,7 @@ impl Arguments {
         });
         let series: Vec<Series> = series.collect();
         let chart = LineChart {
-            title: &format!(
-                "{name}: cubic spline through {} keys, {ends}",
-                keys.len()
-            ),
+            title: &format!("{name}: cubic spline through {} keys, {ends}", keys.len()),
             horizontal: &table.names[0],
             vertical: match &series[..] {
                 [one] => &one.name,
