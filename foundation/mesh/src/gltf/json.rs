@@ -399,6 +399,12 @@ objects! {
 /// The accessor of each attribute, by its name.
 pub(super) type Attributes = BTreeMap<String, usize>;
 
+/// The extension by which primitives are compressed.
+pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
+
+/// The names of the extension by which buffer views are compressed.
+pub(super) const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
+
 /// The code of triangles as the mode of a primitive.
 pub(super) const TRIANGLES: u64 = 4;
 
