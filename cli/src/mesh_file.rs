@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use ga_mesh::format::{self, Options};
-use ga_mesh::{Image, Mesh, obj};
+use ga_mesh::{Image, Mesh, gltf, obj};
 use serde::Serialize;
 
 use crate::format::{Format, endings};
@@ -53,11 +53,20 @@ pub(crate) struct Written {
 
 /// Writes the [files](files()) of a mesh, all or none.
 pub(crate) fn write(mesh: &Mesh, files: &[(PathBuf, Vec<u8>)]) -> Result<Written> {
+    write_counted(mesh.vertex_count(), mesh.faces().len(), files)
+}
+
+/// Writes files with so many vertices and faces, all or none.
+pub(crate) fn write_counted(
+    vertices: usize,
+    faces: usize,
+    files: &[(PathBuf, Vec<u8>)],
+) -> Result<Written> {
     output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
     let paths = files.iter().map(|(path, _)| path.display().to_string());
     Ok(Written {
-        vertices: mesh.vertex_count(),
-        faces: mesh.faces().len(),
+        vertices,
+        faces,
         files: paths.collect(),
     })
 }
@@ -74,11 +83,22 @@ pub(crate) fn files(
     mesh: &Mesh,
     options: &Options,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    files_at(out, format, |path| {
+        Ok(format::encode_files(path, mesh, options)?)
+    })
+}
+
+/// As [`files`](files()), as a function gives them for a path.
+pub(crate) fn files_at(
+    out: &Path,
+    format: Format,
+    files: impl FnOnce(&Path) -> Result<Vec<(PathBuf, Vec<u8>)>>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     if !is_standard_output(out) && !ga_files::is_stream(out) {
-        return Ok(format::encode_files(out, mesh, options)?);
+        return files(out);
     }
     let ending = format.endings().first().copied().unwrap_or_default();
-    let mut files = format::encode_files(format!("model.{ending}"), mesh, options)?;
+    let mut files = files(Path::new(&format!("model.{ending}")))?;
     if let Some((path, _)) = files.get(1) {
         bail!(
             "{}: the mesh needs several files, such as {}, and they need a folder",
@@ -92,8 +112,8 @@ pub(crate) fn files(
     Ok(files)
 }
 
-/// Fails where one of some outputs would replace, with other contents, a library of materials or a
-/// picture that a mesh which is read refers to.
+/// Fails where one of some outputs would replace, with other contents, a library of materials, a
+/// picture or a buffer that a mesh which is read refers to.
 pub(crate) fn check_parts(
     option: &str,
     meshes: &[&PathBuf],
@@ -118,7 +138,7 @@ pub(crate) fn check_parts(
     Ok(())
 }
 
-/// The libraries of materials and the pictures that the file of a mesh refers to.
+/// The libraries of materials, the pictures and the buffers that the file of a mesh refers to.
 fn parts(file: &Path) -> Result<Vec<PathBuf>> {
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut parts = Vec::new();
@@ -134,6 +154,10 @@ fn parts(file: &Path) -> Result<Vec<PathBuf>> {
         })?
         .0
     } else {
+        if format::Format::of_path(file)? == format::Format::Gltf {
+            let origin = gltf::read(file)?.origin;
+            parts.extend(origin.buffer_files().iter().map(|part| folder.join(part)));
+        }
         format::read(file)?.0
     };
     for texture in mesh.materials().iter().flat_map(|m| m.textures()) {

@@ -135,8 +135,22 @@ objects! {
         mode: u64,
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         targets: Vec<Attributes>,
+        #[serde(default, skip_serializing)]
+        extensions: PrimitiveExtensions,
         #[serde(skip_serializing_if = "Option::is_none")]
         extras: Extras,
+    }
+
+    #[derive(Default)]
+    PrimitiveExtensions {
+        #[serde(rename = "KHR_draco_mesh_compression")]
+        draco: Option<Draco>,
+    }
+
+    Draco {
+        buffer_view: usize,
+        /// The number of each attribute in the compressed data, by its name.
+        attributes: BTreeMap<String, u32>,
     }
 
     Skin {
@@ -393,6 +407,14 @@ objects! {
         byte_length: u64,
         #[serde(skip_serializing_if = "Option::is_none")]
         uri: Option<String>,
+        #[serde(default, skip_serializing)]
+        extensions: BufferExtensions,
+    }
+
+    #[derive(Default)]
+    BufferExtensions {
+        #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+        meshopt: Option<Empty>,
     }
 }
 

@@ -59,4 +59,4 @@ pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, 
 pub use origin::Origin;
 pub use problem::{Element, Problem};
 pub use reader::{SUPPORTED_EXTENSIONS, decode, read};
-pub use writer::{GltfFiles, encode, encode_files, write};
+pub use writer::{GltfFiles, encode, encode_files, path_files, write};

@@ -1,6 +1,7 @@
 //! The file that a document was read from.
 
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde_json::{Map, Value};
@@ -13,7 +14,7 @@ use super::json;
 /// know. Of an element that was changed, those extensions are kept.
 ///
 /// Elements are compared by their places in the lists of the document, so that new ones belong at
-/// the ends. A document that is made, not read, has the default, which is no file. All origins are
+/// the ends; animations may stand anywhere. A document that is made, not read, has the default, which is no file. All origins are
 /// equal, since they say where a document comes from and not what it is.
 ///
 /// # Examples
@@ -43,11 +44,19 @@ pub(super) struct File {
     pub(super) buffers: Vec<Option<Vec<u8>>>,
     /// The bytes of the file without its buffers.
     pub(super) size: usize,
+    /// The files of buffers, relative to the folder of this one.
+    pub(super) parts: Vec<PathBuf>,
 }
 
 impl Origin {
     pub(super) fn new(file: File) -> Self {
         Self(Some(Arc::new(file)))
+    }
+
+    /// The files of the buffers, relative to the folder of the file.
+    #[must_use]
+    pub fn buffer_files(&self) -> &[PathBuf] {
+        self.file().map_or(&[], |file| &file.parts)
     }
 
     pub(super) fn file(&self) -> Option<&File> {

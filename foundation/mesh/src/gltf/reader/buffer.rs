@@ -27,6 +27,11 @@ impl<'a> Buffers<'a> {
             let mut bytes = match (&buffer.uri, binary) {
                 (Some(uri), _) => Cow::Owned(load(uri, length, files).map_err(fault)?),
                 (None, Some(binary)) if index == 0 => Cow::Borrowed(binary),
+                // Compressed bytes stand in place of these.
+                (None, _) if buffer.extensions.meshopt.is_some() => {
+                    buffers.push(None);
+                    continue;
+                }
                 (None, _) => return Err(fault(Problem::Missing("a URI"))),
             };
             let found = bytes.len() as u64;

@@ -3,8 +3,10 @@
 mod accessor;
 mod animation;
 mod buffer;
+mod draco;
 mod file;
 mod image;
+mod layout;
 mod material;
 mod node;
 mod primitive;
@@ -17,6 +19,7 @@ use serde_json::{Map, Value};
 
 use super::origin::{File, Origin};
 use super::problem::{Element, Problem};
+use super::uri::{self, Uri};
 use super::{Asset, Document, ImageSource, Mesh, Skin, glb, json};
 use crate::FormatError;
 use accessor::{Accessors, Format};
@@ -24,7 +27,8 @@ use buffer::{Buffers, Files};
 use file::read_file;
 
 /// The extensions that a file may require.
-pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
+pub const SUPPORTED_EXTENSIONS: [&str; 5] = [
+    json::DRACO,
     "KHR_materials_emissive_strength",
     "KHR_materials_unlit",
     QUANTIZATION,
@@ -126,14 +130,18 @@ fn origin(
     for buffer in list.into_iter().flatten().filter_map(Value::as_object_mut) {
         buffer.remove("uri");
     }
-    for buffer in &mut root.buffers {
-        buffer.uri = None;
-    }
+    let uris = root.buffers.iter_mut().filter_map(|it| it.uri.take());
+    let parts = uris.filter_map(|uri| match uri::parse(&uri) {
+        Some(Uri::File(path)) => Some(path),
+        _ => None,
+    });
+    let parts = parts.collect();
     Ok(Origin::new(File {
         root,
         json,
         buffers: buffers.into_bytes(),
         size,
+        parts,
     }))
 }
 
@@ -160,7 +168,7 @@ fn check_version(asset: &json::Asset) -> Result<(), FormatError> {
 }
 
 fn elements(root: &json::Root, buffers: &Buffers, size: usize) -> Result<Document, FormatError> {
-    let accessors = &Accessors::new(root, buffers, size);
+    let accessors = &Accessors::new(root, buffers, size)?;
     let is_quantized = root.extensions_used.iter().any(|name| name == QUANTIZATION);
     Ok(Document {
         asset: Asset {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::super::Document;
+use super::super::{Animation, Document};
 use super::super::json::DRACO;
 use super::super::origin::File;
 use super::super::problem::{Element, Problem};
@@ -52,19 +52,41 @@ pub(super) fn list<T: PartialEq>(
     before: impl Fn(&Document) -> &[T],
     mut write: impl FnMut(usize, &T) -> Result<Value, FormatError>,
 ) -> Result<Vec<Value>, FormatError> {
-    let mut written = Vec::with_capacity(items.len());
-    for (index, item) in items.iter().enumerate() {
+    let written = items.iter().enumerate().map(|(index, item)| {
+        let old = kept.and_then(|kept| Some((kept, kept.file.element(name, index)?)));
+        match old {
+            Some((kept, old)) if before(&kept.before).get(index) == Some(item) => Ok(old.clone()),
+            Some((_, old)) => Ok(with_extensions(write(index, item)?, old)),
+            None => write(index, item),
+        }
+    });
+    written.collect()
+}
+
+/// The animations of a document as JSON: those that the file has as they stand there, wherever that
+/// is, since nothing refers to them by their places.
+pub(super) fn animations(
+    kept: Option<&Kept>,
+    items: &[Animation],
+    mut write: impl FnMut(&Animation) -> Result<Value, FormatError>,
+) -> Result<Vec<Value>, FormatError> {
+    // Equal ones are taken in their order.
+    let mut taken: Vec<bool> = Vec::new();
+    let written = items.iter().map(|item| {
         let old = kept.and_then(|kept| {
-            let is_same = before(&kept.before).get(index) == Some(item);
-            Some((kept.file.element(name, index)?, is_same))
+            let before = &kept.before.animations;
+            taken.resize(before.len(), false);
+            let mut places = 0..before.len();
+            let place = places.find(|&place| !taken[place] && before[place] == *item)?;
+            taken[place] = true;
+            kept.file.element("animations", place)
         });
-        written.push(match old {
-            Some((old, true)) => old.clone(),
-            Some((old, false)) => with_extensions(write(index, item)?, old),
-            None => write(index, item)?,
-        });
-    }
-    Ok(written)
+        match old {
+            Some(old) => Ok(old.clone()),
+            None => write(item),
+        }
+    });
+    written.collect()
 }
 
 /// Something as JSON. Numbers have the digits that they have in a text.

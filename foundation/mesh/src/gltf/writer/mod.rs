@@ -88,7 +88,7 @@ pub fn encode_files(document: &Document, name: &str) -> Result<GltfFiles, Format
 /// [`FileError`].
 pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileError> {
     let path = path.as_ref();
-    let files = files(path, document)?;
+    let files = path_files(path, document)?;
     if let [(_, contents)] = &files[..] {
         return Ok(ga_files::write(path, contents)?);
     }
@@ -105,7 +105,11 @@ pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileErro
 }
 
 /// The names and contents of the files that [`write`] writes, that of the path first.
-pub(crate) fn files(path: &Path, document: &Document) -> Result<Vec<(String, Vec<u8>)>, FileError> {
+///
+/// # Errors
+///
+/// [`FileError::Contents`], as [`encode`].
+pub fn path_files(path: &Path, document: &Document) -> Result<Vec<(String, Vec<u8>)>, FileError> {
     let fault = |problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,

@@ -61,6 +61,7 @@ fn primitive(data: &Primitive, buffer: &mut Buffer) -> json::Primitive {
         material: data.material,
         mode: data.mode.code(),
         targets: targets.map(|target| morph_target(target, buffer)).collect(),
+        extensions: json::PrimitiveExtensions::default(),
         extras: data.extras.clone(),
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use super::super::{Document, ImageSource, json};
 use super::buffer::{Buffer, Use};
-use super::kept::{Kept, list, not_json, value, with_extensions};
+use super::kept::{self, Kept, list, not_json, value, with_extensions};
 use super::references::compressed;
 use super::{animation, material, node, primitive, unused};
 use crate::FormatError;
@@ -140,6 +140,7 @@ impl<'a> Writer<'a> {
             let new = value(&json::Buffer {
                 byte_length: bytes.len() as u64,
                 uri,
+                extensions: json::BufferExtensions::default(),
             })?;
             let first = first.map_or_else(|| new.clone(), |old| with_properties(&new, old));
             let all = std::iter::once(first).filter(|_| !bytes.is_empty());
@@ -191,16 +192,11 @@ impl<'a> Writer<'a> {
                 })
             },
         )?;
-        let animations = &document.animations;
-        let mut animations = list(
-            kept,
-            "animations",
-            animations,
-            |d| &d.animations,
-            |_, motion| value(&animation::animation(motion, buffer)),
-        )?;
+        let mut animations = kept::animations(kept, &document.animations, |motion| {
+            value(&animation::animation(motion, buffer))
+        })?;
         // An animation must have a channel.
-        animations.retain(|animation| animation["channels"] != Value::Array(Vec::new()));
+        animations.retain(|it| it.get("channels") != Some(&Value::Array(Vec::new())));
         let mut images = Vec::with_capacity(self.images.len());
         for (index, (image, &is_old)) in self.images.iter().zip(&self.is_old).enumerate() {
             let old = kept.and_then(|kept| kept.file.element("images", index));
