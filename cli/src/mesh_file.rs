@@ -60,11 +60,20 @@ pub(crate) struct Written {
 
 /// Writes the [files](files()) of a mesh, all or none.
 pub(crate) fn write(mesh: &Mesh, files: &[(PathBuf, Vec<u8>)]) -> Result<Written> {
+    write_counted(mesh.vertex_count(), mesh.faces().len(), files)
+}
+
+/// Writes files with so many vertices and faces, all or none.
+pub(crate) fn write_counted(
+    vertices: usize,
+    faces: usize,
+    files: &[(PathBuf, Vec<u8>)],
+) -> Result<Written> {
     output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
     let paths = files.iter().map(|(path, _)| path.display().to_string());
     Ok(Written {
-        vertices: mesh.vertex_count(),
-        faces: mesh.faces().len(),
+        vertices,
+        faces,
         files: paths.collect(),
     })
 }
@@ -81,11 +90,22 @@ pub(crate) fn files(
     mesh: &Mesh,
     options: &Options,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    files_at(out, format, |path| {
+        Ok(format::encode_files(path, mesh, options)?)
+    })
+}
+
+/// As [`files`](files()), as a function gives them for a path.
+pub(crate) fn files_at(
+    out: &Path,
+    format: Format,
+    files: impl FnOnce(&Path) -> Result<Vec<(PathBuf, Vec<u8>)>>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     if !is_standard_output(out) && !ga_files::is_stream(out) {
-        return Ok(format::encode_files(out, mesh, options)?);
+        return files(out);
     }
     let ending = format.endings().first().copied().unwrap_or_default();
-    let mut files = format::encode_files(format!("model.{ending}"), mesh, options)?;
+    let mut files = files(Path::new(&format!("model.{ending}")))?;
     if let Some((path, _)) = files.get(1) {
         bail!(
             "{}: the mesh needs several files, such as {}, and they need a folder",
@@ -99,8 +119,8 @@ pub(crate) fn files(
     Ok(files)
 }
 
-/// Fails where one of some outputs would replace, with other contents, a library of materials or a
-/// picture that a mesh which is read refers to.
+/// Fails where one of some outputs would replace, with other contents, a library of materials, a
+/// picture or a buffer that a mesh which is read refers to.
 pub(crate) fn check_parts(
     option: &str,
     meshes: &[&PathBuf],

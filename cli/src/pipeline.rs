@@ -56,6 +56,11 @@ impl OutputArguments {
         Ok(())
     }
 
+    /// The path of the model with its motion.
+    pub(crate) fn model(&self) -> PathBuf {
+        self.out.join(model::GLB)
+    }
+
     fn overlay<'a>(&self, figure: &'a Figure, animation: &'a Animation) -> Result<Overlay<'a>> {
         let mut joints = Vec::new();
         for name in &self.trails {

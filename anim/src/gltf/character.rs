@@ -53,29 +53,12 @@ use crate::weights::SkinWeights;
 pub fn character(document: &Document) -> Result<Character, MotionFileError> {
     document.validate().map_err(MotionFileError::Document)?;
     let whole = Player::new(document)?;
-    let joint_nodes = joint_nodes(document, &whole);
-    if joint_nodes.is_empty() {
-        return Err(MotionFileError::NoSkin);
-    }
-    let mut joint_of = vec![None; document.nodes.len()];
-    for (joint, &node) in joint_nodes.iter().enumerate() {
-        joint_of[node] = Some(joint as u32);
-    }
-    // The joint of a node, or that of the nearest node above it.
-    let mut nearest = joint_of.clone();
-    for &node in whole.parents_before_children() {
-        let above = whole.parents()[node].and_then(|parent| nearest[parent]);
-        nearest[node] = nearest[node].or(above);
-    }
-    let mut followed = document.clone();
-    for (node, nearest) in followed.nodes.iter_mut().zip(&nearest) {
-        if node.skin.is_none() && nearest.is_none() {
-            (node.mesh, node.weights) = (None, None);
-        }
-    }
-    // Their animations may move the weights of meshes that are left out.
-    followed.animations.clear();
-
+    let Followed {
+        document: followed,
+        joint_nodes,
+        joint_of,
+        nearest,
+    } = Followed::new(document, &whole)?;
     let player = Player::new(&followed)?;
     let placement = Placement::new(&player)?;
     let pose = bind_pose(&player)?;
@@ -106,6 +89,61 @@ pub fn character(document: &Document) -> Result<Character, MotionFileError> {
         skeleton: skeleton(document, &whole, &joint_nodes, &joint_of, heads.collect())?,
         weights: SkinWeights::new(joint_nodes.len(), rows)?,
     })
+}
+
+/// A document without the meshes that no joint moves and without animations, and the joints.
+pub(super) struct Followed {
+    pub(super) document: Document,
+    pub(super) joint_nodes: Vec<usize>,
+    /// The joint that each node is.
+    pub(super) joint_of: Vec<Option<u32>>,
+    /// That joint, or that of the nearest node above.
+    nearest: Vec<Option<u32>>,
+}
+
+impl Followed {
+    pub(super) fn new(document: &Document, whole: &Player) -> Result<Self, MotionFileError> {
+        let joint_nodes = joint_nodes(document, whole);
+        if joint_nodes.is_empty() {
+            return Err(MotionFileError::NoSkin);
+        }
+        let mut joint_of = vec![None; document.nodes.len()];
+        for (joint, &node) in joint_nodes.iter().enumerate() {
+            joint_of[node] = Some(joint as u32);
+        }
+        let mut nearest = joint_of.clone();
+        for &node in whole.parents_before_children() {
+            let above = whole.parents()[node].and_then(|parent| nearest[parent]);
+            nearest[node] = nearest[node].or(above);
+        }
+        let mut followed = document.clone();
+        for (node, nearest) in followed.nodes.iter_mut().zip(&nearest) {
+            if node.skin.is_none() && nearest.is_none() {
+                (node.mesh, node.weights) = (None, None);
+            }
+        }
+        // Their animations may move the weights of meshes that are left out.
+        followed.animations.clear();
+        Ok(Self {
+            document: followed,
+            joint_nodes,
+            joint_of,
+            nearest,
+        })
+    }
+}
+
+/// How many nodes of a document have a mesh that no joint moves, which its [`character`] lacks.
+///
+/// # Errors
+///
+/// As [`character`].
+pub fn meshes_without_joint(document: &Document) -> Result<usize, MotionFileError> {
+    let followed = Followed::new(document, &Player::new(document)?)?;
+    let pairs = document.nodes.iter().zip(&followed.document.nodes);
+    Ok(pairs
+        .filter(|(before, after)| before.mesh != after.mesh)
+        .count())
 }
 
 /// The joints of all skins that nodes use, and the nodes between them, parents first.

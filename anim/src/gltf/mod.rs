@@ -36,7 +36,7 @@
 //!
 //! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
 //!
-//! A [`Rigged`] document takes a clip as its animation and keeps its own nodes, meshes and skins.
+//! A [`Rigged`] document takes a clip as its first animation and keeps all that it has.
 //! Its bones can be given [other lengths](Rigged::with_lengths).
 
 mod bind_pose;
@@ -46,12 +46,14 @@ mod lengths;
 mod moment;
 mod placement;
 mod player;
+mod reweighted;
 mod rigged;
 mod sampler;
 
-pub use character::character;
+pub use character::{character, meshes_without_joint};
 pub use export::{animation, joint_nodes, vertex_weights};
 pub use moment::{Moment, MomentPart};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
+pub use reweighted::with_weights;
 pub use rigged::Rigged;

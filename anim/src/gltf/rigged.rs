@@ -44,6 +44,28 @@ impl Rigged {
         })
     }
 
+    /// A document with the nodes that are the joints of a skeleton, which may be known more exactly
+    /// than nodes are.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionFileError::Skeleton`] for another number of nodes than joints.
+    pub fn of_nodes(
+        document: Document,
+        skeleton: Skeleton,
+        nodes: Vec<usize>,
+    ) -> Result<Self, MotionFileError> {
+        let (expected, found) = (skeleton.len(), nodes.len());
+        if expected != found {
+            return Err(SkeletonError::PoseLength { expected, found }.into());
+        }
+        Ok(Self {
+            document,
+            skeleton,
+            nodes,
+        })
+    }
+
     /// A document with a node for each joint of a skeleton and nothing else. A node stands at its
     /// joint, with the axes of the world.
     #[must_use]
@@ -91,7 +113,8 @@ impl Rigged {
         &self.nodes
     }
 
-    /// The document with a clip as its only animation. With F₀ the frame of a node in the world at
+    /// The document with a clip as its first animation. Its own animations follow; where one of them
+    /// has the name already, the clip gets a number at the end of its name. With F₀ the frame of a node in the world at
     /// rest, G the total motion of its joint, and the same of its parent, its rotation is that of
     ///
     /// ```text
@@ -112,7 +135,7 @@ impl Rigged {
             return Err(SkeletonError::PoseLength { expected, found }.into());
         }
         let mut document = self.document.clone();
-        document.animations.clear();
+        let others = std::mem::take(&mut document.animations);
         let player = Player::new(&document)?;
         let own = player.pose(None, 0.0)?.locals;
         let rest = bind_pose(&player)?;
@@ -185,12 +208,21 @@ impl Rigged {
             }
         }
         document.animations.push(Animation {
-            name: Some(name.to_owned()),
+            name: Some(unused_name(name, &others)),
             channels,
             extras: None,
         });
+        document.animations.extend(others);
         Ok(document)
     }
+}
+
+/// The name, or where an animation has it the first name with a number that none has.
+fn unused_name(name: &str, animations: &[Animation]) -> String {
+    let numbered = (2..).map(|number| format!("{name} {number}"));
+    let mut names = std::iter::once(name.to_owned()).chain(numbered);
+    let is_used = |name: &String| animations.iter().any(|it| it.name.as_ref() == Some(name));
+    names.find(|name| !is_used(name)).unwrap_or_default()
 }
 
 /// A joint's node at rest.

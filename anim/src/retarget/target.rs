@@ -145,8 +145,9 @@ impl Target {
         }
     }
 
-    /// A motion of the skeleton as glTF, in metres, with the nodes, meshes and skins of a document
-    /// that it was made of. The animation has this name.
+    /// A motion of the skeleton as glTF, in metres, with all that a document has that it was made
+    /// of. The motion is its first animation and has this name, or one with a number where another
+    /// animation has it.
     ///
     /// # Errors
     ///

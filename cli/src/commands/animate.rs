@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail, ensure};
 use ga_anim::character::Character;
+use ga_anim::gltf::meshes_without_joint;
 use ga_anim::motion_file::{Format, Options};
 use ga_anim::recording::Recording;
 use ga_anim::retarget::{Soles, Transfer, begins_with_calibration};
@@ -20,7 +21,8 @@ use crate::transfer::{Body, Motion, TransferArguments, metres};
 /// Animate your own figure with a recorded motion.
 ///
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
-/// weights and the motion), sheet.png (key frames at four places of the range with three
+/// weights and the motion; of a --character all that its file has, with the motion as the first
+/// animation and those of the file behind it, unless --replace is given), sheet.png (key frames at four places of the range with three
 /// in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
 /// --json prints what report.json holds, with the paths of the files as "written" and the time that
 /// it took as "seconds".
@@ -44,6 +46,9 @@ pub(crate) struct Arguments {
     /// The figure is all meshes with a skin, in the pose in which they were bound.
     #[arg(long, value_name = "FILE.glb", conflicts_with_all = ["mesh", "rig", "weights", "group"])]
     character: Option<PathBuf>,
+    /// Drop the animations that the file of --character has.
+    #[arg(long, requires = "character")]
+    replace: bool,
     /// The motion: BVH in any unit, the first animation of a glTF file, or a compressed clip.
     #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: PathBuf,
@@ -119,7 +124,7 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     progress.step("reading the figure");
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
-    let mut warnings = Vec::new();
+    let mut warnings = losses(arguments, &figure)?;
     let motion = motion_file::read_any(&arguments.motion, Options::default(), &mut warnings)?;
     let motion = motion
         .recording()
@@ -206,7 +211,16 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
         Arguments {
             character: Some(path),
             ..
-        } => Figure::read_gltf(path, unit)?,
+        } => {
+            let figure = Figure::read_gltf(path, unit)?;
+            let document = figure.document.as_ref();
+            let document = document.map(|it| it.relocated(path, &arguments.output.model()));
+            let mut document = document.transpose()?;
+            if let Some(document) = document.as_mut().filter(|_| arguments.replace) {
+                document.animations.clear();
+            }
+            Figure { document, ..figure }
+        }
         Arguments {
             mesh: Some(mesh),
             rig: Some(rig),
@@ -216,6 +230,39 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
         } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit)?,
         _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
     })
+}
+
+/// What of a document is not in the mesh of its character, and so not in model.obj and pictures.
+fn losses(arguments: &Arguments, figure: &Figure) -> Result<Vec<Warning>> {
+    let Some(document) = &figure.document else {
+        return Ok(Vec::new());
+    };
+    let still = meshes_without_joint(document)?;
+    let targets = document.meshes.iter().flat_map(|mesh| {
+        let primitives = mesh.primitives.iter();
+        primitives.map(|primitive| primitive.targets.len()).max()
+    });
+    let losses = [
+        ("materials", document.materials.len()),
+        ("morph targets", targets.sum()),
+        ("meshes that no joint moves", still),
+    ];
+    let losses = losses.into_iter().filter(|(_, count)| *count > 0);
+    let warnings = losses.map(|(what, count)| {
+        let message =
+            format!("{what} ({count}) are in model.glb alone, not in model.obj and pictures");
+        let warning = Warning::new("omission", message);
+        let warning = match &arguments.character {
+            Some(path) => warning.in_file(path),
+            None => warning,
+        };
+        Warning {
+            what: Some(what),
+            count: Some(count),
+            ..warning
+        }
+    });
+    Ok(warnings.collect())
 }
 
 /// A range of frames of the motion, both ends included.

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Mutex;
 
+use ga_mesh::Omission;
 use serde::Serialize;
 
 use crate::output;
@@ -24,6 +25,11 @@ pub(crate) struct Warning {
     pub(crate) joint: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) frame: Option<usize>,
+    /// What is left out, and how many of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) what: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) count: Option<usize>,
 }
 
 impl Warning {
@@ -32,6 +38,16 @@ impl Warning {
             kind,
             message: message.to_string(),
             ..Self::default()
+        }
+    }
+
+    /// A warning of what a format cannot hold.
+    pub(crate) fn of_omission(omission: &Omission, format: &str) -> Self {
+        let message = format!("{omission}, since {format} has none");
+        Self {
+            what: Some(omission.what),
+            count: Some(omission.count),
+            ..Self::new("omission", message)
         }
     }
 

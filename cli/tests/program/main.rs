@@ -20,6 +20,7 @@ mod demo;
 mod draw;
 mod expand;
 mod frame;
+mod kept;
 mod manuals;
 mod mesh;
 mod mesh_subdivide;

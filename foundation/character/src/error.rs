@@ -90,6 +90,9 @@ pub enum CharacterError {
     /// The model has no form as glTF.
     #[error("the model cannot be written as glTF: {0}")]
     Gltf(#[from] FormatError),
+    /// The document of the figure cannot hold its motion or weights.
+    #[error("the character cannot be written: {0}")]
+    Document(Box<MotionFileError>),
     /// There is no place from which two cameras see the figure.
     #[error("no place was found from which two cameras see the figure")]
     NoPlace,
@@ -107,6 +110,12 @@ pub enum CharacterError {
     /// The positions that were found cannot be compared with the true ones.
     #[error(transparent)]
     Comparison(#[from] BodyError),
+}
+
+impl From<MotionFileError> for CharacterError {
+    fn from(error: MotionFileError) -> Self {
+        Self::Document(Box::new(error))
+    }
 }
 
 /// The first names of a list, and how many more there are.

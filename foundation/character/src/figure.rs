@@ -1,7 +1,9 @@
 //! The figure that is animated.
 
 use ga_anim::character::Character;
+use ga_anim::gltf::with_weights;
 use ga_image::plane::Plane;
+use ga_mesh::gltf::Document;
 
 use crate::error::CharacterError;
 
@@ -18,6 +20,9 @@ pub struct Figure {
     pub group: Option<String>,
     /// The length of one unit of the file that it was read from.
     pub metres_per_unit: f64,
+    /// The glTF document that it was read from, in the unit of its file, with all that a character
+    /// does not have: materials, morph targets, meshes that no joint moves, and more.
+    pub document: Option<Document>,
 }
 
 impl Figure {
@@ -29,6 +34,7 @@ impl Figure {
             paint: None,
             group: None,
             metres_per_unit: 1.0,
+            document: None,
         }
     }
 
@@ -37,7 +43,8 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// [`CharacterError::Smoothing`] where the mesh and the weights do not fit together.
+    /// [`CharacterError::Smoothing`] where the mesh and the weights do not fit together, and
+    /// [`CharacterError::Document`] where the document cannot hold them.
     pub fn with_smoothed_weights(mut self, passes: usize) -> Result<Self, CharacterError> {
         // Passes add the influences of neighbours, of which the far ones hardly count.
         const INFLUENCES: usize = 8;
@@ -47,6 +54,9 @@ impl Figure {
             *weights = smooth
                 .map_err(CharacterError::Smoothing)?
                 .strongest(INFLUENCES);
+            if let Some(document) = &mut self.document {
+                *document = with_weights(document, weights)?;
+            }
         }
         Ok(self)
     }

@@ -4,9 +4,11 @@ use std::collections::HashMap;
 
 use ga_anim::character::Character;
 use ga_anim::clip::Clip;
-use ga_anim::gltf;
+use ga_anim::gltf::{self, Rigged};
 use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
-use ga_mesh::gltf::{Document, Image, ImageSource, Sampler, TextureElement, TextureInfo};
+use ga_mesh::gltf::{
+    Document, Image, ImageSource, Node, Sampler, TextureElement, TextureInfo, Transform,
+};
 use ga_mesh::normals::vertex_normals;
 use ga_mesh::{Filter, Mesh, Minification, Wrap};
 
@@ -19,12 +21,12 @@ pub(crate) const MATERIAL: &str = "skin";
 /// The roughness of a painted skin.
 pub(crate) const ROUGHNESS: f64 = 0.8;
 
-/// The mesh with skeleton, skin weights and one animation as binary glTF, painted with a PNG where
-/// one is given.
+/// The figure with a motion as binary glTF: its document with the motion as the first animation, or
+/// else its mesh with skeleton and skin weights, painted with a PNG where one is given.
 ///
 /// # Errors
 ///
-/// [`CharacterError::Skeleton`] for a clip of another skeleton, and [`CharacterError::Gltf`] where
+/// [`CharacterError::Document`] for a clip of another skeleton, and [`CharacterError::Gltf`] where
 /// numbers do not fit the format.
 pub fn encode(
     figure: &Figure,
@@ -32,6 +34,72 @@ pub fn encode(
     clip_name: &str,
     png: Option<&[u8]>,
 ) -> Result<Vec<u8>, CharacterError> {
+    let rigged = match &figure.document {
+        Some(document) => Rigged::new(&scaled(document, figure.metres_per_unit))?,
+        None => {
+            let skeleton = figure.character.skeleton.clone();
+            let nodes = (0..skeleton.len()).collect();
+            Rigged::of_nodes(document_of(figure, png)?, skeleton, nodes)?
+        }
+    };
+    Ok(ga_mesh::gltf::encode(&rigged.with_clip(clip_name, clip)?)?)
+}
+
+/// A document in metres: all that stands in its scenes is below a node with the length of its unit
+/// as factor, but for skinned meshes, which only their joints move.
+fn scaled(document: &Document, metres_per_unit: f64) -> Document {
+    let mut document = document.clone();
+    if metres_per_unit == 1.0 {
+        return document;
+    }
+    let is_scaled = |&node: &usize| {
+        let Node { skin, children, .. } = &document.nodes[node];
+        skin.is_none() || !children.is_empty()
+    };
+    let mut roots: Vec<usize> = match &document.scenes[..] {
+        [] => top_nodes(&document),
+        scenes => scenes
+            .iter()
+            .flat_map(|scene| scene.nodes.clone())
+            .collect(),
+    };
+    roots.retain(is_scaled);
+    roots.sort_unstable();
+    roots.dedup();
+    let unit = document.nodes.len();
+    for scene in &mut document.scenes {
+        let before = scene.nodes.len();
+        scene.nodes.retain(|node| !roots.contains(node));
+        if scene.nodes.len() < before {
+            scene.nodes.push(unit);
+        }
+    }
+    document.nodes.push(Node {
+        name: Some("unit".to_owned()),
+        children: roots,
+        transform: Transform::Decomposed {
+            translation: [0.0; 3],
+            rotation: [0.0, 0.0, 0.0, 1.0],
+            scale: [metres_per_unit as f32; 3],
+        },
+        ..Node::default()
+    });
+    document
+}
+
+/// The nodes without one above them.
+fn top_nodes(document: &Document) -> Vec<usize> {
+    let mut is_child = vec![false; document.nodes.len()];
+    for &child in document.nodes.iter().flat_map(|node| &node.children) {
+        is_child[child] = true;
+    }
+    (0..is_child.len())
+        .filter(|&node| !is_child[node])
+        .collect()
+}
+
+/// The mesh of a figure with skeleton and skin weights. The joints are the first nodes.
+fn document_of(figure: &Figure, png: Option<&[u8]>) -> Result<Document, CharacterError> {
     let Character {
         mesh,
         skeleton,
@@ -53,7 +121,6 @@ pub fn encode(
         },
         None => Dielectric::default(),
     };
-    let animation = gltf::animation(clip_name, skeleton, clip)?;
     let model = Model {
         name: &figure.name,
         positions: &positions,
@@ -64,13 +131,13 @@ pub fn encode(
             joints: &gltf::joint_nodes(skeleton),
             weights: &weights,
         }),
-        animations: &[animation],
+        animations: &[],
     };
     let mut document = to_document(&model)?;
     if let Some(png) = png {
         paint(&mut document, &split.coordinates, png);
     }
-    Ok(ga_mesh::gltf::encode(&document)?)
+    Ok(document)
 }
 
 /// Gives the mesh of a document texture coordinates and its material the picture.

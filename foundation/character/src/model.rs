@@ -12,7 +12,7 @@ use crate::gltf;
 const OBJ: &str = "model.obj";
 
 /// The name of the mesh with its motion, as binary glTF.
-const GLB: &str = "model.glb";
+pub const GLB: &str = "model.glb";
 
 /// The names of the material and of the picture on a painted skin.
 const MTL: &str = "model.mtl";
@@ -46,7 +46,7 @@ fn length<S: Serializer>(contents: &[u8], serializer: S) -> Result<S::Ok, S::Err
 ///
 /// # Errors
 ///
-/// [`CharacterError::Encode`] for a painted skin without pixels, [`CharacterError::Skeleton`] for a
+/// [`CharacterError::Encode`] for a painted skin without pixels, [`CharacterError::Document`] for a
 /// clip of another skeleton, and [`CharacterError::Gltf`] where numbers do not fit the format.
 pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>, CharacterError> {
     let painted = figure.paint.as_ref();

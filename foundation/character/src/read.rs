@@ -56,7 +56,7 @@ impl Figure {
         Ok(Self { group, ..figure })
     }
 
-    /// The figure of the skinned meshes of a glTF file, in metres.
+    /// The figure of the skinned meshes of a glTF file, in metres, with the document of the file.
     ///
     /// # Errors
     ///
@@ -68,7 +68,9 @@ impl Figure {
             path: path.to_path_buf(),
             problem,
         })?;
-        Self::in_metres(path, character, metres_per_unit)
+        let figure = Self::in_metres(path, character, metres_per_unit)?;
+        let document = Some(document);
+        Ok(Self { document, ..figure })
     }
 
     fn in_metres(

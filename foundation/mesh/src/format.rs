@@ -1,11 +1,11 @@
 //! Mesh files of any format, chosen by the ending of their names.
 
 use std::ffi::OsStr;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
 
-use crate::{FileError, Image, Material, Mesh, gltf, obj, ply};
+use crate::{FileError, Image, Material, Mesh, Omission, gltf, obj, omission, ply, relocation};
 
 /// A format of mesh files. All are read and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,10 +40,10 @@ struct Description {
     keeps_animations: bool,
     read: fn(&Path) -> Result<Read, FileError>,
     files: fn(&Path, &Mesh, &Options) -> Result<Files, FileError>,
-    /// What is left out of a mesh, a sentence each.
-    omissions: fn(&Mesh) -> Vec<String>,
     /// The files beside one that it is read with, but for pictures.
     libraries: fn(&Path) -> Result<Vec<PathBuf>, FileError>,
+    /// What it cannot hold of a mesh.
+    omissions: fn(&Mesh) -> Vec<Omission>,
 }
 
 impl Format {
@@ -63,8 +63,8 @@ impl Format {
                     Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
                 },
                 files: |path, mesh, _| Ok(obj::files(path, mesh)),
-                omissions: textures_without_place,
                 libraries: libraries_of_obj,
+                omissions: omission::of_obj,
             },
             Self::Ply => &Description {
                 name: "PLY",
@@ -73,8 +73,8 @@ impl Format {
                 keeps_animations: false,
                 read: |path| Ok((ply::read(path)?, Vec::new())),
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
-                omissions: |_| Vec::new(),
                 libraries: |_| Ok(Vec::new()),
+                omissions: omission::of_ply,
             },
             Self::Gltf => &Description {
                 name: "glTF 2.0",
@@ -90,8 +90,8 @@ impl Format {
                     Ok((mesh.map_err(wrong)?, Vec::new()))
                 },
                 files: |path, mesh, _| gltf::mesh_files(path, mesh),
-                omissions: |_| Vec::new(),
-                libraries: |_| Ok(Vec::new()),
+                libraries: buffers_of_gltf,
+                omissions: omission::of_gltf,
             },
         }
     }
@@ -121,10 +121,20 @@ impl Format {
         self.description().keeps_animations
     }
 
-    /// What the format cannot hold of a mesh although it keeps the like, a sentence each: textures
-    /// that MTL cannot place.
+    /// What the format cannot hold of a mesh, kind by kind.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ga_mesh::{format::Format, obj};
+    ///
+    /// let mesh = obj::decode(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng a\nf 1 2 3 4\n")?;
+    /// let omissions = Format::Ply.omissions(&mesh);
+    /// assert_eq!(omissions[0].to_string(), "1 group is left out");
+    /// # Ok::<(), ga_mesh::FormatError>(())
+    /// ```
     #[must_use]
-    pub fn omissions(self, mesh: &Mesh) -> Vec<String> {
+    pub fn omissions(self, mesh: &Mesh) -> Vec<Omission> {
         (self.description().omissions)(mesh)
     }
 
@@ -176,7 +186,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
     (Format::of_path(path)?.description().read)(path)
 }
 
-/// The files beside a mesh that it is read with: libraries of materials, and pictures.
+/// The files beside a mesh that it is read with: libraries of materials, buffers, and pictures.
 ///
 /// # Errors
 ///
@@ -254,30 +264,11 @@ fn libraries_of_obj(path: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(libraries)
 }
 
-/// The textures that MTL cannot place, a sentence for each material and reason.
-fn textures_without_place(mesh: &Mesh) -> Vec<String> {
-    let mut sentences = Vec::new();
-    for material in mesh.materials() {
-        for (kind, count) in [
-            (
-                "are rotated",
-                material.textures().filter(|t| t.rotation != 0.0).count(),
-            ),
-            (
-                "use a second set of texture coordinates",
-                material.textures().filter(|t| t.set != 0).count(),
-            ),
-        ] {
-            if count > 0 {
-                let name = &material.name;
-                sentences.push(format!(
-                    "material {name:?}: textures that {kind} are left out, since MTL cannot describe \
-                     them ({count})"
-                ));
-            }
-        }
-    }
-    sentences
+/// The buffers of a glTF file that lie beside it.
+fn buffers_of_gltf(path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let document = gltf::read(path)?;
+    let buffers = document.origin.buffer_files().iter();
+    Ok(buffers.map(|buffer| path.with_file_name(buffer)).collect())
 }
 
 /// The mesh of a file as it is to be written to another file: where that lies in another folder,
@@ -289,11 +280,7 @@ fn textures_without_place(mesh: &Mesh) -> Vec<String> {
 /// [`FileError::Picture`] for a picture on another drive. [`FileError::Mesh`] is passed on; a
 /// mesh that was read has no such fault.
 pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FileError> {
-    let folder = |file: &Path| {
-        let folder = std::path::absolute(file).ok()?;
-        folder.parent().map(Path::to_path_buf)
-    };
-    let (Some(from), Some(to)) = (folder(from), folder(to)) else {
+    let Some(way) = relocation::Way::new(from, to) else {
         return Ok(mesh.clone());
     };
     if mesh.materials().is_empty() {
@@ -304,59 +291,10 @@ pub fn relocated(mesh: &Mesh, from: &Path, to: &Path) -> Result<Mesh, FileError>
         .iter_mut()
         .flat_map(|material| material.textures_mut())
     {
-        if let Image::File(path) = &mut texture.image
-            && (from != to || Path::new(path).has_root())
-        {
-            let picture = from.join(&*path);
-            let relative = relative_path(&to, &picture);
-            *path = relative.ok_or(FileError::Picture { path: picture })?;
+        if let Image::File(path) = &mut texture.image {
+            *path = way.of(path)?;
         }
     }
     let of_faces = mesh.face_materials().to_vec();
     Ok(mesh.clone().with_materials(materials, of_faces)?)
-}
-
-/// The path from a folder to a file, both absolute, with `/` between folders.
-fn relative_path(folder: &Path, file: &Path) -> Option<String> {
-    let (mut folder, mut file) = (normal(folder), normal(file));
-    let shared = folder.iter().zip(&file).take_while(|(a, b)| a == b).count();
-    // Nothing in common, as on two drives.
-    if shared == 0 {
-        return None;
-    }
-    let mut steps = vec![".."; folder.split_off(shared).len()];
-    let rest = file.split_off(shared);
-    for component in &rest {
-        steps.push(component.as_os_str().to_str()?);
-    }
-    Some(steps.join("/"))
-}
-
-/// The components of an absolute path, `.` and `..` resolved.
-fn normal(path: &Path) -> Vec<Component<'_>> {
-    let mut components = Vec::new();
-    for component in path.components() {
-        match component {
-            Component::CurDir => {}
-            Component::ParentDir => {
-                components.pop();
-            }
-            other => components.push(other),
-        }
-    }
-    components
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[cfg(unix)]
-    #[test]
-    fn paths_lead_from_folder_to_file() {
-        let relative = |folder: &str, file: &str| relative_path(folder.as_ref(), file.as_ref());
-        assert_eq!(relative("/a/b", "/a/b/c.png").unwrap(), "c.png");
-        assert_eq!(relative("/a/b", "/a/x/../d/c.png").unwrap(), "../d/c.png");
-        assert_eq!(relative("/a/b/c", "/d.png").unwrap(), "../../../d.png");
-    }
 }

@@ -21,6 +21,7 @@
 //! | [`obj`] | reads and writes Wavefront OBJ |
 //! | [`ply`] | reads and writes PLY |
 //! | [`mod@format`] | reads and writes files by the ending of their names |
+//! | [`Omission`] | what a format cannot hold |
 //! | [`Summary`] | what a mesh consists of, in numbers |
 //! | [`topology`] | edges, rings, components; a report on what is irregular |
 //! | [`gltf`] | reads and writes glTF with materials, skins and animations |
@@ -55,10 +56,12 @@ mod mesh;
 mod mesh_atlas;
 pub mod normals;
 pub mod obj;
+mod omission;
 mod places;
 pub mod ply;
 mod polylines;
 pub mod query;
+mod relocation;
 pub mod subdivision;
 mod summary;
 pub mod tangents;
@@ -74,6 +77,7 @@ pub use format_error::FormatError;
 pub use material::{AlphaMode, Filter, Image, Material, Minification, Phong, Texture, Wrap};
 pub use mesh::{Group, Mesh, Part, Position};
 pub use mesh_atlas::MeshAtlas;
+pub use omission::Omission;
 pub use places::bounds;
 pub use polylines::Polylines;
 pub use summary::{Bounds, Fault, NamedFaces, Summary};

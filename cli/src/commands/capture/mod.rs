@@ -204,7 +204,7 @@ impl Arguments {
                     let moving = || -> Result<_> {
                         let rest = relocated(&head.mesh_at_rest()?, from, path)?;
                         let document = head.document(&rest, motion, poses.as_deref(), &times)?;
-                        Ok(gltf::document_files(path, &document)?)
+                        Ok(gltf::path_files(path, &document)?)
                     };
                     let named = moving().with_context(cannot)?.into_iter();
                     files.extend(named.map(|(name, bytes)| (path.with_file_name(name), bytes)));

@@ -1,6 +1,8 @@
 //! Documents: nodes, scenes and cameras, and the lists of everything that they refer to.
 
-use super::{Animation, Extras, Image, MaterialElement, Mesh, Sampler, Skin, TextureElement};
+use super::{
+    Animation, Extras, Image, MaterialElement, Mesh, Origin, Sampler, Skin, TextureElement,
+};
 
 /// The contents of a glTF file. Elements refer to each other by their index in these lists.
 ///
@@ -52,6 +54,8 @@ pub struct Document {
     pub cameras: Vec<CameraElement>,
     /// Data of an application.
     pub extras: Extras,
+    /// The file that it was read from.
+    pub origin: Origin,
 }
 
 /// Who made a file, and with what.

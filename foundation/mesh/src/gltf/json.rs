@@ -135,8 +135,22 @@ objects! {
         mode: u64,
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         targets: Vec<Attributes>,
+        #[serde(default, skip_serializing)]
+        extensions: PrimitiveExtensions,
         #[serde(skip_serializing_if = "Option::is_none")]
         extras: Extras,
+    }
+
+    #[derive(Default)]
+    PrimitiveExtensions {
+        #[serde(rename = "KHR_draco_mesh_compression")]
+        draco: Option<Draco>,
+    }
+
+    Draco {
+        buffer_view: usize,
+        /// The number of each attribute in the compressed data, by its name.
+        attributes: BTreeMap<String, u32>,
     }
 
     Skin {
@@ -393,11 +407,25 @@ objects! {
         byte_length: u64,
         #[serde(skip_serializing_if = "Option::is_none")]
         uri: Option<String>,
+        #[serde(default, skip_serializing)]
+        extensions: BufferExtensions,
+    }
+
+    #[derive(Default)]
+    BufferExtensions {
+        #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+        meshopt: Option<Empty>,
     }
 }
 
 /// The accessor of each attribute, by its name.
 pub(super) type Attributes = BTreeMap<String, usize>;
+
+/// The extension by which primitives are compressed.
+pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
+
+/// The names of the extension by which buffer views are compressed.
+pub(super) const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /// The code of triangles as the mode of a primitive.
 pub(super) const TRIANGLES: u64 = 4;

@@ -6,7 +6,7 @@
 //!
 //! | what | types |
 //! | --- | --- |
-//! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`CameraElement`] |
+//! | the tree | [`Document`], [`Scene`], [`Node`], [`Transform`], [`CameraElement`], [`Origin`] |
 //! | geometry | [`Mesh`], [`Primitive`], [`MorphTarget`], [`CustomAttribute`] |
 //! | motion | [`Skin`], [`Animation`], [`Channel`], [`Keys`] |
 //! | appearance | [`MaterialElement`], [`TextureElement`], [`Sampler`], [`Image`] |
@@ -40,6 +40,7 @@ mod json;
 mod material;
 mod mesh;
 pub mod model;
+mod origin;
 mod problem;
 mod reader;
 mod uri;
@@ -55,6 +56,7 @@ pub use material::{
     Image, ImageSource, MaterialElement, Sampler, TextureElement, TextureInfo, TextureTransform,
 };
 pub use mesh::{Components, CustomAttribute, Mesh, Mode, MorphTarget, Primitive, Shape};
+pub use origin::Origin;
 pub use problem::{Element, Problem};
 pub use reader::{SUPPORTED_EXTENSIONS, decode, read};
-pub use writer::{GltfFiles, document_files, encode, encode_files, write};
+pub use writer::{GltfFiles, encode, encode_files, path_files, write};

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use super::json::MESHOPT;
 use crate::MeshError;
 
 /// An element of a glTF file.
@@ -86,6 +87,8 @@ pub enum Problem {
     ChunkKind([u8; 4]),
     /// The file requires an extension that this crate does not know.
     UnknownExtension(String),
+    /// The geometry that a primitive has by `KHR_draco_mesh_compression` cannot be decompressed.
+    Draco(String),
     /// There are fewer bytes than the element needs.
     TooShort {
         /// How many bytes it needs.
@@ -265,8 +268,13 @@ impl fmt::Display for Problem {
                 )
             }
             Self::UnknownExtension(name) => {
-                write!(f, "requires the extension {name}, which is not supported")
+                write!(f, "requires the extension {name}, which is not supported")?;
+                if MESHOPT.contains(&name.as_str()) {
+                    f.write_str("; `npx @gltf-transform/cli copy IN.glb OUT.glb` removes it")?;
+                }
+                Ok(())
             }
+            Self::Draco(message) => write!(f, "cannot be decompressed: {message}"),
             Self::TooShort { needed, found } => write!(f, "needs {needed} bytes, but has {found}"),
             Self::TooLarge { needed, limit } => {
                 write!(f, "needs {needed} bytes, more than the limit of {limit}")

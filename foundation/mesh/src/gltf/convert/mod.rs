@@ -2,7 +2,9 @@
 
 mod from_mesh;
 mod material;
+mod omissions;
 mod place;
+mod relocated;
 mod to_mesh;
 
 use std::path::Path;
@@ -127,7 +129,7 @@ pub fn write_mesh(path: impl AsRef<Path>, mesh: &Mesh) -> Result<(), FileError> 
 
 /// The names and contents of the files that [`write_mesh`] writes, that of the path first.
 pub(crate) fn mesh_files(path: &Path, mesh: &Mesh) -> Result<Vec<(String, Vec<u8>)>, FileError> {
-    super::writer::document_files(path, &for_path(path, mesh)?)
+    super::writer::path_files(path, &for_path(path, mesh)?)
 }
 
 fn for_path(path: &Path, mesh: &Mesh) -> Result<Document, FileError> {

@@ -1,11 +1,14 @@
 //! Accessors: numbers in buffers, in bounds, with sparse changes and normalised integers.
 
 use std::cell::Cell;
+use std::collections::HashMap;
 
 use super::super::codes::ComponentType;
 use super::super::problem::{Element, Problem};
 use super::super::{Components, Shape, json};
 use super::buffer::Buffers;
+use super::draco;
+use super::layout::{Layout, replace};
 use crate::FormatError;
 
 /// What an accessor may hold that is read as floating-point numbers.
@@ -25,6 +28,8 @@ pub(super) enum Format {
 pub(super) struct Accessors<'a> {
     root: &'a json::Root,
     buffers: &'a Buffers<'a>,
+    /// The bytes of accessors that primitives decompress.
+    decompressed: HashMap<usize, Vec<u8>>,
     /// How many bytes may still be decoded.
     budget: Cell<u64>,
     limit: u64,
@@ -37,28 +42,27 @@ pub(super) struct Numbers {
     pub(super) components: Components,
 }
 
-/// Where the numbers of an item are.
-struct Layout {
-    component: ComponentType,
-    shape: Shape,
-}
-
 impl<'a> Accessors<'a> {
     /// The bytes that a file of any size may hold when decoded, and the bytes for each of its own.
     /// Several primitives may share an accessor, hence the factor.
     const BASE: u64 = 1 << 26;
     const FACTOR: u64 = 64;
 
-    pub(super) fn new(root: &'a json::Root, buffers: &'a Buffers<'a>, file_size: usize) -> Self {
+    pub(super) fn new(
+        root: &'a json::Root,
+        buffers: &'a Buffers<'a>,
+        file_size: usize,
+    ) -> Result<Self, FormatError> {
         let size = file_size as u64 + buffers.size();
         let limit = size.saturating_mul(Self::FACTOR).saturating_add(Self::BASE);
         let budget = Cell::new(limit);
-        Self {
+        Ok(Self {
             root,
             buffers,
+            decompressed: draco::decompressed(root, buffers)?,
             budget,
             limit,
-        }
+        })
     }
 
     /// Vectors or matrices of `N` numbers.
@@ -171,7 +175,10 @@ impl<'a> Accessors<'a> {
                 };
                 Some(self.items(&items).map_err(|e| e.of(index))?)
             }
-            None => None,
+            None => {
+                let bytes = self.decompressed.get(&index);
+                bytes.map(|bytes| (&bytes[..], layout.stride()))
+            }
         };
         let size = 4 * layout.shape.components() as u64;
         self.charge(accessor.count.saturating_mul(size))
@@ -403,91 +410,6 @@ impl Numbers {
         let normalized = if self.normalized { "normalised " } else { "" };
         let found = format!("{} of {normalized}{component}", self.shape.name());
         FormatError::gltf(Element::Accessor(index), Problem::Format { found, allowed })
-    }
-}
-
-impl Layout {
-    /// The bytes of an item.
-    fn size(&self) -> usize {
-        self.shape.size(self.component)
-    }
-
-    /// The bytes from an item to the next where nothing else is stated.
-    fn stride(&self) -> usize {
-        self.shape.stride(self.component)
-    }
-
-    fn zeros(&self, count: usize) -> Components {
-        let numbers = count * self.shape.components();
-        match self.component {
-            ComponentType::I8 => Components::I8(vec![0; numbers]),
-            ComponentType::U8 => Components::U8(vec![0; numbers]),
-            ComponentType::I16 => Components::I16(vec![0; numbers]),
-            ComponentType::U16 => Components::U16(vec![0; numbers]),
-            ComponentType::U32 => Components::U32(vec![0; numbers]),
-            ComponentType::F32 => Components::F32(vec![0.0; numbers]),
-        }
-    }
-
-    fn gather(&self, bytes: &[u8], stride: usize, count: usize) -> Components {
-        match self.component {
-            ComponentType::I8 => {
-                Components::I8(self.numbers(bytes, stride, count, i8::from_le_bytes))
-            }
-            ComponentType::U8 => {
-                Components::U8(self.numbers(bytes, stride, count, u8::from_le_bytes))
-            }
-            ComponentType::I16 => {
-                Components::I16(self.numbers(bytes, stride, count, i16::from_le_bytes))
-            }
-            ComponentType::U16 => {
-                Components::U16(self.numbers(bytes, stride, count, u16::from_le_bytes))
-            }
-            ComponentType::U32 => {
-                Components::U32(self.numbers(bytes, stride, count, u32::from_le_bytes))
-            }
-            ComponentType::F32 => {
-                Components::F32(self.numbers(bytes, stride, count, f32::from_le_bytes))
-            }
-        }
-    }
-
-    /// `count` items, `stride` bytes apart; the last may end where `bytes` ends.
-    fn numbers<T, const SIZE: usize>(
-        &self,
-        bytes: &[u8],
-        stride: usize,
-        count: usize,
-        number: fn([u8; SIZE]) -> T,
-    ) -> Vec<T> {
-        let column_size = self.shape.rows() * SIZE;
-        let column_stride = self.shape.column_stride(self.component);
-        let mut numbers = Vec::with_capacity(count * self.shape.components());
-        for item in bytes.chunks(stride).take(count) {
-            for column in item.chunks(column_stride).take(self.shape.columns()) {
-                let column = &column[..column_size.min(column.len())];
-                numbers.extend(column.as_chunks().0.iter().map(|&bytes| number(bytes)));
-            }
-        }
-        numbers
-    }
-}
-
-/// Replaces the items at `targets` by `values`; both are of one type.
-fn replace(components: &mut Components, values: &Components, targets: &[usize], width: usize) {
-    fn copy<T: Copy>(numbers: &mut [T], values: &[T], targets: &[usize], width: usize) {
-        for (value, &target) in values.chunks_exact(width).zip(targets) {
-            numbers[target * width..][..width].copy_from_slice(value);
-        }
-    }
-    match (components, values) {
-        (Components::I8(n), Components::I8(v)) => copy(n, v, targets, width),
-        (Components::U8(n), Components::U8(v)) => copy(n, v, targets, width),
-        (Components::I16(n), Components::I16(v)) => copy(n, v, targets, width),
-        (Components::U16(n), Components::U16(v)) => copy(n, v, targets, width),
-        (Components::U32(n), Components::U32(v)) => copy(n, v, targets, width),
-        (Components::F32(n), Components::F32(v)) => copy(n, v, targets, width),
-        _ => {}
     }
 }
 

@@ -10,7 +10,7 @@ use crate::FormatError;
 
 /// The bytes of every buffer.
 pub(super) struct Buffers<'a> {
-    buffers: Vec<Cow<'a, [u8]>>,
+    buffers: Vec<Option<Cow<'a, [u8]>>>,
 }
 
 impl<'a> Buffers<'a> {
@@ -27,6 +27,11 @@ impl<'a> Buffers<'a> {
             let mut bytes = match (&buffer.uri, binary) {
                 (Some(uri), _) => Cow::Owned(load(uri, length, files).map_err(fault)?),
                 (None, Some(binary)) if index == 0 => Cow::Borrowed(binary),
+                // Compressed bytes stand in place of these.
+                (None, _) if buffer.extensions.meshopt.is_some() => {
+                    buffers.push(None);
+                    continue;
+                }
                 (None, _) => return Err(fault(Problem::Missing("a URI"))),
             };
             let found = bytes.len() as u64;
@@ -40,14 +45,28 @@ impl<'a> Buffers<'a> {
                 Cow::Borrowed(bytes) => *bytes = &bytes[..length],
                 Cow::Owned(bytes) => bytes.truncate(length),
             }
-            buffers.push(bytes);
+            buffers.push(Some(bytes));
         }
         Ok(Self { buffers })
     }
 
+    /// Buffers whose bytes are known.
+    pub(super) fn of(buffers: &'a [Option<Vec<u8>>]) -> Self {
+        let bytes = |bytes: &'a Option<Vec<u8>>| Some(Cow::Borrowed(&bytes.as_ref()?[..]));
+        Self {
+            buffers: buffers.iter().map(bytes).collect(),
+        }
+    }
+
+    /// The bytes of every buffer.
+    pub(super) fn into_bytes(self) -> Vec<Option<Vec<u8>>> {
+        let buffers = self.buffers.into_iter();
+        buffers.map(|bytes| bytes.map(Cow::into_owned)).collect()
+    }
+
     /// How many bytes there are.
     pub(super) fn size(&self) -> u64 {
-        self.buffers.iter().map(|buffer| buffer.len() as u64).sum()
+        self.buffers.iter().flatten().map(|b| b.len() as u64).sum()
     }
 
     /// The bytes of a buffer view, and how far apart the items in it begin if it says so.
@@ -63,6 +82,9 @@ impl<'a> Buffers<'a> {
             .ok_or_else(|| FormatError::dangling("buffer view", index, root.buffer_views.len()))?;
         let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
             FormatError::dangling("buffer", view.buffer, self.buffers.len()).within(element())
+        })?;
+        let buffer = buffer.as_ref().ok_or_else(|| {
+            FormatError::gltf(Element::Buffer(view.buffer), Problem::Missing("a URI"))
         })?;
         let (start, found) = (view.byte_offset, buffer.len() as u64);
         let needed = start.saturating_add(view.byte_length);

@@ -3,8 +3,10 @@
 mod accessor;
 mod animation;
 mod buffer;
+mod draco;
 mod file;
 mod image;
+mod layout;
 mod material;
 mod node;
 mod primitive;
@@ -13,8 +15,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
+use serde_json::{Map, Value};
 
+use super::origin::{File, Origin};
 use super::problem::{Element, Problem};
+use super::uri::{self, Uri};
 use super::{Asset, Document, ImageSource, Mesh, Skin, glb, json};
 use crate::FormatError;
 use accessor::{Accessors, Format};
@@ -22,7 +27,8 @@ use buffer::{Buffers, Files};
 use file::read_file;
 
 /// The extensions that a file may require.
-pub const SUPPORTED_EXTENSIONS: [&str; 4] = [
+pub const SUPPORTED_EXTENSIONS: [&str; 5] = [
+    json::DRACO,
     "KHR_materials_emissive_strength",
     "KHR_materials_unlit",
     QUANTIZATION,
@@ -52,7 +58,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ReadError<FormatError>> 
 ///
 /// Integers that stand for fractions become numbers in single precision, sparse accessors full
 /// lists, colours without alpha opaque. Extensions other than [`SUPPORTED_EXTENSIONS`] are left
-/// out, and so are channels of animations without a node, as the specification advises.
+/// out, and so are channels of animations without a node, as the specification advises; the
+/// [`Origin`] of the document keeps them for a writer.
 ///
 /// # Errors
 ///
@@ -96,8 +103,7 @@ fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
     } else {
         (file, None)
     };
-    let root: json::Root = serde_json::from_slice(text)
-        .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
+    let root: json::Root = serde_json::from_slice(text).map_err(not_json)?;
     check_version(&root.asset)?;
     let unknown = |name: &&String| !SUPPORTED_EXTENSIONS.contains(&name.as_str());
     if let Some(name) = root.extensions_required.iter().find(unknown) {
@@ -105,10 +111,47 @@ fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
         return Err(FormatError::gltf(Element::File, problem));
     }
     let buffers = Buffers::load(&root, binary, files)?;
-    let accessors = Accessors::new(&root, &buffers, file.len());
-    let document = elements(&root, &buffers, &accessors)?;
+    let mut document = elements(&root, &buffers, file.len())?;
     document.validate()?;
+    document.origin = origin(root, text, buffers, file.len())?;
     Ok(document)
+}
+
+/// The file as it was read.
+fn origin(
+    mut root: json::Root,
+    text: &[u8],
+    buffers: Buffers,
+    size: usize,
+) -> Result<Origin, FormatError> {
+    let mut json: Map<String, Value> = serde_json::from_slice(text).map_err(not_json)?;
+    // Their bytes are kept, which may be in the URIs.
+    let list = json.get_mut("buffers").and_then(Value::as_array_mut);
+    for buffer in list.into_iter().flatten().filter_map(Value::as_object_mut) {
+        buffer.remove("uri");
+    }
+    let uris = root.buffers.iter_mut().filter_map(|it| it.uri.take());
+    let parts = uris.filter_map(|uri| match uri::parse(&uri) {
+        Some(Uri::File(path)) => Some(path),
+        _ => None,
+    });
+    let parts = parts.collect();
+    Ok(Origin::new(File {
+        root,
+        json,
+        buffers: buffers.into_bytes(),
+        size,
+        parts,
+    }))
+}
+
+/// The document of a file that was read before.
+pub(super) fn document_of(file: &File) -> Result<Document, FormatError> {
+    elements(&file.root, &Buffers::of(&file.buffers), file.size)
+}
+
+fn not_json(error: serde_json::Error) -> FormatError {
+    FormatError::gltf(Element::Json, Problem::Json(error.to_string()))
 }
 
 /// A file may state the least version that a reader must know, beside its own.
@@ -124,11 +167,8 @@ fn check_version(asset: &json::Asset) -> Result<(), FormatError> {
     Err(FormatError::gltf(Element::File, problem))
 }
 
-fn elements(
-    root: &json::Root,
-    buffers: &Buffers,
-    accessors: &Accessors,
-) -> Result<Document, FormatError> {
+fn elements(root: &json::Root, buffers: &Buffers, size: usize) -> Result<Document, FormatError> {
+    let accessors = &Accessors::new(root, buffers, size)?;
     let is_quantized = root.extensions_used.iter().any(|name| name == QUANTIZATION);
     Ok(Document {
         asset: Asset {
@@ -167,6 +207,7 @@ fn elements(
         })?,
         cameras: numbered(&root.cameras, node::camera)?,
         extras: root.extras.clone(),
+        origin: Origin::default(),
     })
 }
 

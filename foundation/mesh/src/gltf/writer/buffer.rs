@@ -18,13 +18,16 @@ pub(super) enum Use {
 }
 
 /// Bytes and what describes them: little-endian, every list at a multiple of four. Equal lists are
-/// written once.
+/// written once. Views and accessors may follow those of a file that stands before them.
 #[derive(Default)]
 pub(super) struct Buffer {
     pub(super) bytes: Vec<u8>,
     pub(super) views: Vec<json::BufferView>,
     pub(super) accessors: Vec<json::Accessor>,
-    /// The accessors of each hash of contents.
+    /// How many views and accessors stand before.
+    first_view: usize,
+    first_accessor: usize,
+    /// The accessors of each hash of contents, by their places in `accessors`.
     known: HashMap<u64, Vec<usize>>,
 }
 
@@ -40,6 +43,17 @@ impl Use {
 }
 
 impl Buffer {
+    /// What follows these bytes, views and accessors.
+    pub(super) fn after(mut bytes: Vec<u8>, views: usize, accessors: usize) -> Self {
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        Self {
+            bytes,
+            first_view: views,
+            first_accessor: accessors,
+            ..Self::default()
+        }
+    }
+
     /// Appends vectors or matrices of `N` numbers.
     pub(super) fn floats<const N: usize>(&mut self, items: &[[f32; N]], purpose: Use) -> usize {
         let shape = match N {
@@ -73,8 +87,9 @@ impl Buffer {
             });
             bounds.to_vec()
         };
-        self.accessors[accessor].min = fold(f32::INFINITY, f32::min);
-        self.accessors[accessor].max = fold(f32::NEG_INFINITY, f32::max);
+        let described = &mut self.accessors[accessor - self.first_accessor];
+        described.min = fold(f32::INFINITY, f32::min);
+        described.max = fold(f32::NEG_INFINITY, f32::max);
         accessor
     }
 
@@ -133,9 +148,9 @@ impl Buffer {
         let accessor = self.push(count, shape, component, normalized, purpose, &padded);
         // Stated too where nothing but the padding of the last column makes the difference.
         if stride != shape.size(component)
-            && let Some(view) = self.accessors[accessor].buffer_view
+            && let Some(view) = self.accessors[accessor - self.first_accessor].buffer_view
         {
-            self.views[view].byte_stride = Some(stride as u64);
+            self.views[view - self.first_view].byte_stride = Some(stride as u64);
         }
         accessor
     }
@@ -155,7 +170,7 @@ impl Buffer {
         });
         self.bytes.extend_from_slice(bytes);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
-        self.views.len() - 1
+        self.first_view + self.views.len() - 1
     }
 
     fn push(
@@ -173,9 +188,10 @@ impl Buffer {
         let hash = hasher.finish();
         let is_same = |&accessor: &usize| {
             let accessor = &self.accessors[accessor];
-            let Some(view) = accessor.buffer_view.map(|view| &self.views[view]) else {
+            let Some(view) = accessor.buffer_view else {
                 return false;
             };
+            let view = &self.views[view - self.first_view];
             let start = view.byte_offset as usize;
             accessor.shape == shape.name()
                 && accessor.component_type == component.code()
@@ -185,7 +201,7 @@ impl Buffer {
         };
         let known = self.known.get(&hash);
         if let Some(&same) = known.and_then(|known| known.iter().find(|known| is_same(known))) {
-            return same;
+            return self.first_accessor + same;
         }
         let view = self.view(bytes, purpose);
         self.accessors.push(json::Accessor {
@@ -201,7 +217,7 @@ impl Buffer {
         });
         let accessor = self.accessors.len() - 1;
         self.known.entry(hash).or_default().push(accessor);
-        accessor
+        self.first_accessor + accessor
     }
 }
 

@@ -2,16 +2,19 @@
 
 mod animation;
 mod buffer;
+mod kept;
 mod material;
 mod node;
 mod primitive;
+mod references;
+mod root;
+mod unused;
 
 use std::path::Path;
 
-use super::problem::{Element, Problem};
-use super::{Document, ImageSource, glb, json, uri};
+use super::{Document, ImageSource, glb, uri};
 use crate::{FileError, FormatError};
-use buffer::{Buffer, Use};
+use root::{ImagePlace, Writer};
 
 /// The files of a document in JSON.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,22 +28,20 @@ pub struct GltfFiles {
 /// The bytes of a GLB file of the document. Images whose bytes are in the document are in the file;
 /// those named by a URI stay files of their own, which this does not write.
 ///
-/// Numbers are written in single precision as they are, so that [`decode`](super::decode) returns
-/// the same vertices, weights and keys. Lists that are equal are written once. What the Khronos
-/// validator reports of such a file is in the document; [`Document::conformed`] mends most of it.
+/// What has not been changed since the document was read stands as in its file, see
+/// [`Origin`](super::Origin). Other numbers are written in single precision as they are, so that
+/// [`decode`](super::decode) returns the same vertices, weights and keys. Lists that are equal are
+/// written once. What the Khronos validator reports of such a file is in the document;
+/// [`Document::conformed`] mends most of it.
 ///
 /// # Errors
 ///
-/// As [`Document::validate`]; [`Problem::TooLarge`] past 4 GiB.
+/// As [`Document::validate`]; [`Problem::TooLarge`](super::Problem::TooLarge) past 4 GiB.
 pub fn encode(document: &Document) -> Result<Vec<u8>, FormatError> {
     document.validate()?;
-    let mut writer = Writer::new(document);
-    for image in &document.images {
-        let source = match &image.source {
-            ImageSource::Uri(uri) => ImageJson::Uri(uri.clone()),
-            ImageSource::Bytes { bytes, .. } => ImageJson::View(writer.buffer.blob(bytes)),
-        };
-        writer.image(image, source);
+    let mut writer = Writer::new(document)?;
+    for index in 0..document.images.len() {
+        writer.image(index, ImagePlace::InBuffer);
     }
     let (text, bytes) = writer.finish(None)?;
     glb::join(text, &bytes)
@@ -54,24 +55,22 @@ pub fn encode(document: &Document) -> Result<Vec<u8>, FormatError> {
 /// As [`Document::validate`].
 pub fn encode_files(document: &Document, name: &str) -> Result<GltfFiles, FormatError> {
     document.validate()?;
-    let mut writer = Writer::new(document);
+    let mut writer = Writer::new(document)?;
     let mut others = Vec::new();
     for (index, image) in document.images.iter().enumerate() {
-        let source = match &image.source {
-            ImageSource::Uri(uri) => uri.clone(),
-            ImageSource::Bytes { media_type, bytes } => {
-                let extension = match media_type.as_str() {
-                    "image/jpeg" => "jpg",
-                    "image/webp" => "webp",
-                    _ => "png",
-                };
-                let file = format!("{name}_{index}.{extension}");
-                let uri = uri::of_file(&file);
-                others.push((file, bytes.clone()));
-                uri
-            }
+        let ImageSource::Bytes { media_type, bytes } = &image.source else {
+            writer.image(index, ImagePlace::InBuffer);
+            continue;
         };
-        writer.image(image, ImageJson::Uri(source));
+        let extension = match media_type.as_str() {
+            "image/jpeg" => "jpg",
+            "image/webp" => "webp",
+            "image/ktx2" => "ktx2",
+            _ => "png",
+        };
+        let file = format!("{name}_{index}.{extension}");
+        writer.image(index, ImagePlace::File(uri::of_file(&file)));
+        others.push((file, bytes.clone()));
     }
     let file = format!("{name}.bin");
     let (json, bytes) = writer.finish(Some(uri::of_file(&file)))?;
@@ -89,7 +88,7 @@ pub fn encode_files(document: &Document, name: &str) -> Result<GltfFiles, Format
 /// [`FileError`].
 pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileError> {
     let path = path.as_ref();
-    let files = document_files(path, document)?;
+    let files = path_files(path, document)?;
     if let [(_, contents)] = &files[..] {
         return Ok(ga_files::write(path, contents)?);
     }
@@ -109,11 +108,8 @@ pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileErro
 ///
 /// # Errors
 ///
-/// [`FileError::Contents`], as [`Document::validate`] gives.
-pub fn document_files(
-    path: &Path,
-    document: &Document,
-) -> Result<Vec<(String, Vec<u8>)>, FileError> {
+/// [`FileError::Contents`], as [`encode`].
+pub fn path_files(path: &Path, document: &Document) -> Result<Vec<(String, Vec<u8>)>, FileError> {
     let fault = |problem| FileError::Contents {
         path: path.to_path_buf(),
         problem,
@@ -131,103 +127,4 @@ pub fn document_files(
     let mut files = vec![(name.into_owned(), json)];
     files.extend(others);
     Ok(files)
-}
-
-/// Where the JSON says that an image is.
-enum ImageJson {
-    Uri(String),
-    View(usize),
-}
-
-/// A document on its way to a file.
-struct Writer<'a> {
-    document: &'a Document,
-    buffer: Buffer,
-    images: Vec<json::Image>,
-}
-
-impl<'a> Writer<'a> {
-    fn new(document: &'a Document) -> Self {
-        Self {
-            document,
-            buffer: Buffer::default(),
-            images: Vec::new(),
-        }
-    }
-
-    fn image(&mut self, image: &super::Image, source: ImageJson) {
-        let (uri, buffer_view) = match source {
-            ImageJson::Uri(uri) => (Some(uri), None),
-            ImageJson::View(view) => (None, Some(view)),
-        };
-        let media_type = match &image.source {
-            ImageSource::Bytes { media_type, .. } => Some(media_type.clone()),
-            ImageSource::Uri(_) => None,
-        };
-        self.images.push(json::Image {
-            name: image.name.clone(),
-            uri,
-            mime_type: media_type,
-            buffer_view,
-            extras: image.extras.clone(),
-        });
-    }
-
-    /// The JSON, and the bytes of the buffer, which is the file of this URI, if any.
-    fn finish(mut self, uri: Option<String>) -> Result<(Vec<u8>, Vec<u8>), FormatError> {
-        let document = self.document;
-        let buffer = &mut self.buffer;
-        let meshes = document
-            .meshes
-            .iter()
-            .map(|mesh| primitive::mesh(mesh, buffer));
-        let meshes = meshes.collect();
-        let skins = document.skins.iter().map(|skin| json::Skin {
-            name: skin.name.clone(),
-            joints: skin.joints.clone(),
-            inverse_bind_matrices: match &skin.inverse_bind_matrices[..] {
-                [] => None,
-                matrices => Some(buffer.floats(matrices, Use::Other)),
-            },
-            skeleton: skin.skeleton,
-            extras: skin.extras.clone(),
-        });
-        let skins = skins.collect();
-        let animations = document.animations.iter();
-        // An animation must have a channel.
-        let animations = animations.filter(|animation| !animation.channels.is_empty());
-        let animations = animations.map(|animation| animation::animation(animation, buffer));
-        let animations = animations.collect();
-        let buffers = if buffer.bytes.is_empty() {
-            Vec::new()
-        } else {
-            vec![json::Buffer {
-                byte_length: buffer.bytes.len() as u64,
-                uri,
-            }]
-        };
-        let root = json::Root {
-            asset: node::asset(&document.asset),
-            extensions_used: material::extensions(document),
-            extensions_required: Vec::new(),
-            scene: document.scene,
-            scenes: document.scenes.iter().map(node::scene).collect(),
-            nodes: document.nodes.iter().map(node::node).collect(),
-            meshes,
-            skins,
-            animations,
-            materials: document.materials.iter().map(material::material).collect(),
-            textures: document.textures.iter().map(material::texture).collect(),
-            samplers: document.samplers.iter().map(material::sampler).collect(),
-            images: self.images,
-            cameras: document.cameras.iter().map(node::camera).collect(),
-            accessors: self.buffer.accessors,
-            buffer_views: self.buffer.views,
-            buffers,
-            extras: document.extras.clone(),
-        };
-        let text = serde_json::to_vec(&root)
-            .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
-        Ok((text, self.buffer.bytes))
-    }
 }

@@ -1,16 +1,43 @@
 //! Meshes: attributes, indices and morph targets.
 
+use serde_json::Value;
+
 use super::super::{CustomAttribute, Mesh, MorphTarget, Primitive, json};
 use super::buffer::{Buffer, Use};
+use super::kept::{Kept, value, with_extensions};
+use crate::FormatError;
 
-pub(super) fn mesh(mesh: &Mesh, buffer: &mut Buffer) -> json::Mesh {
-    let primitives = mesh.primitives.iter();
-    json::Mesh {
+/// A mesh that has changed since it was read. Its primitives may be as they were.
+pub(super) fn mesh(
+    index: usize,
+    mesh: &Mesh,
+    kept: Option<&Kept>,
+    buffer: &mut Buffer,
+) -> Result<Value, FormatError> {
+    let before = kept.and_then(|kept| {
+        let mesh = kept.before.meshes.get(index)?;
+        Some((kept.file.element("meshes", index)?, mesh))
+    });
+    let mut primitives = Vec::with_capacity(mesh.primitives.len());
+    for (number, data) in mesh.primitives.iter().enumerate() {
+        let old = before.and_then(|(json, mesh)| {
+            let is_same = mesh.primitives.get(number) == Some(data);
+            Some((json.get("primitives")?.get(number)?, is_same))
+        });
+        primitives.push(match old {
+            Some((old, true)) => old.clone(),
+            Some((old, false)) => with_extensions(value(&primitive(data, buffer))?, old),
+            None => value(&primitive(data, buffer))?,
+        });
+    }
+    let mut written = value(&json::Mesh {
         name: mesh.name.clone(),
-        primitives: primitives.map(|data| primitive(data, buffer)).collect(),
+        primitives: Vec::new(),
         weights: mesh.weights.clone(),
         extras: mesh.extras.clone(),
-    }
+    })?;
+    written["primitives"] = Value::Array(primitives);
+    Ok(written)
 }
 
 fn primitive(data: &Primitive, buffer: &mut Buffer) -> json::Primitive {
@@ -34,6 +61,7 @@ fn primitive(data: &Primitive, buffer: &mut Buffer) -> json::Primitive {
         material: data.material,
         mode: data.mode.code(),
         targets: targets.map(|target| morph_target(target, buffer)).collect(),
+        extensions: json::PrimitiveExtensions::default(),
         extras: data.extras.clone(),
     }
 }

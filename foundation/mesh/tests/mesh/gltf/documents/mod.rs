@@ -113,6 +113,7 @@ fn document(choices: &[u32]) -> Document {
             },
         ],
         extras: c.extras(),
+        origin: Origin::default(),
     }
 }
 
