@@ -63,8 +63,8 @@ impl LikelyUnit {
 /// let leg = |side: &str, z: f64| {
 ///     format!(
 ///         "JOINT {side}UpLeg {{ OFFSET 0 0 {z} CHANNELS 3 Zrotation Xrotation Yrotation
-///            JOINT {side}Leg {{ OFFSET 42 0 0 CHANNELS 3 Zrotation Xrotation Yrotation
-///              JOINT {side}Foot {{ OFFSET 40 0 0 CHANNELS 3 Zrotation Xrotation Yrotation }} }} }}"
+///          JOINT {side}Leg {{ OFFSET 42 0 0 CHANNELS 3 Zrotation Xrotation Yrotation
+///          JOINT {side}Foot {{ OFFSET 40 0 0 CHANNELS 3 Zrotation Xrotation Yrotation }} }} }}"
 ///     )
 /// };
 /// let text = format!(

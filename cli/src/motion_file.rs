@@ -39,9 +39,7 @@ pub(crate) fn warn_of_unit(
 ) {
     if let Some(doubt) = unit.doubt() {
         let message = format!("{doubt}; {option} gives it");
-        let warning = Warning::new("unclear_unit", message).in_file(path);
-        keep_for_failure(std::slice::from_ref(&warning));
-        warnings.push(warning);
+        warnings.push(Warning::new("unclear_unit", message).in_file(path));
     }
 }
 

@@ -85,8 +85,7 @@ impl Bvh {
         for frame in frames {
             for (joint, own) in self.joints.iter().zip(frame) {
                 let place = Vector::from(own.translator().displacement());
-                let is_added =
-                    joint.parent.is_some() && self.positions == PositionChannels::Added;
+                let is_added = joint.parent.is_some() && self.positions == PositionChannels::Added;
                 let offset = match is_added {
                     true => joint.offset.into(),
                     false => Vector::default(),
@@ -124,7 +123,8 @@ fn settle<'a>(
     let stays_elsewhere = places()
         .next()
         .filter(|&place| !is_near(offset, STAYS) && is_near(place, STAYS));
-    if let Some(place) = stays_elsewhere.filter(|place| place.distance(offset) <= SAME_PLACE * reach)
+    if let Some(place) =
+        stays_elsewhere.filter(|place| place.distance(offset) <= SAME_PLACE * reach)
     {
         joint.offset = place.coordinates();
     }
@@ -147,7 +147,11 @@ fn settle<'a>(
         return;
     }
     let is_root = joint.parent.is_none();
-    let count = if has(true) > 0 || is_root || !stays { 3 } else { 0 };
+    let count = if has(true) > 0 || is_root || !stays {
+        3
+    } else {
+        0
+    };
     let angles = order_of(joint).map_or(ORDER, EulerOrder::axes);
     let positions = (0..count).map(Channel::Position);
     joint.channels = positions.chain(angles.map(Channel::Rotation)).collect();

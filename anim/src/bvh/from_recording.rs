@@ -93,7 +93,9 @@ impl Bvh {
         let joints: Vec<BvhJoint> = joints.collect();
         let frames = (0..recording.frame_count()).map(|frame| {
             let motions = motions(recording, frame);
-            let own = order.iter().map(|&old| in_units(motions[old], metres_per_unit));
+            let own = order
+                .iter()
+                .map(|&old| in_units(motions[old], metres_per_unit));
             own.collect()
         });
         let frames: Vec<Vec<Motor<f64>>> = frames.collect();
@@ -149,7 +151,9 @@ fn lost(recording: &Recording) -> Vec<Loss> {
     let joints = recording.joints();
     let is_scaled = |local: &Transform<f64>| {
         let factors = local.scale.coordinates();
-        factors.iter().any(|factor| (factor - 1.0).abs() > NEGLIGIBLE)
+        factors
+            .iter()
+            .any(|factor| (factor - 1.0).abs() > NEGLIGIBLE)
     };
     let scaled = |joint: usize| {
         let mut locals = recording.locals().iter().skip(joint).step_by(joints.len());
@@ -189,7 +193,9 @@ fn distinct(name: String, others: &mut HashSet<String>) -> String {
     let numbered = (2..).map(|number| format!("{name}_{number}"));
     let mut all = std::iter::once(name.clone()).chain(numbered);
     // There are more numbers than names.
-    let found = all.find(|name| !others.contains(name)).unwrap_or(name.clone());
+    let found = all
+        .find(|name| !others.contains(name))
+        .unwrap_or(name.clone());
     others.insert(found.clone());
     found
 }

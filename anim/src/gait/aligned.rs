@@ -12,8 +12,8 @@ use crate::recording::{Cycle, Played, Recording, Seam};
 ///
 /// The first footfall of the first motion begins; every other motion begins with its first footfall
 /// of the same foot, at the same place and in the same direction on the ground. A step lasts the
-/// mean by weights of what it lasts in the motions, and within it each motion runs on a clock of its
-/// own ([`TimeWarp`]).
+/// mean by weights of what it lasts in the motions, and within it each motion runs on a clock of
+/// its own ([`TimeWarp`]).
 #[derive(Clone, Debug)]
 pub struct Aligned<'a> {
     /// The motions as they are played, with their weights.
@@ -44,8 +44,8 @@ impl<'a> Aligned<'a> {
     ///
     /// # Errors
     ///
-    /// [`GaitError`] for the motion whose steps are not known, are too few, or are not made with the
-    /// feet in the order of the first motion.
+    /// [`GaitError`] for the motion whose steps are not known, are too few, or are not made with
+    /// the feet in the order of the first motion.
     pub fn new(motions: &[(&'a Recording, f64)], is_looped: bool) -> Result<Self, GaitError> {
         let mut steps: Vec<Steps> = Vec::new();
         for (motion, &(recording, weight)) in motions.iter().enumerate() {

@@ -8,7 +8,10 @@ use crate::recording::RecordingError;
 #[non_exhaustive]
 pub enum GaitProblem {
     /// The joints of two legs are not known.
-    #[error("no steps are found, since no two legs are known by the names of the joints or by their structure")]
+    #[error(
+        "no steps are found, since no two legs are known by the names of the joints or by their \
+         structure"
+    )]
     NoLegs,
     /// There are too few steps.
     #[error("{found} steps are found, and {needed} are needed")]

@@ -14,11 +14,11 @@ use crate::retarget::body::Body;
 const LEAST_SWING: f64 = 0.1;
 /// As a part of the whole swing of a foot, by how much it swings back at least between two steps.
 const TURN: f64 = 0.25;
-/// As a part of the height to which an ankle is lifted in a step, how high above the ground it comes
-/// down.
+/// As a part of the height to which an ankle is lifted in a step, how high above the ground it
+/// comes down.
 const DOWN: f64 = 0.05;
-/// As a part of the leg's length, how high an ankle is lifted at least for that to say when it comes
-/// down.
+/// As a part of the leg's length, how high an ankle is lifted at least for that to say when it
+/// comes down.
 const LEAST_LIFT: f64 = 0.02;
 
 /// A foot.
@@ -42,12 +42,12 @@ pub struct Footfall {
 
 /// The footfalls of a person's motion, in rising time.
 ///
-/// In a step the ankle swings forwards relative to the hips and then stays behind (J. A. Zeni, J. G.
-/// Richards and J. S. Higginson, "Two simple methods for determining gait events during treadmill
-/// and overground walking using kinematic data", Gait & Posture 27, 2008); forwards is across the
-/// line of the hips. So every step has one greatest swing forwards, on a treadmill too. The foot
-/// comes down when the ankle, after it was lifted for that step, comes within a twentieth of the
-/// height of the lift to its lowest place until it swings forwards again.
+/// In a step the ankle swings forwards relative to the hips and then stays behind (J. A. Zeni, J.
+/// G. Richards and J. S. Higginson, "Two simple methods for determining gait events during
+/// treadmill and overground walking using kinematic data", Gait & Posture 27, 2008); forwards is
+/// across the line of the hips. So every step has one greatest swing forwards, on a treadmill too.
+/// The foot comes down when the ankle, after it was lifted for that step, comes within a twentieth
+/// of the height of the lift to its lowest place until it swings forwards again.
 ///
 /// A foot that is on the ground from the first frame on has not come down.
 ///

@@ -1,7 +1,7 @@
 //! Steps: when feet come down to the ground, and motions in step with each other.
 //!
-//! [`footfalls`] finds the steps of a motion from the paths of its ankles. [`Aligned`] plays motions
-//! so that their steps coincide, each on a clock of its own, for
+//! [`footfalls`] finds the steps of a motion from the paths of its ankles. [`Aligned`] plays
+//! motions so that their steps coincide, each on a clock of its own, for
 //! [`blend_played`](crate::recording::blend_played).
 
 mod aligned;

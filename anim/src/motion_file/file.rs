@@ -54,9 +54,7 @@ impl MotionFile {
             Format::Bvh => Contents::Bvh(bvh::read(path)?),
             Format::Gltf => {
                 let document = gltf::read(path);
-                Contents::Gltf(Box::new(
-                    document.map_err(|error| error.map(Into::into))?,
-                ))
+                Contents::Gltf(Box::new(document.map_err(|error| error.map(Into::into))?))
             }
             Format::Clip => {
                 let clip = CompressedClip::read(path);
@@ -135,7 +133,11 @@ impl MotionFile {
     /// # Errors
     ///
     /// Those of [`Recording::resampled`] and [`Recording::from_gltf`].
-    pub fn resampled(&self, recording: &Recording, rate: f64) -> Result<Recording, MotionFileError> {
+    pub fn resampled(
+        &self,
+        recording: &Recording,
+        rate: f64,
+    ) -> Result<Recording, MotionFileError> {
         match &self.contents {
             Contents::Gltf(document) => {
                 let (animation, unit) = (self.options.animation, self.metres_per_unit);

@@ -77,10 +77,7 @@ pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, RecordingErr
 /// # Errors
 ///
 /// As [`blend`].
-pub fn blend_played(
-    played: &[(Played, f64)],
-    duration: f64,
-) -> Result<Recording, RecordingError> {
+pub fn blend_played(played: &[(Played, f64)], duration: f64) -> Result<Recording, RecordingError> {
     let recordings = played.iter();
     let recordings: Vec<(&Recording, f64)> = recordings
         .map(|(played, weight)| (played.recording(), *weight))
@@ -212,11 +209,7 @@ fn cosine(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
     (a.reverse() * b).scalar()
 }
 
-fn blended_tracks(
-    weighted: &[(&Played, f64)],
-    frame_time: f64,
-    frames: usize,
-) -> Vec<ScalarTrack> {
+fn blended_tracks(weighted: &[(&Played, f64)], frame_time: f64, frames: usize) -> Vec<ScalarTrack> {
     let mut tracks: Vec<ScalarTrack> = Vec::new();
     for &(played, weight) in weighted {
         let mut is_taken = vec![false; tracks.len()];

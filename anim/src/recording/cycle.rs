@@ -10,9 +10,9 @@ use crate::kinematics::KinematicsError;
 use crate::recording::RecordingError;
 use crate::transform::Transform;
 
-/// By how much a joint may be rotated otherwise at the end of a cycle than at its begin, in degrees,
-/// and by how much the body may be higher or lower, in metres. A step of a walk swings the limbs by
-/// more, and the noise of a recording by less.
+/// By how much a joint may be rotated otherwise at the end of a cycle than at its begin, in
+/// degrees, and by how much the body may be higher or lower, in metres. A step of a walk swings the
+/// limbs by more, and the noise of a recording by less.
 const CYCLIC_DEGREES: f64 = 15.0;
 const CYCLIC_METRES: f64 = 0.05;
 
@@ -57,9 +57,9 @@ impl Seam {
 }
 
 impl Cycle {
-    /// The whole recording as a cycle; `up` is the vertical. It ends at the last frame where that is
-    /// like the first one, and one step later where the first one would be next. Where neither is
-    /// so, it ends at the last frame, and each repetition begins with a jump, as its
+    /// The whole recording as a cycle; `up` is the vertical. It ends at the last frame where that
+    /// is like the first one, and one step later where the first one would be next. Where neither
+    /// is so, it ends at the last frame, and each repetition begins with a jump, as its
     /// [`seam`](Self::seam) says.
     ///
     /// # Errors
@@ -97,8 +97,8 @@ impl Cycle {
     ///
     /// # Errors
     ///
-    /// [`RecordingError::Kinematics`], and [`RecordingError::FrameTime`] unless the end is after the
-    /// begin.
+    /// [`RecordingError::Kinematics`], and [`RecordingError::FrameTime`] unless the end is after
+    /// the begin.
     pub fn between(
         recording: &Recording,
         times: [f64; 2],

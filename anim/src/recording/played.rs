@@ -82,7 +82,10 @@ impl<'a> Played<'a> {
     /// The value of a track of the recording at a time.
     pub(super) fn track_at(&self, track: &ScalarTrack, time: f64) -> f64 {
         let time = self.time(time);
-        let time = self.cycle.as_ref().map_or(time, |cycle| cycle.within(time).1);
+        let time = self
+            .cycle
+            .as_ref()
+            .map_or(time, |cycle| cycle.within(time).1);
         let position = self.recording.position(time);
         self.recording.track_at(track, position)
     }

@@ -131,16 +131,14 @@ impl GltfMotion<'_> {
         let above = &source.above;
         let place = local.translation() * self.metres_per_unit.recip() - above.translation();
         let back = above.rotor().reverse();
-        let place: Vector<f64> = back.transform(ga_runtime::cga3::Direction::from(place)).into();
+        let place: Vector<f64> = back
+            .transform(ga_runtime::cga3::Direction::from(place))
+            .into();
         let quotient = |v: Vector<f64>| {
             let (v, by) = (v.coordinates(), above.scale.coordinates());
             Vector::from([0, 1, 2].map(|axis| v[axis] / by[axis]))
         };
-        Transform::from_parts(
-            quotient(place),
-            back * local.rotor(),
-            quotient(local.scale),
-        )
+        Transform::from_parts(quotient(place), back * local.rotor(), quotient(local.scale))
     }
 }
 

@@ -50,11 +50,10 @@ impl Body {
 
     fn by_structure(source: &dyn Source) -> Option<Parts> {
         let parents = source.parents();
-        let frames = frames(source, 10).filter_map(|frame| places(source, frame));
+        let frames = frames(source, 4).filter_map(|frame| places(source, frame));
         let at_rest = source.rest_positions().into_iter().map(Vector::from);
-        let poses: Vec<Vec<Vector<f64>>> = std::iter::once(at_rest.collect())
-            .chain(frames)
-            .collect();
+        let poses: Vec<Vec<Vector<f64>>> =
+            std::iter::once(at_rest.collect()).chain(frames).collect();
         let upright = |up: UpAxis, pose: &[Vector<f64>]| -> Vec<[f64; 3]> {
             let upright = up.to_y();
             let place = |place: &Vector<f64>| upright.transform(Point::from(*place)).coordinates();

@@ -25,7 +25,9 @@ fn path(recording: &Recording, joint: usize) -> Vec<Vector<f64>> {
 fn begins_to_stand(recording: &Recording, ankle: usize) -> Vec<usize> {
     let path = path(recording, ankle);
     let speed = |frame: usize| path[frame].distance(path[frame + 1]) / recording.frame_time();
-    let stands: Vec<bool> = (0..path.len() - 1).map(|frame| speed(frame) < 0.05).collect();
+    let stands: Vec<bool> = (0..path.len() - 1)
+        .map(|frame| speed(frame) < 0.05)
+        .collect();
     (1..stands.len())
         .filter(|&frame| stands[frame] && !stands[frame - 1])
         .collect()
@@ -33,7 +35,15 @@ fn begins_to_stand(recording: &Recording, ankle: usize) -> Vec<usize> {
 
 #[test]
 fn footfalls_are_found_when_feet_come_down() {
-    for gait in [WALK, RUN, Gait { rate: 120.0, ..WALK }, Gait { rate: 30.0, ..RUN }] {
+    for gait in [
+        WALK,
+        RUN,
+        Gait {
+            rate: 120.0,
+            ..WALK
+        },
+        Gait { rate: 30.0, ..RUN },
+    ] {
         let found = footfalls(&gait.recording()).unwrap();
         for (side, foot) in [Foot::Left, Foot::Right].into_iter().enumerate() {
             let found: Vec<f64> = found
@@ -45,7 +55,10 @@ fn footfalls_are_found_when_feet_come_down() {
             assert_eq!(found.len(), truth.len(), "{found:?} {truth:?}");
             for (found, truth) in found.iter().zip(&truth) {
                 // The ankle is near the ground a little before it stands there.
-                assert!((truth - 0.06..truth + 0.02).contains(found), "{found} {truth}");
+                assert!(
+                    (truth - 0.06..truth + 0.02).contains(found),
+                    "{found} {truth}"
+                );
             }
         }
     }
@@ -59,9 +72,8 @@ fn steps_coincide_and_standing_feet_stay_in_their_places() {
         // Each of them on its clock, nearly alone.
         let only = |kept: usize| {
             let played = aligned.played.iter().enumerate();
-            let played = played.map(|(k, (played, _))| {
-                (played.clone(), if k == kept { 1.0 } else { 1e-12 })
-            });
+            let played = played
+                .map(|(k, (played, _))| (played.clone(), if k == kept { 1.0 } else { 1e-12 }));
             blend_played(&played.collect::<Vec<_>>(), aligned.duration_seconds).unwrap()
         };
         let [walks, runs] = [0, 1].map(only);
@@ -91,10 +103,21 @@ fn steps_coincide_and_standing_feet_stay_in_their_places() {
 #[test]
 fn a_motion_without_steps_is_an_error_that_names_it() {
     let walk = WALK.recording();
-    let stands = Gait { speed: 0.0, lift: 0.0, ..WALK }.recording();
+    let stands = Gait {
+        speed: 0.0,
+        lift: 0.0,
+        ..WALK
+    }
+    .recording();
     let error = Aligned::new(&[(&walk, 1.0), (&stands, 1.0)], false).unwrap_err();
     assert_eq!(error.motion, 1);
-    assert_eq!(error.problem, GaitProblem::TooFewSteps { found: 0, needed: 2 });
+    assert_eq!(
+        error.problem,
+        GaitProblem::TooFewSteps {
+            found: 0,
+            needed: 2
+        }
+    );
     // What counts for nothing needs no steps.
     assert!(Aligned::new(&[(&walk, 1.0), (&stands, 0.0)], false).is_ok());
 }
@@ -110,9 +133,17 @@ fn a_cycle_goes_on_without_a_jump() {
             ..WALK
         };
         let short = gait.recording();
-        let long = Gait { seconds: 5.0, ..gait }.recording();
+        let long = Gait {
+            seconds: 5.0,
+            ..gait
+        }
+        .recording();
         let cycle = Cycle::of_whole(&short, UP).unwrap();
-        assert!((cycle.duration() - 1.2).abs() < 1e-9, "{}", cycle.duration());
+        assert!(
+            (cycle.duration() - 1.2).abs() < 1e-9,
+            "{}",
+            cycle.duration()
+        );
         assert!(cycle.seam().is_cyclic());
         let played = [(Played::new(&short).in_cycles(cycle), 1.0)];
         let repeated = blend_played(&played, 5.0).unwrap();
@@ -129,14 +160,21 @@ fn a_cycle_goes_on_without_a_jump() {
 
 #[test]
 fn a_motion_that_does_not_end_as_it_begins_is_said() {
-    let half = Gait { seconds: 0.6, ..WALK }.recording();
+    let half = Gait {
+        seconds: 0.6,
+        ..WALK
+    }
+    .recording();
     let cycle = Cycle::of_whole(&half, UP).unwrap();
     assert!(!cycle.seam().is_cyclic());
     let played = [(Played::new(&half).in_cycles(cycle), 1.0)];
     let repeated = blend_played(&played, 1.5).unwrap();
     // The first time it is as it was.
     for frame in 0..36 {
-        assert_eq!(repeated.frame(frame).unwrap().len(), half.frame(frame).unwrap().len());
+        assert_eq!(
+            repeated.frame(frame).unwrap().len(),
+            half.frame(frame).unwrap().len()
+        );
         let [a, b] = [&repeated, &half].map(|motion| motion.frame(frame).unwrap()[3].motor);
         assert!((a.reverse() * b).rotor().scalar() > 1.0 - 1e-15);
     }

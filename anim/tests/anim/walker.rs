@@ -114,7 +114,10 @@ impl Gait {
                 let cosine = |a: f64, b: f64, c: f64| (a * a + b * b - c * c) / (2.0 * a * b);
                 let thigh = -(ahead + cosine(THIGH, far, SHIN).acos());
                 let bend = std::f64::consts::PI - cosine(THIGH, SHIN, far).acos();
-                assert!(thigh.is_finite() && bend.is_finite(), "the leg is too short");
+                assert!(
+                    thigh.is_finite() && bend.is_finite(),
+                    "the leg is too short"
+                );
                 rotors[ankle - 2] = about(x, thigh);
                 rotors[ankle - 1] = about(x, bend);
                 rotors[ankle] = about(x, -thigh - bend);

@@ -2,9 +2,7 @@
 
 use ga_anim::bvh;
 use ga_anim::clip::compressed;
-use ga_anim::motion_file::{
-    Contents, Format, Loss, MotionFile, Options, WriteOptions, Written,
-};
+use ga_anim::motion_file::{Contents, Format, Loss, MotionFile, Options, WriteOptions, Written};
 use ga_anim::recording::{RecordedJoint, Recording, ScalarTrack};
 use ga_anim::retarget::Source;
 use ga_anim::transform::Transform;
@@ -141,7 +139,11 @@ fn real_motion_capture_comes_back_and_keeps_its_form() {
         }
     }
     let (in_gltf, written) = again(&recording, Format::Gltf, Some(&file));
-    assert!(matches!(written.losses[..], [Loss::EndSites { joints: 7 }]), "{:?}", written.losses);
+    assert!(
+        matches!(written.losses[..], [Loss::EndSites { joints: 7 }]),
+        "{:?}",
+        written.losses
+    );
     assert_eq!(in_gltf.frame_count(), recording.frame_count());
     let (back, _) = again(&in_gltf, Format::Bvh, None);
     let [places, angles] = apart(&recording, &back);
@@ -199,9 +201,18 @@ fn what_a_format_does_not_hold_is_listed() {
     let options = WriteOptions::default();
     let written = Written::new(&recording, Format::Bvh, &options, |_, _| ()).unwrap();
     let kinds: Vec<&str> = written.losses.iter().map(Loss::kind).collect();
-    let scale = written.losses.iter().find(|loss| loss.kind() == "scale_left_out").unwrap();
+    let scale = written
+        .losses
+        .iter()
+        .find(|loss| loss.kind() == "scale_left_out")
+        .unwrap();
     assert_eq!((scale.joint(), scale.frame()), (Some("b\n"), Some(1)));
-    for kind in ["scale_left_out", "joint_axes_left_out", "tracks_left_out", "joint_renamed"] {
+    for kind in [
+        "scale_left_out",
+        "joint_axes_left_out",
+        "tracks_left_out",
+        "joint_renamed",
+    ] {
         assert!(kinds.contains(&kind), "{kind} is not in {kinds:?}");
     }
     // The scaled joint moves the one below it.
@@ -219,9 +230,15 @@ fn what_a_format_does_not_hold_is_listed() {
     }
     let far = {
         let mut locals = recording.locals().to_vec();
-        locals[0] = Transform::from(Motor::from(Translator::from_displacement([900.3, 0.0, 0.0])));
+        locals[0] = Transform::from(Motor::from(Translator::from_displacement([
+            900.3, 0.0, 0.0,
+        ])));
         Recording::new(recording.joints().to_vec(), 0.1, locals, vec![]).unwrap()
     };
     let written = Written::new(&far, Format::Gltf, &options, |_, _| ()).unwrap();
-    assert!(matches!(written.losses[..], [Loss::Precision { .. }]), "{:?}", written.losses);
+    assert!(
+        matches!(written.losses[..], [Loss::Precision { .. }]),
+        "{:?}",
+        written.losses
+    );
 }

@@ -22,8 +22,8 @@ use crate::frame::{Command, Context, Warning};
 ///
 /// All motions begin together. The result is as long as the longest one and has the shortest time
 /// between frames; a shorter motion stays at its last frame, which a warning says. A motion with a
-/// weight of 0 counts for nothing, so weights of 1 and 0 give the first one as it is. A scalar track
-/// that a motion does not have counts as 0.
+/// weight of 0 counts for nothing, so weights of 1 and 0 give the first one as it is. A scalar
+/// track that a motion does not have counts as 0.
 ///
 /// With --loop, a shorter motion begins again when it ends, and the way of its root on the ground
 /// goes on. Where it ends as it begins, up to 15° of each joint and 5 cm of height, there is no
@@ -220,7 +220,12 @@ impl Arguments {
             );
             warnings.push(Warning::new("left_out", message).in_file(file));
             if let Some(seam) = in_step.seam.as_ref().filter(|seam| !seam.is_cyclic()) {
-                warnings.push(jump(file, recording, seam, "is bent evenly over its strides"));
+                warnings.push(jump(
+                    file,
+                    recording,
+                    seam,
+                    "is bent evenly over its strides",
+                ));
             }
             phases.push(Phase {
                 file: file.display().to_string(),

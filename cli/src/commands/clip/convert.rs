@@ -14,8 +14,8 @@ use crate::frame::{Command, Context};
 /// weights of morph targets, and in BVH factors of joints and their axes at rest.
 ///
 /// The unit of a .bvh that is read is found from the body in motion: it is the one with which thigh
-/// and shin are most like an adult's 0.82 m, of metre, 0.0254/0.45 m as CMU has it, inch, centimetre
-/// and millimetre. It is printed, and a warning says where it is not clear.
+/// and shin are most like an adult's 0.82 m, of metre, 0.0254/0.45 m as CMU has it, inch,
+/// centimetre and millimetre. It is printed, and a warning says where it is not clear.
 ///
 /// For instance
 ///

@@ -15,12 +15,12 @@ use crate::frame::{self, Command, Context, Warning};
 ///
 ///   nullcone clip info walk.clip --mesh-vertices 13380 --json
 ///
-/// prints {"metres_per_unit": 1.0, "bytes": …, "raw_bytes": …, "ratio": …, "frames": 2752, "joints":
-/// 31, …}. raw_bytes are 40 for each joint and frame: a rotation, a translation and a factor along
-/// each axis in single precision. bytes are all of the file but the joints' names. With
-/// --mesh-vertices, a frame is compared with the positions of that many vertices in single precision.
-/// decoded_frames_per_second is measured on one thread and differs from run to run. Of BVH and glTF,
-/// frames, joints, times, tracks and the names of the joints are printed.
+/// prints {"metres_per_unit": 1.0, "bytes": …, "raw_bytes": …, "ratio": …, "frames": 2752,
+/// "joints": 31, …}. raw_bytes are 40 for each joint and frame: a rotation, a translation and a
+/// factor along each axis in single precision. bytes are all of the file but the joints' names.
+/// With --mesh-vertices, a frame is compared with the positions of that many vertices in single
+/// precision. decoded_frames_per_second is measured on one thread and differs from run to run. Of
+/// BVH and glTF, frames, joints, times, tracks and the names of the joints are printed.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

@@ -63,8 +63,8 @@ pub(crate) struct Arguments {
     /// was bound.
     #[arg(long, value_name = "FILE.bvh|FILE.glb")]
     target: PathBuf,
-    /// The length of one unit of a target of the kind .bvh in metres [default: found from the length
-    /// of the legs].
+    /// The length of one unit of a target of the kind .bvh in metres [default: found from the
+    /// length of the legs].
     #[arg(long, value_name = "METRES")]
     target_metres_per_unit: Option<f64>,
     #[command(flatten)]

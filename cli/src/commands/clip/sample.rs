@@ -20,8 +20,8 @@ use crate::frame::{self, Command, Context, Warning};
 ///
 ///   nullcone clip sample walk.clip --times 0,0.25,1.5 --json
 ///
-/// prints {"metres_per_unit": 1.0, "samples": [{"time": 0.0, "joints": [{"joint": "Hips", "matrix": [[…], […], […]]}, …],
-/// "tracks": []}, …]}.
+/// prints {"metres_per_unit": 1.0, "samples": [{"time": 0.0, "joints": [{"joint": "Hips", "matrix":
+/// [[…], […], […]]}, …], "tracks": []}, …]}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::blend::Phases;
 use super::info::lines_of;
-use super::input::{Input, MotionArguments, checked_unit};
+use super::input::{Input, MotionArguments, checked_unit, short};
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
 use crate::output;
@@ -32,8 +32,8 @@ pub(super) struct TargetArguments {
     #[arg(long, value_name = "METRES")]
     shell: Option<f64>,
     /// A joint with bounds of its own, for .clip, such as `LeftHand=0.00005` or
-    /// `LeftHand=0.00005,0.2` for another shell. May be given several times. Those of a first motion
-    /// that is a clip are kept.
+    /// `LeftHand=0.00005,0.2` for another shell. May be given several times. Those of a first
+    /// motion that is a clip are kept.
     #[arg(long = "joint", value_name = "NAME=METRES[,SHELL]")]
     joints: Vec<NamedBound>,
     /// The greatest deviation of scalar tracks, such as the weights of morph targets, for .clip; by
@@ -46,8 +46,8 @@ pub(super) struct TargetArguments {
     out_metres_per_unit: Option<f64>,
     /// The motion to be written, in the format that its name says.
     ///
-    /// A .glb or .gltf keeps the nodes, meshes, skins and other animations of a first motion that is
-    /// glTF; a .bvh the unit, channels and End Sites of one that is BVH. What a format does not
+    /// A .glb or .gltf keeps the nodes, meshes, skins and other animations of a first motion that
+    /// is glTF; a .bvh the unit, channels and End Sites of one that is BVH. What a format does not
     /// hold is listed in warnings.
     #[arg(long, value_name = "OUT.clip|OUT.bvh|OUT.glb")]
     out: PathBuf,
@@ -181,8 +181,8 @@ pub(super) fn write(
     let Output {
         recording,
         inputs,
+        like,
         mut warnings,
-        ..
     } = output;
     let as_motion = match format {
         Format::Bvh => MotionFormat::Bvh,
@@ -196,7 +196,10 @@ pub(super) fn write(
     let written = Written::new(recording, as_motion, options, |done, steps| {
         progress.at(done as u64, steps as u64);
     });
-    let written = written.with_context(|| file.clone())?;
+    let written = written.with_context(|| match like.likely_unit() {
+        Some(unit) => format!("{file}, with a unit of {} m", short(unit.metres)),
+        None => file.clone(),
+    })?;
     warnings.extend(written.losses.iter().map(|loss| Warning {
         joint: loss.joint().map(ToOwned::to_owned),
         frame: loss.frame(),
