@@ -219,19 +219,6 @@ pub enum MotionFileError {
         /// The greatest number of transforms.
         limit: usize,
     },
-    /// A joint below a root moves away from its place relative to its parent.
-    #[error(
-        "joint {name:?} is {distance} units from its place in frame {frame}; in a BVH file, joints \
-         below the root only rotate"
-    )]
-    Moves {
-        /// The joint.
-        name: String,
-        /// The frame, from 0.
-        frame: usize,
-        /// How far it is from there.
-        distance: f64,
-    },
     /// Two names become equal where line breaks and braces are replaced.
     #[error("two joints are called {name:?} in a BVH file")]
     DuplicateName {

@@ -20,6 +20,7 @@
 //! | [`weights::distance`], [`weights::geodesic`] | weights by distance, in space and in the body |
 //! | [`character`] | mesh, skeleton and weights together, measured in motion |
 //! | [`retarget`] | transfers a recording to another body |
+//! | [`gait`] | steps: when feet come down, and motions in step with each other |
 //! | [`leg`] | the leg of hip, knee and ankle (Cui, §2.3.3): from angles to positions and back |
 //! | [`inverse_kinematics`] | from where joints should be to how they rotate |
 //! | [`gltf`] | plays documents; skeletons and clips as [`ga_mesh::gltf::model`] writes them |
@@ -78,6 +79,7 @@ pub mod clip;
 pub mod curve;
 mod file_error;
 mod frame_position;
+pub mod gait;
 pub mod gltf;
 pub mod inverse_kinematics;
 pub mod kinematics;

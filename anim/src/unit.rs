@@ -1,120 +1,131 @@
-//! The length of a unit of a recording that does not state it.
+//! The length of a unit of a motion that does not state it.
 //!
 //! BVH has no unit: recordings are in metres, in centimetres, in inches, and in the unit of CMU's
-//! motion capture, 0.0254/0.45 m. What a unit is long follows from the size of the body, which is
-//! read off the lengths of its bones: they are the same in every pose, so that a body may lie,
-//! stand or be folded at rest.
+//! motion capture, 0.0254/0.45 m. What a unit is long follows from the length of the legs, which is
+//! read off the body in motion: it does not depend on the pose in which rotations are zero, so that
+//! a body may lie, stand or be folded there.
 
-use crate::recording::Recording;
+use crate::retarget::Source;
+use crate::retarget::body::Body;
 
-/// The units that recordings have, in metres: a metre, a decimetre, CMU's, an inch, a centimetre
-/// and a millimetre.
-pub const UNITS: [f64; 6] = [1.0, 0.1, 0.0254 / 0.45, 0.0254, 0.01, 0.001];
+/// The units that motions have, in metres: a metre, CMU's, an inch, a centimetre and a millimetre.
+pub const UNITS: [f64; 5] = [1.0, 0.0254 / 0.45, 0.0254, 0.01, 0.001];
 
-/// The longest way along the bones of an adult, in metres: mostly from a wrist over shoulders,
-/// spine and hip to the toes.
-const ADULT: f64 = 2.05;
-/// A body that is larger or smaller than an adult by more than this factor leaves its unit unclear.
+/// Thigh and shin of an adult together, in metres.
+const LEG: f64 = 0.82;
+/// A leg that is longer or shorter than an adult's by more than this factor leaves the unit
+/// unclear: half-way to the next unit is a factor of 1.5.
 const CLEAR: f64 = 1.3;
 
 /// What a unit is likely to be long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LikelyUnit {
-    /// Its length in metres: that of [`UNITS`] with which the body is most like an adult, or where
-    /// it is not like one with any of them, the length with which it is as large as an adult.
+    /// Its length in metres: the one of [`UNITS`] with which thigh and shin are most like an
+    /// adult's, or 1 where no legs are known.
     pub metres: f64,
-    /// Whether it is one of [`UNITS`].
-    pub is_clear: bool,
+    /// Thigh and shin together in metres with this unit; `None` where no legs are known.
+    pub leg_metres: Option<f64>,
 }
 
-/// The likely unit of a recording whose lengths are in that unit; `None` for a body without bones.
+impl LikelyUnit {
+    /// Whether thigh and shin are as long as a person's with this unit.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        let is_near = |leg: f64| (leg / LEG).ln().abs() <= CLEAR.ln();
+        self.leg_metres.is_some_and(is_near)
+    }
+
+    /// What is not clear, as a sentence; `None` where all is.
+    #[must_use]
+    pub fn doubt(&self) -> Option<String> {
+        let metres = self.metres;
+        match self.leg_metres {
+            _ if self.is_clear() => None,
+            None => Some(format!(
+                "the length of a unit is not clear, since no legs of a body are known: {metres} m \
+                 is taken"
+            )),
+            Some(leg) => Some(format!(
+                "the length of a unit is not clear: {metres:.6} m is taken, with which thigh and \
+                 shin are {leg:.2} m long, beside {LEG} m of an adult"
+            )),
+        }
+    }
+}
+
+/// The likely unit of a motion whose lengths are in that unit.
 ///
 /// ```
 /// use ga_anim::bvh;
-/// use ga_anim::recording::Recording;
 /// use ga_anim::unit::likely_unit;
 ///
-/// // A body in centimetres that is recorded lying.
-/// let text = b"HIERARCHY
-/// ROOT Hips
-/// {
-///   OFFSET 0 0 0
-///   CHANNELS 3 Zrotation Xrotation Yrotation
-///   JOINT Neck
-///   {
-///     OFFSET 55 0 0
-///     CHANNELS 3 Zrotation Xrotation Yrotation
-///     JOINT Wrist
-///     {
-///       OFFSET 65 0 0
-///       CHANNELS 3 Zrotation Xrotation Yrotation
-///     }
-///   }
-///   JOINT Foot
-///   {
-///     OFFSET -90 0 0
-///     CHANNELS 3 Zrotation Xrotation Yrotation
-///   }
-/// }
-/// MOTION
-/// Frames: 1
-/// Frame Time: 0.04
-/// 0 0 0 0 0 0 0 0 0 0 0 0
-/// ";
-/// let unit = likely_unit(&Recording::from_bvh(&bvh::decode(text)?, 1.0)?).ok_or("no bones")?;
-/// assert_eq!((unit.metres, unit.is_clear), (0.01, true));
+/// // A body in centimetres that lies in the pose in which rotations are zero.
+/// let leg = |side: &str, z: f64| {
+///     format!(
+///         "JOINT {side}UpLeg {{ OFFSET 0 0 {z} CHANNELS 3 Zrotation Xrotation Yrotation
+///          JOINT {side}Leg {{ OFFSET 42 0 0 CHANNELS 3 Zrotation Xrotation Yrotation
+///          JOINT {side}Foot {{ OFFSET 40 0 0 CHANNELS 3 Zrotation Xrotation Yrotation }} }} }}"
+///     )
+/// };
+/// let text = format!(
+///     "HIERARCHY ROOT Hips {{ OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation {} {} }}
+///      MOTION Frames: 1 Frame Time: 0.04
+///      {}",
+///     leg("Left", 9.0),
+///     leg("Right", -9.0),
+///     "0 ".repeat(21)
+/// );
+/// let unit = likely_unit(&bvh::decode(text.as_bytes())?);
+/// assert_eq!((unit.metres, unit.is_clear()), (0.01, true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
-pub fn likely_unit(recording: &Recording) -> Option<LikelyUnit> {
-    of_size(longest_way(recording))
+pub fn likely_unit(motion: &dyn Source) -> LikelyUnit {
+    let length = Body::of(motion).and_then(|body| body.leg_length(motion));
+    of_leg(length)
 }
 
-/// The likely unit of a body whose longest way along its bones has this length.
-fn of_size(size: f64) -> Option<LikelyUnit> {
-    if size.is_nan() || size <= 0.0 || size.is_infinite() {
-        return None;
-    }
-    let misses = |unit: f64| (size * unit / ADULT).ln().abs();
-    let nearest = UNITS
-        .into_iter()
-        .min_by(|a, b| misses(*a).total_cmp(&misses(*b)));
-    let clear = nearest.filter(|unit| misses(*unit) <= CLEAR.ln());
-    Some(LikelyUnit {
-        metres: clear.unwrap_or(ADULT / size),
-        is_clear: clear.is_some(),
+/// The likely unit where thigh and shin together have this length.
+fn of_leg(length: Option<f64>) -> LikelyUnit {
+    let unknown = LikelyUnit {
+        metres: 1.0,
+        leg_metres: None,
+    };
+    length.map_or(unknown, |length| {
+        let misses = |unit: f64| (length * unit / LEG).ln().abs();
+        let nearest = UNITS
+            .into_iter()
+            .min_by(|a, b| misses(*a).total_cmp(&misses(*b)));
+        let metres = nearest.unwrap_or(1.0);
+        LikelyUnit {
+            metres,
+            leg_metres: Some(length * metres),
+        }
     })
-}
-
-/// The longest way along bones between two joints.
-fn longest_way(recording: &Recording) -> f64 {
-    let joints = recording.joints();
-    let mut below = vec![0.0_f64; joints.len()];
-    let mut longest = 0.0_f64;
-    // Parents come first, so that all below a joint is known when it is reached.
-    for (index, joint) in joints.iter().enumerate().rev() {
-        let Some(parent) = joint.parent else { continue };
-        let way = below[index] + joint.rest.translation().length();
-        longest = longest.max(below[parent] + way);
-        below[parent] = below[parent].max(way);
-    }
-    longest
 }
 
 #[cfg(test)]
 mod tests {
-    use super::of_size;
+    use super::{UNITS, of_leg};
 
     #[test]
-    fn a_body_of_no_size_has_no_unit() {
-        for size in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(of_size(size), None);
+    fn legs_of_people_have_each_unit() {
+        for unit in UNITS {
+            for leg in [0.7, 0.77, 0.82, 0.87, 1.0] {
+                let found = of_leg(Some(leg / unit));
+                assert!(found.is_clear(), "{leg} {unit}");
+                assert_eq!(found.metres, unit, "{leg}");
+            }
         }
     }
 
     #[test]
-    fn a_body_unlike_an_adult_is_scaled_to_one_and_unclear() {
-        let giant = of_size(5.0e5).unwrap();
-        assert!(!giant.is_clear && (giant.metres * 5.0e5 - 2.05).abs() < 1e-12);
+    fn legs_unlike_an_adults_and_none_at_all_are_said() {
+        let giant = of_leg(Some(5.0));
+        assert_eq!(giant.metres, 1.0);
+        assert!(giant.doubt().unwrap().contains("5.00 m long"));
+        let none = of_leg(None);
+        assert_eq!(none.metres, 1.0);
+        assert!(none.doubt().unwrap().contains("no legs"));
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 use ga_anim::bvh::{self, Bvh, BvhWarning};
 use ga_anim::motion_file::{MotionFile, Options};
+use ga_anim::unit::LikelyUnit;
 
 use crate::frame::{Warning, keep_for_failure};
 
@@ -23,7 +24,23 @@ pub(crate) fn read_any(
 ) -> Result<MotionFile> {
     let motion = MotionFile::read(path, options)?;
     warn(path, motion.warnings(), warnings);
+    if let Some(unit) = motion.likely_unit() {
+        warn_of_unit(path, unit, "--metres-per-unit", warnings);
+    }
     Ok(motion)
+}
+
+/// Adds what is not clear about a unit that was found to the warnings; `option` gives it.
+pub(crate) fn warn_of_unit(
+    path: &Path,
+    unit: LikelyUnit,
+    option: &str,
+    warnings: &mut Vec<Warning>,
+) {
+    if let Some(doubt) = unit.doubt() {
+        let message = format!("{doubt}; {option} gives it");
+        warnings.push(Warning::new("unclear_unit", message).in_file(path));
+    }
 }
 
 fn warn(path: &Path, found: &[BvhWarning], warnings: &mut Vec<Warning>) {

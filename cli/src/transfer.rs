@@ -2,14 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use clap::ValueEnum;
 use ga_anim::retarget::{
     Alignment, FoundReference, JointMap, MapOrigin, Options, Reference, Soles, Source,
     StandingFoot, Transfer, TransferOptions, UpAxis,
 };
 use ga_anim::skeleton::Skeleton;
-use ga_anim::unit::LikelyUnit;
 
 use crate::frame::Warning;
 use crate::motion_file;
@@ -181,24 +180,6 @@ impl TransferArguments {
         }));
         warnings
     }
-}
-
-/// The length of a unit in metres where it is not given.
-pub(crate) fn metres(
-    unit: Option<LikelyUnit>,
-    file: &str,
-    warnings: &mut Vec<Warning>,
-) -> Result<f64> {
-    let unit = unit.with_context(|| format!("{file}: the body has no bones"))?;
-    if !unit.is_clear {
-        let message = format!(
-            "the length of a unit is not clear: {:.6} m is taken, with which the body is as large \
-             as an adult",
-            unit.metres
-        );
-        warnings.push(Warning::new("unclear_unit", message).in_file(Path::new(file)));
-    }
-    Ok(unit.metres)
 }
 
 /// The warning of a leg that is too short.

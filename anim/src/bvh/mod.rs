@@ -32,7 +32,9 @@
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
 //! readers agree.
 
+mod channels;
 mod conversion;
+mod from_recording;
 mod joint;
 mod kinematics;
 mod motion;

@@ -4,27 +4,22 @@ use std::fmt::Write as _;
 
 use ga_runtime::cga3::{Motor, Translator};
 use ga_runtime::geometry::EulerOrder;
-use ga_runtime::vga3::Vector;
 
-use super::root_offset::root_positions;
-use super::{Bvh, BvhJoint, Channel, PositionChannels};
+use super::channels::{ORDER, order_of};
+use super::{Bvh, BvhJoint, Channel};
 use crate::clip::Clip;
 use crate::file_error::MotionFileError;
 use crate::pose::Pose;
 use crate::skeleton::{Skeleton, SkeletonError};
 
-/// The order of the angles where there is no other: the usual one of these files.
-const ORDER: [usize; 3] = [2, 0, 1];
-
 impl Bvh {
-    /// A clip as a recording: roots have positions and angles, all other joints angles. Joints
-    /// without others below have an End Site at their tail. A line break or a brace in a name
-    /// becomes `_`.
+    /// A clip as a recording: roots have positions and angles, and so have joints that do not stay
+    /// in their places; all others have angles. Joints without others below have an End Site at
+    /// their tail. A line break or a brace in a name becomes `_`.
     ///
     /// # Errors
     ///
-    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
-    /// [`MotionFileError::DuplicateName`].
+    /// [`MotionFileError::Skeleton`] and [`MotionFileError::DuplicateName`].
     ///
     /// ```
     /// use ga_anim::bvh::{self, Bvh};
@@ -41,8 +36,9 @@ impl Bvh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
-        let order = depth_first(skeleton);
         let joints = skeleton.joints();
+        let parents: Vec<Option<usize>> = joints.iter().map(|joint| joint.parent).collect();
+        let order = depth_first(&parents);
         let mut place = vec![0; joints.len()];
         for (new, &old) in order.iter().enumerate() {
             place[old] = new;
@@ -73,96 +69,28 @@ impl Bvh {
             });
             first_channel += count;
         }
-        let mut motion = Self {
-            joints: written,
-            frame_time: clip.frame_time(),
-            frame_count: 0,
-            values: Vec::new(),
-            root_positions: PositionChannels::InPlace,
-            positions: PositionChannels::Added,
-            warnings: Vec::new(),
-        };
-        motion.fill(skeleton, &order, clip)?;
-        Ok(motion)
+        let frames = motions(skeleton, &order, clip)?;
+        Ok(Self::of_motions(written, clip.frame_time(), &frames))
     }
 
     /// The joints of this recording with the motion of a clip of [`Bvh::skeleton`]. Angles keep
-    /// their order where a joint has all three; joints below the root have angles only.
+    /// their order where a joint has all three; joints below the root have angles only, unless they
+    /// do not stay in their places.
     ///
     /// # Errors
     ///
-    /// [`MotionFileError::Skeleton`], [`MotionFileError::Moves`] and
-    /// [`MotionFileError::DuplicateName`].
+    /// [`MotionFileError::Skeleton`].
     pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
-        let mut motion = Self {
-            joints: self.joints.clone(),
-            frame_time: clip.frame_time(),
-            frame_count: 0,
-            values: Vec::new(),
-            root_positions: PositionChannels::InPlace,
-            positions: PositionChannels::Added,
-            warnings: Vec::new(),
-        };
-        let mut first_channel = 0;
-        for joint in &mut motion.joints {
+        let mut joints = self.joints.clone();
+        for joint in &mut joints {
             let positions = (0..3).map(Channel::Position);
             let positions = positions.take(if joint.parent.is_none() { 3 } else { 0 });
             let angles = order_of(joint).map_or(ORDER, EulerOrder::axes);
             joint.channels = positions.chain(angles.map(Channel::Rotation)).collect();
-            joint.first_channel = first_channel;
-            first_channel += joint.channels.len();
         }
-        let order: Vec<usize> = (0..motion.joints.len()).collect();
-        motion.fill(skeleton, &order, clip)?;
-        Ok(motion)
-    }
-
-    /// The numbers of all frames; `order` has the joint of the skeleton for each of this recording.
-    fn fill(
-        &mut self,
-        skeleton: &Skeleton,
-        order: &[usize],
-        clip: &Clip,
-    ) -> Result<(), MotionFileError> {
-        let (expected, found) = (skeleton.len(), clip.joint_count());
-        if expected != found || self.joints.len() != expected {
-            return Err(SkeletonError::PoseLength { expected, found }.into());
-        }
-        let heads = skeleton
-            .joints()
-            .iter()
-            .map(|joint| Vector::from(joint.head));
-        let size = heads.map(Vector::length).fold(0.0, f64::max);
-        for (frame, pose) in clip.frames().iter().enumerate() {
-            for (joint, &old) in self.joints.iter().zip(order) {
-                let local = local(skeleton, pose, old);
-                let there = Vector::from(local.translator().displacement());
-                let away = there - Vector::from(joint.offset);
-                if joint.parent.is_none() {
-                    self.values.extend(there.coordinates());
-                } else if away.length().is_nan() || away.length() > 1e-9 * size {
-                    return Err(MotionFileError::Moves {
-                        name: joint.name.clone(),
-                        frame,
-                        distance: away.length(),
-                    });
-                }
-                let angles = local
-                    .rotor()
-                    .to_euler(order_of(joint).unwrap_or(EulerOrder::Zxy));
-                self.values.extend(angles.map(f64::to_degrees));
-            }
-        }
-        self.frame_count = clip.frames().len();
-        // Where the offset could be read as a part of the place, it is left out.
-        if root_positions(self) == PositionChannels::Added {
-            let roots = self
-                .joints
-                .iter_mut()
-                .filter(|joint| joint.parent.is_none());
-            roots.for_each(|joint| joint.offset = [0.0; 3]);
-        }
-        Ok(())
+        let order: Vec<usize> = (0..joints.len()).collect();
+        let frames = motions(skeleton, &order, clip)?;
+        Ok(Self::of_motions(joints, clip.frame_time(), &frames))
     }
 
     /// The text of the file. Numbers are written so that they read back exactly.
@@ -233,32 +161,35 @@ fn local(skeleton: &Skeleton, pose: &Pose, joint: usize) -> Motor<f64> {
     above * pose.joints[joint] * Translator::from_displacement(described.head)
 }
 
-/// The order of a joint's angles, where it has all three.
-fn order_of(joint: &BvhJoint) -> Option<EulerOrder> {
-    let axes: Vec<usize> = joint
-        .channels
-        .iter()
-        .filter_map(|channel| match *channel {
-            Channel::Rotation(axis) => Some(axis),
-            Channel::Position(_) => None,
-        })
-        .collect();
-    let is_it = |order: &&EulerOrder| order.axes().as_slice() == axes;
-    EulerOrder::ALL.iter().find(is_it).copied()
+/// The motions of the joints relative to their parents in every frame of a clip; `order` has the
+/// joint of the skeleton for each.
+fn motions(
+    skeleton: &Skeleton,
+    order: &[usize],
+    clip: &Clip,
+) -> Result<Vec<Vec<Motor<f64>>>, MotionFileError> {
+    let (expected, found) = (skeleton.len(), clip.joint_count());
+    if expected != found || order.len() != expected {
+        return Err(SkeletonError::PoseLength { expected, found }.into());
+    }
+    let of_pose = |pose: &Pose| {
+        let joints = order.iter().map(|&joint| local(skeleton, pose, joint));
+        joints.collect()
+    };
+    Ok(clip.frames().iter().map(of_pose).collect())
 }
 
-/// The joints so that what is below a joint follows it.
-fn depth_first(skeleton: &Skeleton) -> Vec<usize> {
-    let joints = skeleton.joints();
-    let mut children: Vec<Vec<usize>> = vec![Vec::new(); joints.len()];
+/// The joints in an order in which what is below a joint follows it.
+pub(super) fn depth_first(parents: &[Option<usize>]) -> Vec<usize> {
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); parents.len()];
     let mut to_visit = Vec::new();
-    for (joint, described) in joints.iter().enumerate().rev() {
-        match described.parent {
+    for (joint, parent) in parents.iter().enumerate().rev() {
+        match *parent {
             Some(parent) => children[parent].push(joint),
             None => to_visit.push(joint),
         }
     }
-    let mut order = Vec::with_capacity(joints.len());
+    let mut order = Vec::with_capacity(parents.len());
     while let Some(joint) = to_visit.pop() {
         order.push(joint);
         to_visit.append(&mut children[joint]);
@@ -278,7 +209,7 @@ fn word(channel: &Channel) -> &'static str {
 }
 
 /// A name that stands on one line, up to a brace.
-fn plain(name: &str) -> String {
+pub(super) fn plain(name: &str) -> String {
     let is_strange = |c: char| c.is_control() || matches!(c, '{' | '}');
     let words = name.split_whitespace();
     let name = words.collect::<Vec<_>>().join(" ").replace(is_strange, "_");

@@ -129,7 +129,10 @@ pub enum ClipError {
         most: usize,
     },
     /// With the most bits a joint stays beyond its tolerance.
-    #[error("joint {joint:?} cannot be kept within {tolerance} m; {error} m is the least reached")]
+    #[error(
+        "joint {joint:?} cannot be kept within {tolerance} m: with the most bits of the format its \
+         error is {error:.2e} m, since its motion is too large for that"
+    )]
     Bound {
         /// The joint.
         joint: String,
@@ -140,8 +143,8 @@ pub enum ClipError {
     },
     /// Decoding in single precision takes a joint beyond its tolerance.
     #[error(
-        "joint {joint:?} cannot be kept within {tolerance} m in single precision, as in frame {frame}: \
-         its place is too far from the origin"
+        "joint {joint:?} cannot be kept within {tolerance} m in single precision, as in frame \
+         {frame}: its place, {distance:.0} m from the origin, is too far away for that"
     )]
     Precision {
         /// The joint.
@@ -150,6 +153,8 @@ pub enum ClipError {
         frame: usize,
         /// Its tolerance in metres.
         tolerance: f64,
+        /// How far it is from the origin in that frame, in metres.
+        distance: f64,
     },
     /// A scalar track cannot be kept within its tolerance.
     #[error("track {track:?} cannot be kept within {tolerance}: its values are too large for that")]

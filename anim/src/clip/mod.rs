@@ -30,6 +30,7 @@ pub use event::{EventTrack, ScalarTracks};
 pub use layering::{Layer, overlay};
 pub use mirror::Mirror;
 pub(crate) use mirror::{other_side, reflected};
+pub(crate) use root_motion::about;
 pub use root_motion::{GroundMotion, RootMotion};
 pub use time_warp::TimeWarp;
 

@@ -176,7 +176,7 @@ impl RootMotion {
 }
 
 /// The part of a rotation about a direction of length 1. `None` where the rest is a half turn.
-fn about(direction: Vector<f64>, rotor: Rotor<f64>) -> Option<Rotor<f64>> {
+pub(crate) fn about(direction: Vector<f64>, rotor: Rotor<f64>) -> Option<Rotor<f64>> {
     let [x, y, z] = direction.coordinates();
     // The bivector across the direction is x e23 − y e13 + z e12.
     let along = x * rotor.e23() - y * rotor.e13() + z * rotor.e12();

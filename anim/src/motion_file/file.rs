@@ -3,21 +3,24 @@
 use std::path::Path;
 
 use ga_files::ReadError;
-use ga_mesh::gltf::{self, Document};
+use ga_mesh::gltf;
 
+use super::contents::Contents;
 use super::format::Format;
 use super::sample::{self, Sample};
 use crate::MotionFileError;
-use crate::bvh::{self, Bvh, BvhWarning};
+use crate::bvh::{self, BvhWarning};
 use crate::clip::compressed::{self, CompressedClip};
 use crate::gltf::Player;
 use crate::recording::{GltfMotion, Recording};
+use crate::unit::{LikelyUnit, likely_unit};
 
-/// How a file is understood as a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// How a file is understood as a motion. What is left out is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
-    /// The length of one unit of BVH or glTF in metres; a compressed clip is in metres.
-    pub metres_per_unit: f64,
+    /// The length of one unit of BVH or glTF in metres. By default that of BVH is the
+    /// [likely one](likely_unit), and that of glTF a metre; a compressed clip is in metres.
+    pub metres_per_unit: Option<f64>,
     /// The number of the animation in glTF, from 0.
     pub animation: usize,
     /// The frames per second at which an animation of glTF is recorded; where none are given,
@@ -25,30 +28,14 @@ pub struct Options {
     pub rate: Option<f64>,
 }
 
-impl Default for Options {
-    /// The first animation in metres, at the rate of its keys.
-    fn default() -> Self {
-        Self {
-            metres_per_unit: 1.0,
-            animation: 0,
-            rate: None,
-        }
-    }
-}
-
-/// What is in a file with a motion.
-#[derive(Clone, Debug)]
-enum Contents {
-    Bvh(Bvh),
-    Gltf(Document),
-    Clip(CompressedClip),
-}
-
-/// A motion in a file of any format, in metres.
+/// A motion in a file of any format.
 #[derive(Clone, Debug)]
 pub struct MotionFile {
     contents: Contents,
     options: Options,
+    metres_per_unit: f64,
+    /// How the length of a unit was found, where neither the format nor the options say it.
+    likely_unit: Option<LikelyUnit>,
 }
 
 impl MotionFile {
@@ -66,14 +53,50 @@ impl MotionFile {
         let contents = match Format::of_path(path)? {
             Format::Bvh => Contents::Bvh(bvh::read(path)?),
             Format::Gltf => {
-                Contents::Gltf(gltf::read(path).map_err(|error| error.map(Into::into))?)
+                let document = gltf::read(path);
+                Contents::Gltf(Box::new(document.map_err(|error| error.map(Into::into))?))
             }
             Format::Clip => {
                 let clip = CompressedClip::read(path);
-                Contents::Clip(clip.map_err(|error| error.map(Into::into))?)
+                Contents::Clip(Box::new(clip.map_err(|error| error.map(Into::into))?))
             }
         };
-        Ok(Self { contents, options })
+        let likely_unit = match (&contents, options.metres_per_unit) {
+            (Contents::Bvh(motion), None) => Some(likely_unit(motion)),
+            _ => None,
+        };
+        let found = likely_unit.map_or(1.0, |unit| unit.metres);
+        Ok(Self {
+            contents,
+            options,
+            metres_per_unit: options.metres_per_unit.unwrap_or(found),
+            likely_unit,
+        })
+    }
+
+    /// What is in the file.
+    #[must_use]
+    pub fn contents(&self) -> &Contents {
+        &self.contents
+    }
+
+    /// The length of one unit in metres.
+    #[must_use]
+    pub fn metres_per_unit(&self) -> f64 {
+        self.metres_per_unit
+    }
+
+    /// How the length of a unit was found from the body in motion; `None` where the format or the
+    /// options say it.
+    #[must_use]
+    pub fn likely_unit(&self) -> Option<LikelyUnit> {
+        self.likely_unit
+    }
+
+    /// The number of the animation in glTF, from 0.
+    #[must_use]
+    pub fn animation(&self) -> usize {
+        self.options.animation
     }
 
     /// What deviates from the format and was read nevertheless.
@@ -85,17 +108,48 @@ impl MotionFile {
         }
     }
 
-    /// The motion frame by frame.
+    /// The motion frame by frame, in metres.
     ///
     /// # Errors
     ///
     /// Those of [`Recording::from_bvh`], [`Recording::from_gltf`] and
     /// [`Recording::from_compressed`].
     pub fn recording(&self) -> Result<Recording, MotionFileError> {
+        self.recording_of_unit(self.metres_per_unit)
+    }
+
+    /// The motion frame by frame, in the unit of the file.
+    ///
+    /// # Errors
+    ///
+    /// As [`recording`](Self::recording).
+    pub fn recording_in_units(&self) -> Result<Recording, MotionFileError> {
+        self.recording_of_unit(1.0)
+    }
+
+    /// The motion at another number of frames per second: of glTF by its own curves, of the other
+    /// formats between the frames of their [`recording`](Self::recording).
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Recording::resampled`] and [`Recording::from_gltf`].
+    pub fn resampled(
+        &self,
+        recording: &Recording,
+        rate: f64,
+    ) -> Result<Recording, MotionFileError> {
+        match &self.contents {
+            Contents::Gltf(document) => {
+                let (animation, unit) = (self.options.animation, self.metres_per_unit);
+                Recording::from_gltf(document, animation, unit, Some(rate))
+            }
+            _ => Ok(recording.resampled(rate)?),
+        }
+    }
+
+    fn recording_of_unit(&self, metres_per_unit: f64) -> Result<Recording, MotionFileError> {
         let Options {
-            metres_per_unit,
-            animation,
-            rate,
+            animation, rate, ..
         } = self.options;
         match &self.contents {
             Contents::Bvh(motion) => Ok(Recording::from_bvh(motion, metres_per_unit)?),
@@ -161,6 +215,6 @@ impl MotionFile {
     }
 
     fn gltf_motion<'a>(&self, player: &'a Player<'a>) -> Result<GltfMotion<'a>, MotionFileError> {
-        GltfMotion::new(player, self.options.animation, self.options.metres_per_unit)
+        GltfMotion::new(player, self.options.animation, self.metres_per_unit)
     }
 }

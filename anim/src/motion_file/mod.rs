@@ -1,4 +1,5 @@
-//! Motions in files of any format, chosen by the ending of their names.
+//! Motions in files of any format, chosen by the ending of their names: a [`MotionFile`] is read,
+//! and [`Written`] is what a recording becomes in a file.
 //!
 //! ```
 //! use ga_anim::motion_file::{MotionFile, Options};
@@ -12,7 +13,7 @@
 //!      0
 //!      40",
 //! )?;
-//! let options = Options { metres_per_unit: 0.01, ..Options::default() };
+//! let options = Options { metres_per_unit: Some(0.01), ..Options::default() };
 //! let file = MotionFile::read(&path, options)?;
 //! assert_eq!(file.recording()?.duration(), 0.5);
 //! let samples = file.samples(&[0.0, 0.25])?;
@@ -21,10 +22,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod contents;
 mod file;
 mod format;
+mod loss;
 mod sample;
+mod written;
 
+pub use contents::Contents;
 pub use file::{MotionFile, Options};
 pub use format::Format;
+pub use loss::Loss;
 pub use sample::{JointSample, Sample, TrackSample};
+pub use written::{WriteOptions, Written};

@@ -3,6 +3,7 @@
 use ga_runtime::cga3::{Motor, Rotor};
 use ga_runtime::vga3::Vector;
 
+use super::played::Played;
 use super::resample::{checked_frames, frames_within};
 use super::{RecordedJoint, Recording, ScalarTrack};
 use crate::recording::RecordingError;
@@ -22,9 +23,9 @@ use crate::transform::Transform;
 /// the same way.
 ///
 /// *Time*. All recordings begin together. The mean is as long as the longest one, and a shorter one
-/// stays at its last frame. The time between frames is the shortest one. Recordings with a weight
-/// of 0 count for nothing, so where only one has a weight, the result is that recording, to the
-/// last bit.
+/// stays at its last frame; [`blend_played`] is for others. The time between frames is the shortest
+/// one. Recordings with a weight of 0 count for nothing, so where only one has a weight, the result
+/// is that recording, to the last bit.
 ///
 /// *Scalar tracks* are matched by name; several of the same name in their order. A recording
 /// without a track counts as 0 there, which is the weight of a morph target at rest.
@@ -55,22 +56,44 @@ use crate::transform::Transform;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, RecordingError> {
-    let sum = check(recordings)?;
-    let weighted: Vec<(&Recording, f64)> = recordings
+    check(recordings)?;
+    let mut weighted = recordings.iter().filter(|(_, weight)| *weight > 0.0);
+    if let (Some((only, _)), None) = (weighted.next(), weighted.next()) {
+        return Ok((*only).clone());
+    }
+    let weighted = recordings.iter().filter(|(_, weight)| *weight > 0.0);
+    let durations = weighted.map(|(recording, _)| recording.duration());
+    let duration = durations.fold(0.0, f64::max);
+    let played: Vec<(Played, f64)> = recordings
         .iter()
-        .filter(|&&(_, weight)| weight > 0.0)
-        .map(|&(recording, weight)| (recording, weight / sum))
+        .map(|&(recording, weight)| (Played::new(recording), weight))
         .collect();
+    blend_played(&played, duration)
+}
+
+/// As [`blend`], of recordings as they are [`Played`], from 0 to the last whole step within
+/// `duration` seconds.
+///
+/// # Errors
+///
+/// As [`blend`].
+pub fn blend_played(played: &[(Played, f64)], duration: f64) -> Result<Recording, RecordingError> {
+    let recordings = played.iter();
+    let recordings: Vec<(&Recording, f64)> = recordings
+        .map(|(played, weight)| (played.recording(), *weight))
+        .collect();
+    let sum = check(&recordings)?;
+    let weighted: Vec<(&Played, f64)> = played
+        .iter()
+        .filter(|(_, weight)| *weight > 0.0)
+        .map(|(played, weight)| (played, weight / sum))
+        .collect();
+    let all = || weighted.iter().map(|&(played, _)| played.recording());
     // There is at least one, since the sum is positive.
-    let Some(&(first, _)) = weighted.first() else {
+    let Some(first) = all().next() else {
         return Err(RecordingError::Sum(sum));
     };
-    if weighted.len() == 1 {
-        return Ok(first.clone());
-    }
-    let all = || weighted.iter().map(|&(recording, _)| recording);
     let frame_time = all().map(|r| r.frame_time).fold(f64::INFINITY, f64::min);
-    let duration = all().map(Recording::duration).fold(0.0, f64::max);
     let count = first.joints.len();
     let source = all().map(|recording| recording.locals.len()).sum();
     let frames = checked_frames(frames_within(duration, frame_time), count, source)?;
@@ -80,14 +103,14 @@ pub fn blend(recordings: &[(&Recording, f64)]) -> Result<Recording, RecordingErr
     let mut sampled = vec![vec![Transform::default(); count]; weighted.len()];
     let mut locals = Vec::with_capacity(frames * count);
     for frame in 0..frames {
-        for (recording, sampled) in all().zip(&mut sampled) {
-            recording.fill(frame as f64 * (frame_time / recording.frame_time), sampled);
+        for ((played, _), sampled) in weighted.iter().zip(&mut sampled) {
+            played.fill(frame as f64 * frame_time, sampled);
         }
         locals.extend((0..count).map(|joint| mean.of(|k| sampled[k][joint])));
     }
     let joints = first.joints.iter().enumerate();
     let joints = joints.map(|(joint, described)| RecordedJoint {
-        rest: mean.of(|k| weighted[k].0.joints[joint].rest),
+        rest: mean.of(|k| weighted[k].0.recording().joints[joint].rest),
         ..described.clone()
     });
     let tracks = blended_tracks(&weighted, frame_time, frames);
@@ -186,16 +209,11 @@ fn cosine(a: Rotor<f64>, b: Rotor<f64>) -> f64 {
     (a.reverse() * b).scalar()
 }
 
-fn blended_tracks(
-    weighted: &[(&Recording, f64)],
-    frame_time: f64,
-    frames: usize,
-) -> Vec<ScalarTrack> {
+fn blended_tracks(weighted: &[(&Played, f64)], frame_time: f64, frames: usize) -> Vec<ScalarTrack> {
     let mut tracks: Vec<ScalarTrack> = Vec::new();
-    for &(recording, weight) in weighted {
-        let step = frame_time / recording.frame_time;
+    for &(played, weight) in weighted {
         let mut is_taken = vec![false; tracks.len()];
-        for track in &recording.tracks {
+        for track in &played.recording().tracks {
             let found = (0..is_taken.len()).find(|&k| !is_taken[k] && tracks[k].name == track.name);
             let place = found.unwrap_or_else(|| {
                 tracks.push(ScalarTrack {
@@ -207,7 +225,7 @@ fn blended_tracks(
             });
             is_taken[place] = true;
             for (frame, value) in tracks[place].values.iter_mut().enumerate() {
-                *value += weight * recording.track_at(track, frame as f64 * step);
+                *value += weight * played.track_at(track, frame as f64 * frame_time);
             }
         }
     }

@@ -44,23 +44,23 @@ use crate::transform::Transform;
 /// ```
 #[derive(Clone, Debug)]
 pub struct GltfMotion<'a> {
-    player: &'a Player<'a>,
-    animation: usize,
-    metres_per_unit: f64,
-    joints: Vec<RecordedJoint>,
-    sources: Vec<Source>,
+    pub(super) player: &'a Player<'a>,
+    pub(super) animation: usize,
+    pub(super) metres_per_unit: f64,
+    pub(super) joints: Vec<RecordedJoint>,
+    pub(super) sources: Vec<Source>,
     /// The nodes whose morph targets the animation moves.
-    morphed: Vec<usize>,
+    pub(super) morphed: Vec<usize>,
 }
 
 /// Where the transform of a joint comes from.
 #[derive(Clone, Copy, Debug)]
-struct Source {
-    node: usize,
+pub(super) struct Source {
+    pub(super) node: usize,
     /// The transform at rest, without what lies above.
     rest: Transform<f64>,
     /// The frame in the world of the nodes above that are not joints.
-    above: Transform<f64>,
+    pub(super) above: Transform<f64>,
 }
 
 impl Recording {
@@ -262,20 +262,23 @@ impl<'a> GltfMotion<'a> {
 
     /// A track without numbers for each morph target that moves.
     fn tracks(&self, frames: usize) -> Vec<ScalarTrack> {
+        let names = self.morphed.iter().flat_map(|&node| self.track_names(node));
+        let track = |name| ScalarTrack {
+            name,
+            values: Vec::with_capacity(frames),
+        };
+        names.map(track).collect()
+    }
+
+    /// The name of the track of each morph target of a node.
+    pub(super) fn track_names(&self, node: usize) -> impl Iterator<Item = String> {
         let document = self.player.document();
-        let mut tracks = Vec::new();
-        for &node in &self.morphed {
-            let of_node = &document.nodes[node];
-            let mesh = of_node.mesh.and_then(|mesh| document.meshes.get(mesh));
-            let primitive = mesh.and_then(|mesh| mesh.primitives.first());
-            for target in 0..primitive.map_or(0, |primitive| primitive.targets.len()) {
-                tracks.push(ScalarTrack {
-                    name: format!("{}, morph target {target}", name(node, of_node)),
-                    values: Vec::with_capacity(frames),
-                });
-            }
-        }
-        tracks
+        let of_node = &document.nodes[node];
+        let mesh = of_node.mesh.and_then(|mesh| document.meshes.get(mesh));
+        let primitive = mesh.and_then(|mesh| mesh.primitives.first());
+        let count = primitive.map_or(0, |primitive| primitive.targets.len());
+        let name = name(node, of_node);
+        (0..count).map(move |target| format!("{name}, morph target {target}"))
     }
 
     /// The transform of a joint in metres: that of its node, after what lies above.
@@ -330,11 +333,17 @@ impl Grid {
         if shortest == f64::INFINITY {
             return Self::of_step(Self::DEFAULT_STEP, last);
         }
-        let steps = (last / shortest).round();
-        let uniform = Self {
+        let of_steps = |steps: f64| Self {
             step: last / steps,
             steps,
         };
+        // One key in each frame, however much the shortest interval is rounded in a long motion.
+        let whole = of_steps(times().skip(1).filter(|&key| key > 0.0).count() as f64);
+        if keys.iter().all(|&key| whole.meets(key)) {
+            return whole;
+        }
+        let uniform = of_steps((last / shortest).round());
+        let steps = uniform.steps;
         // A step shorter than any film's must not come from a few keys that happen to be close.
         let is_warranted = uniform.step >= Self::SHORTEST_STEP || steps <= 2.0 * keys.len() as f64;
         if is_warranted && keys.iter().all(|&key| uniform.meets(key)) {

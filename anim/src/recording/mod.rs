@@ -20,22 +20,27 @@
 
 mod blend;
 mod conversion;
+mod cycle;
 mod error;
 mod from_bvh;
 mod from_compressed;
 mod from_gltf;
 mod mirror;
 mod model_space;
+mod played;
 mod resample;
+mod to_gltf;
 
 use crate::frame_position::frame_at;
 use crate::kinematics::KinematicsError;
 use crate::transform::Transform;
 
-pub use blend::blend;
+pub use blend::{blend, blend_played};
+pub use cycle::{Cycle, Seam};
 pub use error::RecordingError;
 pub use from_gltf::GltfMotion;
 pub use model_space::{model_maps, model_motors};
+pub use played::Played;
 
 /// A joint of a recording.
 #[derive(Clone, Debug, PartialEq)]

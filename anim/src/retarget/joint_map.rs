@@ -308,8 +308,13 @@ pub(super) fn parts_of_target(skeleton: &Skeleton) -> Parts {
     }
 }
 
+/// The joints of each part of the body of a motion by their names.
+pub(super) fn parts_of_names(source: &dyn Source) -> Parts {
+    parts(source.names().into_iter())
+}
+
 /// Whether thighs, shins and feet of both sides are known.
-fn has_legs(parts: &Parts) -> bool {
+pub(super) fn has_legs(parts: &Parts) -> bool {
     [Part::UpperLeg, Part::LowerLeg, Part::Foot]
         .iter()
         .all(|&part| {

@@ -82,6 +82,7 @@
 //! [`Retarget::with_foot_locking`].
 
 mod bodies;
+pub(crate) mod body;
 mod calibration;
 mod calibration_frame;
 mod checks;

@@ -12,7 +12,6 @@ use crate::gltf::{Rigged, character};
 use crate::motion_file::Format;
 use crate::recording::Recording;
 use crate::skeleton::{Skeleton, SkeletonError};
-use crate::unit::{LikelyUnit, likely_unit};
 
 /// A skeleton in a file with what it stands on, and how motions of it are written.
 ///
@@ -116,20 +115,10 @@ impl Target {
         }
     }
 
-    /// The likely length of a unit of the skeleton by its size; a metre for glTF, whose unit it is.
-    /// `None` for a skeleton without bones.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Recording::from_bvh`].
-    pub fn likely_unit(&self) -> Result<Option<LikelyUnit>, MotionFileError> {
-        match &self.origin {
-            Origin::Bvh(motion) => Ok(likely_unit(&Recording::from_bvh(motion, 1.0)?)),
-            Origin::Gltf(_) => Ok(Some(LikelyUnit {
-                metres: 1.0,
-                is_clear: true,
-            })),
-        }
+    /// The length of one unit of the skeleton in metres.
+    #[must_use]
+    pub fn metres_per_unit(&self) -> f64 {
+        self.metres_per_unit
     }
 
     /// A motion of the skeleton as BVH, in the unit of the skeleton, with the channels of a BVH

@@ -10,6 +10,7 @@ mod compressed;
 mod curve;
 mod distance_weights;
 mod foot_locking;
+mod gait;
 mod geodesic_weights;
 mod gltf;
 mod inverse_kinematics;
@@ -29,6 +30,8 @@ mod rig;
 mod skin;
 mod skin_oracle;
 mod unit;
+mod walker;
+mod written_file;
 mod written_motion;
 
 /// Fails unless `found` is within `bound` of `expected`, relative to the greater of |`expected`|

@@ -13,9 +13,6 @@ use crate::BodyError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum EvaluationError {
-    /// The length of a unit was to be found from the size of the body, which has none.
-    #[error("the body has no bones")]
-    NoBones,
     /// No frames are left of the motion.
     #[error("the motion has no frames")]
     NoFrames,

@@ -75,8 +75,8 @@ impl Motion {
     /// once.
     ///
     /// # Errors
-    /// [`EvaluationError`] for a body without bones whose unit is not given, a motion without
-    /// frames, a step of 0, and a recording that has no skeleton.
+    /// [`EvaluationError`] for a motion without frames, a step of 0, and a recording that has no
+    /// skeleton.
     pub fn new(recorded: &Bvh, options: &MotionOptions) -> Result<Self, EvaluationError> {
         let MotionOptions { first, every, .. } = *options;
         if every == 0 {
@@ -84,11 +84,7 @@ impl Motion {
         }
         let metres_per_unit = match options.metres_per_unit {
             Some(unit) => unit,
-            None => {
-                let body = Recording::from_bvh(recorded, 1.0)?;
-                let likely = likely_unit(&body).ok_or(EvaluationError::NoBones)?;
-                likely.metres
-            }
+            None => likely_unit(recorded).metres,
         };
         let recording = Recording::from_bvh(recorded, metres_per_unit)?;
         let skeleton = recording.to_skeleton()?;

@@ -6,17 +6,16 @@ use std::time::Instant;
 use anyhow::{Context as _, Result, bail, ensure};
 use ga_anim::character::Character;
 use ga_anim::gltf::meshes_without_joint;
-use ga_anim::motion_file::{Format, Options};
+use ga_anim::motion_file::Options;
 use ga_anim::recording::Recording;
 use ga_anim::retarget::{Soles, Transfer, begins_with_calibration};
-use ga_anim::unit::likely_unit;
 use ga_character::{Animation, Figure, Storyboard};
 
 use crate::frame::{Command, Context, Warning};
 use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::report::{Input, MotionInput, Performed};
-use crate::transfer::{Body, Motion, TransferArguments, metres};
+use crate::transfer::{Body, Motion, TransferArguments};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -52,6 +51,10 @@ pub(crate) struct Arguments {
     /// The motion: BVH in any unit, the first animation of a glTF file, or a compressed clip.
     #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: PathBuf,
+    /// The length of one unit of the motion in metres [default: of BVH found from the length of the
+    /// legs, of glTF 1]. A compressed clip is in metres.
+    #[arg(long, value_name = "METRES")]
+    motion_metres_per_unit: Option<f64>,
     #[command(flatten)]
     transfer: TransferArguments,
     /// Smooth the skin weights: in each pass, those of every vertex move half the way to the mean
@@ -125,13 +128,24 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
     let mut warnings = losses(arguments, &figure)?;
-    let motion = motion_file::read_any(&arguments.motion, Options::default(), &mut warnings)?;
+    let options = Options {
+        metres_per_unit: arguments.motion_metres_per_unit,
+        ..Options::default()
+    };
+    let motion = motion_file::read_any(&arguments.motion, options, &mut warnings)?;
+    let unit = motion.metres_per_unit();
     let motion = motion
-        .recording()
+        .recording_in_units()
         .with_context(|| arguments.motion.display().to_string())?;
     progress.step("transferring the motion");
     let range = frames(arguments, &motion)?;
-    let transfer = transferred(arguments, &figure.character, &motion, range, &mut warnings)?;
+    let transfer = transferred(
+        arguments,
+        &figure.character,
+        (&motion, unit),
+        range,
+        &mut warnings,
+    )?;
     let clip = transfer
         .clip
         .resampled(arguments.fps)
@@ -188,11 +202,17 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         fps > 0.0 && fps <= 1000.0,
         "--fps {fps}: the number of frames per second must be greater than 0 and at most 1000"
     );
-    let unit = arguments.metres_per_unit();
-    ensure!(
-        unit > 0.0 && unit.is_finite(),
-        "--metres-per-unit {unit}: the length of a unit must be greater than 0 and finite"
-    );
+    let of_motion = arguments.motion_metres_per_unit;
+    for (option, unit) in [
+        ("--metres-per-unit", Some(arguments.metres_per_unit())),
+        ("--motion-metres-per-unit", of_motion),
+    ] {
+        let unit = unit.unwrap_or(1.0);
+        ensure!(
+            unit > 0.0 && unit.is_finite(),
+            "{option} {unit}: the length of a unit must be greater than 0 and finite"
+        );
+    }
     let times = arguments.smooth_weights;
     ensure!(
         times <= 100,
@@ -297,7 +317,7 @@ fn frames(arguments: &Arguments, motion: &Recording) -> Result<Range> {
 fn transferred(
     arguments: &Arguments,
     character: &Character,
-    motion: &Recording,
+    (motion, metres_per_unit): (&Recording, f64),
     range: Range,
     warnings: &mut Vec<Warning>,
 ) -> Result<Transfer> {
@@ -308,10 +328,6 @@ fn transferred(
     };
     let soles = Soles::of_mesh(character.mesh.positions(), &character.weights);
     let soles = soles.with_context(onto)?;
-    let metres_per_unit = match Format::of_path(path)? {
-        Format::Bvh => metres(likely_unit(motion), &path.display().to_string(), warnings)?,
-        Format::Gltf | Format::Clip => 1.0,
-    };
     let motion = Motion {
         file: path,
         source: motion,

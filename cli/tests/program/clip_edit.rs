@@ -249,8 +249,8 @@ fn what_cannot_be_done_is_one_line_and_writes_nothing() {
         &["--joint foot", "no such joint"],
     );
     assert_failure(
-        &nullcone(path, ["clip", "mirror", "a.bvh", "--out", "out.glb"]),
-        &["--out out.glb", ".clip"],
+        &nullcone(path, ["clip", "mirror", "a.bvh", "--out", "out.txt"]),
+        &["--out out.txt", ".clip"],
     );
     assert_eq!(names(path), before);
     for command in ["resample", "mirror", "blend"] {

@@ -10,6 +10,7 @@ mod body_fit;
 mod camera_files;
 mod capture;
 mod clip;
+mod clip_convert;
 mod clip_edit;
 mod clip_retarget;
 mod common;

@@ -46,13 +46,29 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
         ".clip",
         "glb",
     ),
-    ("clip resample none.clip --rate 5", "--out", ".clip", "bvh"),
-    ("clip mirror none.clip", "--out", ".clip", "bvh"),
+    (
+        "clip resample none.clip --rate 5",
+        "--out",
+        ".clip, .bvh, .glb or .gltf",
+        "fbx",
+    ),
+    (
+        "clip mirror none.clip",
+        "--out",
+        ".clip, .bvh, .glb or .gltf",
+        "fbx",
+    ),
+    (
+        "clip convert none.clip",
+        "--out",
+        ".clip, .bvh, .glb or .gltf",
+        "fbx",
+    ),
     (
         "clip blend none.clip b.clip --weights 1,1",
         "--out",
-        ".clip",
-        "bvh",
+        ".clip, .bvh, .glb or .gltf",
+        "fbx",
     ),
     (
         "clip retarget none.bvh --target none.glb",

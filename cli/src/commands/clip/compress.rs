@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed::{NamedBound, Options};
-use ga_anim::motion_file::Format;
+use ga_anim::motion_file::{Format, WriteOptions};
 
-use super::input::MotionArguments;
-use super::target::{Compression, Report, add_bounds, check};
+use super::input::{Input, MotionArguments};
+use super::target::{Output, Report, add_bounds, write};
+use crate::format;
 use crate::frame::{Command, Context};
 
 /// Compress a recording so that a bound on its error holds on every frame.
@@ -22,12 +23,12 @@ use crate::frame::{Command, Context};
 ///
 /// For instance
 ///
-///   nullcone clip compress 01_01.bvh --metres-per-unit 0.056444 --tolerance 0.0001 --out walk.clip
+///   nullcone clip compress 01_01.bvh --tolerance 0.0001 --out walk.clip
 ///
 /// prints
 ///
-///   01_01.bvh: 2752 frames of 31 joints, 64 numbers a frame change
-///   walk.clip: 128699 bytes instead of 3412480, 26.5 : 1; 46.8 bytes a frame
+///   01_01.bvh: 2752 frames of 31 joints, 22.92 s; a unit is 0.0564444 m
+///   walk.clip: 2752 frames of 31 joints, 64 numbers a frame change; 128699 bytes instead of …
 ///
 /// and then the speed of decoding and the errors. With --json it prints {"file": …, "out": …,
 /// "bytes": 128699, "raw_bytes": 3412480, "ratio": …, "frames": 2752, "joints": 31, …,
@@ -65,7 +66,8 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let (motion, file) = (&self.motion, self.motion.file());
-        check([&motion.motion], &self.out, context)?;
+        let mut files = context.files([&motion.motion])?;
+        let format = files.write("--out", &self.out, &[format::Format::Clip])?;
         let progress = context.progress(100);
         progress.step("reading the motion");
         ensure!(
@@ -73,24 +75,31 @@ impl Command for Arguments {
             "{file}: the motion is already compressed"
         );
         let mut warnings = Vec::new();
-        let read = motion.read(&mut warnings)?;
-        let recording = read.recording().with_context(|| file.clone())?;
-        let mut options = Options {
+        let (read, recording) = motion.recording(&mut warnings)?;
+        let mut compression = Options {
             tolerance: self.tolerance,
             shell: self.shell,
             track_tolerance: self.track_tolerance,
             joints: Vec::new(),
         };
-        add_bounds(&mut options, &self.joints, &recording, &file)?;
-        let deviation = read.deviation(&recording, options.greatest_shell());
+        add_bounds(&mut compression, &self.joints, &recording, &file)?;
+        let deviation = read.deviation(&recording, compression.greatest_shell());
         let deviation = deviation.with_context(|| file.clone())?;
-        options.leave_for(deviation).with_context(|| file.clone())?;
-        let compression = Compression {
+        let left = compression.leave_for(deviation);
+        left.with_context(|| file.clone())?;
+        let output = Output {
             recording: &recording,
-            options,
-            deviation,
-            mesh_vertices: self.mesh_vertices.or(read.vertex_count()),
+            inputs: vec![Input::new(file, &read, &recording)],
+            like: &read,
+            warnings,
         };
-        compression.write(file, &self.out, &progress, warnings)
+        // What is beside the motion is not asked for.
+        let options = WriteOptions {
+            compression,
+            ..WriteOptions::default()
+        };
+        let vertices = self.mesh_vertices.or(read.vertex_count());
+        let beside = (deviation, vertices);
+        write(&self.out, format, output, &options, beside, &progress)
     }
 }

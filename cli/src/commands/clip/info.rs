@@ -1,31 +1,32 @@
-//! `nullcone clip info`: what a compressed clip consists of.
+//! `nullcone clip info`: what a motion consists of.
 
-use std::path::PathBuf;
-
-use anyhow::Result;
-use ga_anim::clip::compressed::{CompressedClip, Size, Summary};
+use anyhow::{Context as _, Result};
+use ga_anim::clip::compressed::{Size, Summary};
+use ga_anim::motion_file::{Contents, MotionFile};
+use ga_anim::recording::Recording;
 use serde::Serialize;
 
-use crate::frame::{self, Command, Context};
+use super::input::{MotionArguments, short};
+use crate::frame::{self, Command, Context, Warning};
 
-/// Say what a compressed clip consists of, and how small and fast it is.
+/// Say what a motion consists of, and how small and fast a compressed clip is.
 ///
 /// For instance
 ///
 ///   nullcone clip info walk.clip --mesh-vertices 13380 --json
 ///
-/// prints {"bytes": …, "raw_bytes": …, "ratio": …, "frames": 2752, "joints": 31, …}. raw_bytes are
-/// 40 for each joint and frame: a rotation, a translation and a factor along each axis in single
-/// precision. bytes are all of the file but the joints' names. With --mesh-vertices, a frame is
-/// compared with the positions of that many vertices in single precision.
-/// decoded_frames_per_second is measured on one thread and differs from run to run.
+/// prints {"metres_per_unit": 1.0, "bytes": …, "raw_bytes": …, "ratio": …, "frames": 2752,
+/// "joints": 31, …}. raw_bytes are 40 for each joint and frame: a rotation, a translation and a
+/// factor along each axis in single precision. bytes are all of the file but the joints' names.
+/// With --mesh-vertices, a frame is compared with the positions of that many vertices in single
+/// precision. decoded_frames_per_second is measured on one thread and differs from run to run. Of
+/// BVH and glTF, frames, joints, times, tracks and the names of the joints are printed.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The clip.
-    #[arg(value_name = "FILE.clip")]
-    clip: PathBuf,
-    /// How many vertices the mesh has that the clip moves, to compare with frames stored as meshes.
+    #[command(flatten)]
+    motion: MotionArguments,
+    /// How many vertices the mesh has that a clip moves, to compare with frames stored as meshes.
     #[arg(long, value_name = "N")]
     mesh_vertices: Option<u64>,
 }
@@ -34,21 +35,73 @@ impl Command for Arguments {
     type Report = Info;
 
     fn run(&self, context: &Context) -> Result<Info> {
-        context.files([&self.clip])?;
-        let clip = CompressedClip::read(&self.clip)?;
+        context.files([&self.motion.motion])?;
+        let mut warnings = Vec::new();
+        let motion = self.motion.read(&mut warnings)?;
+        let (clip, frames) = match motion.contents() {
+            Contents::Clip(clip) => (Some(Summary::new(clip, self.mesh_vertices)), None),
+            _ => {
+                let recording = motion.recording();
+                let recording = recording.with_context(|| self.motion.file())?;
+                (None, Some(Frames::new(&motion, &recording)))
+            }
+        };
         Ok(Info {
-            file: self.clip.display().to_string(),
-            summary: Summary::new(&clip, self.mesh_vertices),
+            file: self.motion.file(),
+            metres_per_unit: motion.metres_per_unit(),
+            clip,
+            frames,
+            warnings,
         })
     }
 }
 
-/// What is said about a clip.
+/// What is said about a motion.
 #[derive(Debug, Serialize)]
 pub(crate) struct Info {
     file: String,
+    metres_per_unit: f64,
     #[serde(flatten)]
-    summary: Summary,
+    clip: Option<Summary>,
+    #[serde(flatten)]
+    frames: Option<Frames>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+/// A motion that is not compressed.
+#[derive(Debug, Serialize)]
+struct Frames {
+    frames: usize,
+    joints: usize,
+    frame_time_seconds: f64,
+    duration_seconds: f64,
+    /// Of glTF.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    animations: Option<usize>,
+    joint_names: Vec<String>,
+    joint_parents: Vec<Option<usize>>,
+    tracks: Vec<String>,
+}
+
+impl Frames {
+    fn new(motion: &MotionFile, recording: &Recording) -> Self {
+        let joints = recording.joints().iter();
+        let tracks = recording.tracks().iter();
+        Self {
+            frames: recording.frame_count(),
+            joints: recording.joints().len(),
+            frame_time_seconds: recording.frame_time(),
+            duration_seconds: recording.duration(),
+            animations: match motion.contents() {
+                Contents::Gltf(document) => Some(document.animations.len()),
+                _ => None,
+            },
+            joint_names: joints.map(|joint| joint.name.clone()).collect(),
+            joint_parents: recording.parents().to_vec(),
+            tracks: tracks.map(|track| track.name.clone()).collect(),
+        }
+    }
 }
 
 /// The size of a clip for people, as the rest of a line and lines below.
@@ -72,8 +125,15 @@ impl frame::Report for Info {
         true
     }
 
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
     fn text(&self) -> String {
-        let (summary, size) = (&self.summary, &self.summary.size);
+        let Some(summary) = &self.clip else {
+            return self.lines_of_frames();
+        };
+        let size = &summary.size;
         let mut lines = format!("{}: {}", self.file, lines_of(size));
         lines += &format!(
             "motion     {} frames of {} joints, {:.2} s at {:.2} Hz; {} numbers a frame change\n",
@@ -102,6 +162,31 @@ impl frame::Report for Info {
                 "tracks     {tracks}; within {:.1e}\n",
                 summary.track_tolerance
             );
+        }
+        lines
+    }
+}
+
+impl Info {
+    /// A motion that is not compressed, for people.
+    fn lines_of_frames(&self) -> String {
+        let Some(frames) = &self.frames else {
+            return String::new();
+        };
+        let mut lines = format!(
+            "{}: {} frames of {} joints, {:.2} s at {:.2} Hz; a unit is {} m\n",
+            self.file,
+            frames.frames,
+            frames.joints,
+            frames.duration_seconds,
+            1.0 / frames.frame_time_seconds,
+            short(self.metres_per_unit)
+        );
+        if let Some(animations) = frames.animations {
+            lines += &format!("animations {animations}\n");
+        }
+        if !frames.tracks.is_empty() {
+            lines += &format!("tracks     {}\n", frames.tracks.join(", "));
         }
         lines
     }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
-use ga_anim::clip::compressed;
 use ga_anim::motion_file::{Format, MotionFile, Options};
 use ga_anim::recording::Recording;
+use serde::Serialize;
 
 use crate::frame::Warning;
 use crate::motion_file;
@@ -13,11 +13,12 @@ use crate::motion_file;
 /// A motion in a file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct MotionArguments {
-    /// The motion.
+    /// The motion: BVH, glTF or a compressed clip.
     #[arg(value_name = "MOTION")]
     pub(super) motion: PathBuf,
-    /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
-    #[arg(long, value_name = "N")]
+    /// The length of one unit of the motion in metres [default: of BVH found from the length of the
+    /// legs, of glTF 1]. A compressed clip is in metres.
+    #[arg(long, value_name = "METRES")]
     pub(super) metres_per_unit: Option<f64>,
     /// The number of the animation in a glTF file, from 0 [default: 0].
     #[arg(long, value_name = "N")]
@@ -61,23 +62,67 @@ impl MotionArguments {
         motion_file::read_any(&self.motion, options, warnings)
     }
 
-    /// The recording in the file, and the bounds within which it may be compressed.
-    pub(super) fn recording(
-        &self,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<(Recording, compressed::Options)> {
+    /// Reads the file as [`read`](Self::read), frame by frame.
+    pub(super) fn recording(&self, warnings: &mut Vec<Warning>) -> Result<(MotionFile, Recording)> {
         let motion = self.read(warnings)?;
         let recording = motion.recording().with_context(|| self.file())?;
-        Ok((recording, motion.compression()))
+        Ok((motion, recording))
     }
 }
 
-/// The length of one unit in metres, 1 where it is not given.
-pub(super) fn checked_unit(option: &str, metres: Option<f64>) -> Result<f64> {
-    let metres = metres.unwrap_or(1.0);
-    ensure!(
-        metres > 0.0 && metres.is_finite(),
-        "{option} {metres}: the length of a unit must be greater than 0 and finite"
-    );
+/// The length of one unit in metres, where it is given.
+pub(super) fn checked_unit(option: &str, metres: Option<f64>) -> Result<Option<f64>> {
+    if let Some(metres) = metres {
+        ensure!(
+            metres > 0.0 && metres.is_finite(),
+            "{option} {metres}: the length of a unit must be greater than 0 and finite"
+        );
+    }
     Ok(metres)
+}
+
+/// A motion that was read, as reports describe it.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Input {
+    pub(super) file: String,
+    frames: usize,
+    joints: usize,
+    frame_time_seconds: f64,
+    duration_seconds: f64,
+    pub(super) metres_per_unit: f64,
+}
+
+impl Input {
+    pub(super) fn new(file: String, motion: &MotionFile, recording: &Recording) -> Self {
+        Self {
+            file,
+            frames: recording.frame_count(),
+            joints: recording.joints().len(),
+            frame_time_seconds: recording.frame_time(),
+            duration_seconds: recording.duration(),
+            metres_per_unit: motion.metres_per_unit(),
+        }
+    }
+
+    /// The motion for people, as a line.
+    pub(super) fn line(&self) -> String {
+        format!(
+            "{}: {} frames of {} joints, {:.2} s; a unit is {} m\n",
+            self.file,
+            self.frames,
+            self.joints,
+            self.duration_seconds,
+            short(self.metres_per_unit)
+        )
+    }
+}
+
+/// A length with six digits, and no zeros behind them.
+pub(super) fn short(metres: f64) -> String {
+    let digits = (5.0 - metres.log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{metres:.digits$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }

@@ -20,8 +20,8 @@ use crate::frame::{Command, Context};
 ///   nullcone clip mirror walk.clip --out walk-mirrored.clip
 ///
 /// exchanges left and right of a person who looks along y or z. With --json it prints the same keys
-/// as `nullcone clip compress`; max_error_metres is the error of compression, against the mirrored
-/// motion.
+/// as `nullcone clip convert`; max_error_metres is the error of compression to .clip, against the
+/// mirrored motion.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -52,7 +52,7 @@ impl Command for Arguments {
             Axis::Z => Vector::new(0.0, 0.0, 1.0),
         };
         self.target
-            .write_changed(&self.motion, context, |recording| {
+            .write_changed(&self.motion, context, |_, recording| {
                 let mirrored = recording.mirrored(normal);
                 mirrored.with_context(|| self.motion.file())
             })

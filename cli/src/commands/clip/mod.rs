@@ -2,6 +2,7 @@
 
 mod blend;
 mod compress;
+mod convert;
 mod info;
 mod input;
 mod mirror;
@@ -17,7 +18,8 @@ use clap::Subcommand;
 
 use crate::frame::{self, Context};
 
-/// Compress recordings of motion within a bound; sample, resample, retarget, mirror and blend them.
+/// Compress recordings of motion within a bound; convert, sample, resample, retarget, mirror and
+/// blend them.
 ///
 /// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending of
 /// the name says which.
@@ -32,6 +34,7 @@ enum Command {
     Compress(compress::Arguments),
     Info(info::Arguments),
     Sample(sample::Arguments),
+    Convert(convert::Arguments),
     Resample(resample::Arguments),
     Retarget(retarget::Arguments),
     Mirror(mirror::Arguments),
@@ -43,6 +46,7 @@ pub(crate) fn run(arguments: &Arguments, context: &Context) -> Result<ExitCode> 
         Command::Compress(arguments) => frame::run(arguments, context),
         Command::Info(arguments) => frame::run(arguments, context),
         Command::Sample(arguments) => frame::run(arguments, context),
+        Command::Convert(arguments) => frame::run(arguments, context),
         Command::Resample(arguments) => frame::run(arguments, context),
         Command::Retarget(arguments) => frame::run(arguments, context),
         Command::Mirror(arguments) => frame::run(arguments, context),

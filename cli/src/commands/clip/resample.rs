@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
-use ga_anim::motion_file::Format;
 
 use super::input::MotionArguments;
 use super::target::{Report, TargetArguments};
@@ -20,19 +19,20 @@ use crate::frame::{Command, Context};
 ///
 ///   nullcone clip resample walk.clip --rate 30 --out walk-30.clip
 ///
-/// writes a frame every 1/30 s. With --json it prints the same keys as `nullcone clip compress`;
-/// max_error_metres is the error of compression, against the resampled motion.
+/// writes a frame every 1/30 s. With --json it prints the same keys as `nullcone clip convert`;
+/// max_error_metres is the error of compression to .clip, against the resampled motion.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The motion.
+    /// The motion: BVH, glTF or a compressed clip.
     #[arg(value_name = "MOTION")]
     motion: PathBuf,
     /// Frames per second.
     #[arg(long, value_name = "HZ")]
     rate: f64,
-    /// The length of one unit of the motion in metres [default: 1]. A compressed clip is in metres.
-    #[arg(long, value_name = "N")]
+    /// The length of one unit of the motion in metres [default: of BVH found from the length of the
+    /// legs, of glTF 1]. A compressed clip is in metres.
+    #[arg(long, value_name = "METRES")]
     metres_per_unit: Option<f64>,
     /// The number of the animation in a glTF file, from 0 [default: 0].
     #[arg(long, value_name = "N")]
@@ -46,19 +46,16 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         let rate = self.rate;
-        let is_gltf = Format::of_path(&self.motion)? == Format::Gltf;
         let motion = MotionArguments {
             motion: self.motion.clone(),
             metres_per_unit: self.metres_per_unit,
             animation: self.animation,
-            rate: is_gltf.then_some(rate),
+            rate: None,
         };
-        self.target.write_changed(&motion, context, |recording| {
-            if is_gltf {
-                return Ok(recording);
-            }
-            let resampled = recording.resampled(rate);
-            resampled.with_context(|| format!("{}: --rate {rate}", motion.file()))
-        })
+        self.target
+            .write_changed(&motion, context, |file, recording| {
+                let resampled = file.resampled(recording, rate);
+                resampled.with_context(|| format!("{}: --rate {rate}", motion.file()))
+            })
     }
 }

@@ -16,7 +16,7 @@ use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
 use crate::motion_file;
 use crate::output;
 use crate::shell::quoted;
-use crate::transfer::{Body, Motion, TransferArguments, metres};
+use crate::transfer::{Body, Motion, TransferArguments};
 
 /// Transfer a motion to another skeleton.
 ///
@@ -41,7 +41,7 @@ use crate::transfer::{Body, Motion, TransferArguments, metres};
 ///
 /// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one
 /// place, and only thighs and shins deviate for that. A leg that is too short is reported. Where
-/// the unit of a .bvh is not given, it is guessed for these speeds by the length of the legs.
+/// the unit of a .bvh is not given, it is found from the length of the legs.
 ///
 /// For instance
 ///
@@ -64,8 +64,9 @@ pub(crate) struct Arguments {
     /// was bound.
     #[arg(long, value_name = "FILE.bvh|FILE.glb")]
     target: PathBuf,
-    /// The length of one unit of a target of the kind .bvh in metres [default: 1].
-    #[arg(long, value_name = "N")]
+    /// The length of one unit of a target of the kind .bvh in metres [default: found from the
+    /// length of the legs].
+    #[arg(long, value_name = "METRES")]
     target_metres_per_unit: Option<f64>,
     #[command(flatten)]
     transfer: TransferArguments,
@@ -100,28 +101,20 @@ impl Command for Arguments {
         progress.step("reading the target");
         let target = self.target(&mut warnings)?;
         progress.step("reading the motion");
-        let (source, _) = self.motion.recording(&mut warnings)?;
         let (file, target_file) = (self.motion.file(), self.target.display().to_string());
+        let read = self.motion.read(&mut warnings)?;
+        let source = read.recording_in_units().with_context(|| file.clone())?;
         progress.step("transferring the motion");
-        let source_unit = match (self.motion.format()?, self.motion.metres_per_unit) {
-            (MotionFormat::Bvh, None) => metres(likely_unit(&source), &file, &mut warnings)?,
-            // A recording in metres.
-            _ => 1.0,
-        };
-        let target_unit = match self.target_metres_per_unit {
-            None => metres(target.likely_unit()?, &target_file, &mut warnings)?,
-            Some(unit) => unit,
-        };
         let body = Body {
             skeleton: target.skeleton(),
             soles: target.soles(),
             motion: target.motion(),
-            metres_per_unit: target_unit,
+            metres_per_unit: target.metres_per_unit(),
         };
         let motion = Motion {
             file: &self.motion.motion,
             source: &source,
-            metres_per_unit: source_unit,
+            metres_per_unit: read.metres_per_unit(),
             frames: None,
         };
         let transfer = self.transfer.transfer(&motion, &body, &mut warnings);
@@ -132,6 +125,7 @@ impl Command for Arguments {
             file,
             target: target_file,
             out: self.out.display().to_string(),
+            metres_per_unit: read.metres_per_unit(),
             transfer,
             warnings,
         })
@@ -142,10 +136,16 @@ impl Arguments {
     fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
         let path = &self.target;
         let shown = || path.display().to_string();
-        let unit = checked_unit("--target-metres-per-unit", self.target_metres_per_unit)?;
+        let option = "--target-metres-per-unit";
+        let given = checked_unit(option, self.target_metres_per_unit)?;
         match MotionFormat::of_path(path).context("--target")? {
             MotionFormat::Bvh => {
                 let motion = motion_file::read(path, warnings)?;
+                let likely = likely_unit(&motion);
+                if given.is_none() {
+                    motion_file::warn_of_unit(path, likely, option, warnings);
+                }
+                let unit = given.unwrap_or(likely.metres);
                 Target::from_bvh(motion, unit).with_context(shown)
             }
             MotionFormat::Gltf => {
@@ -206,6 +206,7 @@ pub(crate) struct Report {
     file: String,
     target: String,
     out: String,
+    metres_per_unit: f64,
     #[serde(flatten)]
     transfer: Transfer,
     #[serde(skip)]

@@ -20,8 +20,8 @@ use crate::frame::{self, Command, Context, Warning};
 ///
 ///   nullcone clip sample walk.clip --times 0,0.25,1.5 --json
 ///
-/// prints {"samples": [{"time": 0.0, "joints": [{"joint": "Hips", "matrix": [[…], […], […]]}, …],
-/// "tracks": []}, …]}.
+/// prints {"metres_per_unit": 1.0, "samples": [{"time": 0.0, "joints": [{"joint": "Hips", "matrix":
+/// [[…], […], […]]}, …], "tracks": []}, …]}.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -47,8 +47,10 @@ impl Command for Arguments {
             "{file}: --rate does not apply to the curves of {file}, which have no frames"
         );
         let mut warnings = Vec::new();
-        let samples = motion.read(&mut warnings)?.samples(times);
+        let read = motion.read(&mut warnings)?;
+        let samples = read.samples(times);
         Ok(Samples {
+            metres_per_unit: read.metres_per_unit(),
             samples: samples.context(file)?,
             warnings,
         })
@@ -57,6 +59,7 @@ impl Command for Arguments {
 
 #[derive(Debug, Serialize)]
 pub(crate) struct Samples {
+    metres_per_unit: f64,
     samples: Vec<Sample>,
     #[serde(skip)]
     warnings: Vec<Warning>,

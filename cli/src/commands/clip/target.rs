@@ -1,78 +1,123 @@
-//! Compressed clips as output: the bounds that they keep, and what is said about them.
+//! Motions as output, in files of every kind, and what is said about them.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
-use ga_anim::clip::compressed::{self, Accuracy, NamedBound, Options, Size};
+use ga_anim::clip::compressed::{Accuracy, NamedBound, Options, Size};
+use ga_anim::motion_file::{Contents, Format as MotionFormat, MotionFile, WriteOptions, Written};
 use ga_anim::recording::Recording;
+use ga_mesh::gltf;
 use serde::Serialize;
 
+use super::blend::Phases;
 use super::info::lines_of;
-use super::input::MotionArguments;
+use super::input::{Input, MotionArguments, checked_unit, short};
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
 use crate::output;
 use crate::shell::quoted;
 
-/// Where a clip is written, and within which bounds.
+/// The formats of motions.
+pub(super) const FORMATS: [Format; 4] = [Format::Clip, Format::Bvh, Format::Glb, Format::Gltf];
+
+/// Where a motion is written, and within which bounds it is compressed.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct TargetArguments {
-    /// The greatest error of a joint by compression; by default that of the first motion where
-    /// it is a clip, otherwise 0.0001.
+    /// The greatest error of a joint by compression, for .clip; by default that of the first motion
+    /// where it is a clip, otherwise 0.0001.
     #[arg(long, value_name = "METRES")]
     tolerance: Option<f64>,
-    /// The distance from a joint within which points are kept within the tolerance; by default that
-    /// of the first motion where it is a clip, otherwise 0.03.
+    /// The distance from a joint within which points are kept within the tolerance, for .clip; by
+    /// default that of the first motion where it is a clip, otherwise 0.03.
     #[arg(long, value_name = "METRES")]
     shell: Option<f64>,
-    /// A joint with bounds of its own, such as `LeftHand=0.00005` or `LeftHand=0.00005,0.2` for
-    /// another shell. May be given several times. Those of a first motion that is a clip are kept.
+    /// A joint with bounds of its own, for .clip, such as `LeftHand=0.00005` or
+    /// `LeftHand=0.00005,0.2` for another shell. May be given several times. Those of a first
+    /// motion that is a clip are kept.
     #[arg(long = "joint", value_name = "NAME=METRES[,SHELL]")]
     joints: Vec<NamedBound>,
-    /// The greatest deviation of scalar tracks, such as the weights of morph targets; by default
-    /// that of the first motion where it is a clip, otherwise 0.0001.
+    /// The greatest deviation of scalar tracks, such as the weights of morph targets, for .clip; by
+    /// default that of the first motion where it is a clip, otherwise 0.0001.
     #[arg(long, value_name = "VALUE")]
     track_tolerance: Option<f64>,
-    /// The clip to be written.
-    #[arg(long, value_name = "OUT.clip")]
+    /// The length of one unit of a .bvh that is written, in metres [default: that of a first motion
+    /// that is BVH, otherwise 1].
+    #[arg(long, value_name = "METRES")]
+    out_metres_per_unit: Option<f64>,
+    /// The motion to be written, in the format that its name says.
+    ///
+    /// A .glb or .gltf keeps the nodes, meshes, skins and other animations of a first motion that
+    /// is glTF; a .bvh the unit, channels and End Sites of one that is BVH. What a format does not
+    /// hold is listed in warnings.
+    #[arg(long, value_name = "OUT.clip|OUT.bvh|OUT.glb")]
     out: PathBuf,
 }
 
+/// A motion that becomes a file.
+pub(super) struct Output<'a> {
+    pub(super) recording: &'a Recording,
+    /// What it was made of.
+    pub(super) inputs: Vec<Input>,
+    /// The first file that it was made of.
+    pub(super) like: &'a MotionFile,
+    pub(super) warnings: Vec<Warning>,
+}
+
 impl TargetArguments {
-    /// Fails unless a clip is asked for that replaces no motion; to be called before anything takes
-    /// long.
+    /// Fails unless a motion is asked for that replaces none of those that are read; to be called
+    /// before anything takes long.
     pub(super) fn check<P: AsRef<Path>>(
         &self,
         motions: impl IntoIterator<Item = P>,
         context: &Context,
-    ) -> Result<()> {
-        check(motions, &self.out, context)
+    ) -> Result<Format> {
+        let mut files = context.files(motions)?;
+        let format = files.write("--out", &self.out, &FORMATS)?;
+        let (is_clip, is_bvh) = (format == Format::Clip, format == Format::Bvh);
+        for (option, is_given, applies) in [
+            ("--tolerance", self.tolerance.is_some(), is_clip),
+            ("--shell", self.shell.is_some(), is_clip),
+            ("--joint", !self.joints.is_empty(), is_clip),
+            ("--track-tolerance", self.track_tolerance.is_some(), is_clip),
+            (
+                "--out-metres-per-unit",
+                self.out_metres_per_unit.is_some(),
+                is_bvh,
+            ),
+        ] {
+            ensure!(
+                applies || !is_given,
+                "{option} does not apply to --out {}",
+                self.out.display()
+            );
+        }
+        checked_unit("--out-metres-per-unit", self.out_metres_per_unit)?;
+        Ok(format)
     }
 
-    /// Compresses a recording and writes it. `file` is what it was made of, and `defaults` are the
-    /// bounds where none are given.
+    /// Writes a motion.
     pub(super) fn write(
         &self,
-        recording: &Recording,
-        file: String,
-        defaults: Options,
+        format: Format,
+        output: Output,
         progress: &Progress,
-        warnings: Vec<Warning>,
     ) -> Result<Report> {
-        let mut options = Options {
+        let defaults = output.like.compression();
+        let mut compression = Options {
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),
             shell: self.shell.unwrap_or(defaults.shell),
             track_tolerance: self.track_tolerance.unwrap_or(defaults.track_tolerance),
             joints: defaults.joints,
         };
-        add_bounds(&mut options, &self.joints, recording, &file)?;
-        let compression = Compression {
-            recording,
-            options,
-            deviation: 0.0,
-            mesh_vertices: None,
+        let file = output.file();
+        add_bounds(&mut compression, &self.joints, output.recording, &file)?;
+        let options = WriteOptions {
+            name: &ga_files::stem(&self.out),
+            like: Some(output.like),
+            metres_per_unit: self.out_metres_per_unit,
+            compression,
         };
-        compression.write(file, &self.out, progress, warnings)
+        write(&self.out, format, output, &options, (0.0, None), progress)
     }
 
     /// Reads a motion, and writes what becomes of it.
@@ -80,28 +125,29 @@ impl TargetArguments {
         &self,
         motion: &MotionArguments,
         context: &Context,
-        change: impl FnOnce(Recording) -> Result<Recording>,
+        change: impl FnOnce(&MotionFile, &Recording) -> Result<Recording>,
     ) -> Result<Report> {
-        self.check([&motion.motion], context)?;
+        let format = self.check([&motion.motion], context)?;
         let progress = context.progress(100);
         progress.step("reading the motion");
         let mut warnings = Vec::new();
-        let (recording, defaults) = motion.recording(&mut warnings)?;
-        let changed = change(recording)?;
-        self.write(&changed, motion.file(), defaults, &progress, warnings)
+        let (file, recording) = motion.recording(&mut warnings)?;
+        let output = Output {
+            recording: &change(&file, &recording)?,
+            inputs: vec![Input::new(motion.file(), &file, &recording)],
+            like: &file,
+            warnings,
+        };
+        self.write(format, output, &progress)
     }
 }
 
-/// Fails unless a clip can be written to `out` that replaces none of the motions.
-pub(super) fn check<P: AsRef<Path>>(
-    motions: impl IntoIterator<Item = P>,
-    out: &Path,
-    context: &Context,
-) -> Result<()> {
-    context
-        .files(motions)?
-        .write("--out", out, &[Format::Clip])?;
-    Ok(())
+impl Output<'_> {
+    /// What it was made of, as messages name it.
+    fn file(&self) -> String {
+        let files = self.inputs.iter().map(|input| input.file.as_str());
+        files.collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// Adds bounds of joints, which are known by name, to options.
@@ -121,41 +167,81 @@ pub(super) fn add_bounds(
     Ok(())
 }
 
-/// A recording that becomes a clip.
-pub(super) struct Compression<'a> {
-    pub(super) recording: &'a Recording,
-    pub(super) options: Options,
-    /// How far the recording is from what it was made of, in metres.
-    pub(super) deviation: f64,
-    pub(super) mesh_vertices: Option<u64>,
-}
-
-impl Compression<'_> {
-    /// Compresses the recording, which was made of `file`, and writes it.
-    pub(super) fn write(
-        &self,
-        file: String,
-        out: &Path,
-        progress: &Progress,
-        warnings: Vec<Warning>,
-    ) -> Result<Report> {
-        progress.step("compressing");
-        let recording = self.recording;
-        let clip = compressed::compress(recording, &self.options, |done, steps| {
-            progress.at(done as u64, steps as u64);
-        })
-        .with_context(|| file.clone())?;
-        let accuracy = Accuracy::new(recording, &clip, self.deviation)
+/// Writes a motion. Beside it are how far the recording is from what it was made of, in metres, and
+/// how many vertices the mesh has that it moves.
+pub(super) fn write(
+    out: &Path,
+    format: Format,
+    output: Output,
+    options: &WriteOptions,
+    (deviation, mesh_vertices): (f64, Option<u64>),
+    progress: &Progress,
+) -> Result<Report> {
+    let file = output.file();
+    let Output {
+        recording,
+        inputs,
+        like,
+        mut warnings,
+    } = output;
+    let as_motion = match format {
+        Format::Bvh => MotionFormat::Bvh,
+        Format::Glb | Format::Gltf => MotionFormat::Gltf,
+        _ => MotionFormat::Clip,
+    };
+    progress.step(match as_motion {
+        MotionFormat::Clip => "compressing",
+        _ => "writing",
+    });
+    let written = Written::new(recording, as_motion, options, |done, steps| {
+        progress.at(done as u64, steps as u64);
+    });
+    let written = written.with_context(|| match like.likely_unit() {
+        Some(unit) => format!("{file}, with a unit of {} m", short(unit.metres)),
+        None => file.clone(),
+    })?;
+    warnings.extend(written.losses.iter().map(|loss| Warning {
+        joint: loss.joint().map(ToOwned::to_owned),
+        frame: loss.frame(),
+        ..Warning::new(loss.kind(), loss).in_file(out)
+    }));
+    let mut compressed = None;
+    if let Contents::Clip(clip) = &written.contents {
+        let accuracy = Accuracy::new(recording, clip, deviation)
             .context("the clip does not have the joints and frames of its recording")?;
-        output::write(out, clip.as_bytes())?;
-        Ok(Report {
-            file,
-            out: out.display().to_string(),
-            size: Size::new(&clip, self.mesh_vertices),
-            accuracy,
-            warnings,
-        })
+        let size = Size::new(clip, mesh_vertices);
+        compressed = Some(Compressed { size, accuracy });
     }
+    let shown = || format!("{} cannot be written", out.display());
+    let plain = match (&written.contents, format) {
+        (Contents::Gltf(document), Format::Gltf) => {
+            gltf::write(out, document).with_context(shown)?;
+            None
+        }
+        _ => {
+            let bytes = written.encode().with_context(shown)?;
+            output::write(out, &bytes)?;
+            Some(bytes.len())
+        }
+    };
+    let plain = compressed.is_none().then(|| Plain {
+        bytes: plain,
+        frames: recording.frame_count(),
+        joints: recording.joints().len(),
+        frame_time_seconds: recording.frame_time(),
+        duration_seconds: recording.duration(),
+        out_metres_per_unit: written.metres_per_unit,
+    });
+    Ok(Report {
+        file,
+        out: out.display().to_string(),
+        metres_per_unit: inputs.first().map_or(1.0, |input| input.metres_per_unit),
+        inputs,
+        compressed,
+        plain,
+        phases: None,
+        warnings,
+    })
 }
 
 /// What was written, and how exact it is.
@@ -163,12 +249,45 @@ impl Compression<'_> {
 pub(crate) struct Report {
     file: String,
     out: String,
+    metres_per_unit: f64,
+    inputs: Vec<Input>,
+    #[serde(flatten)]
+    compressed: Option<Compressed>,
+    #[serde(flatten)]
+    plain: Option<Plain>,
+    #[serde(flatten)]
+    phases: Option<Phases>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
+}
+
+/// A clip that was written.
+#[derive(Debug, Serialize)]
+struct Compressed {
     #[serde(flatten)]
     size: Size,
     #[serde(flatten)]
     accuracy: Accuracy,
-    #[serde(skip)]
-    warnings: Vec<Warning>,
+}
+
+/// A motion of another format that was written.
+#[derive(Debug, Serialize)]
+struct Plain {
+    /// Of one file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bytes: Option<usize>,
+    frames: usize,
+    joints: usize,
+    frame_time_seconds: f64,
+    duration_seconds: f64,
+    out_metres_per_unit: f64,
+}
+
+impl Report {
+    /// The same of motions that were brought in step.
+    pub(super) fn in_step(self, phases: Option<Phases>) -> Self {
+        Self { phases, ..self }
+    }
 }
 
 impl frame::Report for Report {
@@ -177,37 +296,44 @@ impl frame::Report for Report {
     }
 
     fn next(&self) -> Option<String> {
-        let is_file = Format::Clip.fits(Path::new(&self.out));
+        let is_file = Format::of(Path::new(&self.out), &FORMATS).is_some();
         is_file.then(|| format!("nullcone clip info {}", quoted(&self.out)))
     }
 
     fn text(&self) -> String {
-        let Self {
-            file,
-            out,
-            size,
-            accuracy,
-            ..
-        } = self;
-        let mut lines = format!(
-            "{file}: {} frames of {} joints, {} numbers a frame change\n{out}: {}",
-            size.frames,
-            size.joints,
-            size.channels,
-            lines_of(size),
-        );
-        lines += &format!(
-            "error      {:.4} mm at most, of joint {} in frame {}; {:.4} mm half-way between frames\n",
-            1e3 * accuracy.max_error_metres,
-            accuracy.max_error_joint,
-            accuracy.max_error_frame,
-            1e3 * accuracy.half_frame_error_metres,
-        );
-        if accuracy.tracks > 0 {
+        let mut lines: String = self.inputs.iter().map(Input::line).collect();
+        let out = &self.out;
+        if let Some(plain) = &self.plain {
             lines += &format!(
-                "tracks     {}, within {:.1e}\n",
-                accuracy.tracks, accuracy.max_track_error
+                "{out}: {} frames of {} joints, {:.2} s at {:.2} Hz\n",
+                plain.frames,
+                plain.joints,
+                plain.duration_seconds,
+                1.0 / plain.frame_time_seconds
             );
+        }
+        if let Some(Compressed { size, accuracy }) = &self.compressed {
+            lines += &format!(
+                "{out}: {} frames of {} joints, {} numbers a frame change; {}",
+                size.frames,
+                size.joints,
+                size.channels,
+                lines_of(size)
+            );
+            lines += &format!(
+                "error      {:.4} mm at most, of joint {} in frame {}; {:.4} mm half-way between \
+                 frames\n",
+                1e3 * accuracy.max_error_metres,
+                accuracy.max_error_joint,
+                accuracy.max_error_frame,
+                1e3 * accuracy.half_frame_error_metres,
+            );
+            if accuracy.tracks > 0 {
+                lines += &format!(
+                    "tracks     {}, within {:.1e}\n",
+                    accuracy.tracks, accuracy.max_track_error
+                );
+            }
         }
         lines
     }

@@ -7,6 +7,8 @@ mod source;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use ga_runtime::geometry::Affine;
+use ga_runtime::vga3::Vector;
 use rayon::prelude::*;
 
 use super::basis::{Basis, SEGMENT};
@@ -18,7 +20,7 @@ use super::piece::{Encoded, MOST_BITS, Precision, bits_for, encode};
 use super::tables::{Channel, channels};
 use super::{CompressedClip, Measured, file, measure};
 use crate::clip::ClipError;
-use crate::recording::Recording;
+use crate::recording::{Recording, model_maps};
 use search::Search;
 use source::Source;
 
@@ -114,7 +116,10 @@ pub fn compress(
     };
     for negligible in NEGLIGIBLE {
         result = compress_with(recording, options, negligible, &steps);
-        if !matches!(result, Err(ClipError::Bound { .. })) {
+        if !matches!(
+            result,
+            Err(ClipError::Bound { .. } | ClipError::Precision { .. })
+        ) {
             break;
         }
     }
@@ -149,7 +154,7 @@ fn compress_with(
     let mut bounds = vec![MARGIN; count];
     // Segments, and whether what they are is of no use.
     let mut todo: Vec<(usize, bool)> = (0..count).map(|segment| (segment, true)).collect();
-    let mut worst = None;
+    let mut worst: Option<Measured> = None;
     for repetition in 0..REPETITIONS {
         steps.add(todo.len());
         let encoded: Result<Vec<Option<Segment>>, ClipError> = todo
@@ -163,7 +168,15 @@ fn compress_with(
                 }
             })
             .collect();
-        for (&(segment, _), encoded) in todo.iter().zip(encoded?) {
+        let encoded = match (encoded, &worst) {
+            // A bound that was made smaller for the rounding of single precision, and is too small.
+            (Err(ClipError::Bound { .. }), Some(worst)) => {
+                let place = (worst.joint, worst.frame);
+                return Err(beyond_precision(recording, &source, place));
+            }
+            (encoded, _) => encoded?,
+        };
+        for (&(segment, _), encoded) in todo.iter().zip(encoded) {
             if let Some(encoded) = encoded {
                 segments[segment] = encoded;
             }
@@ -190,12 +203,28 @@ fn compress_with(
         worst = errors.into_iter().find(|found| found.ratio > 1.0);
         todo = again;
     }
-    let (joint, frame) = worst.map_or((0, 0), |found| (found.joint, found.frame));
-    Err(ClipError::Precision {
+    let place = worst.map_or((0, 0), |found| (found.joint, found.frame));
+    Err(beyond_precision(recording, &source, place))
+}
+
+/// That a joint cannot be kept within its tolerance where it is so far from the origin.
+fn beyond_precision(
+    recording: &Recording,
+    source: &Source,
+    (joint, frame): (usize, usize),
+) -> ClipError {
+    let mut maps = vec![Affine::default(); recording.joints().len()];
+    let locals = recording.frame(frame).unwrap_or_default();
+    let place = match model_maps(recording.parents(), locals, &mut maps) {
+        Ok(()) => Vector::from(maps[joint].translation),
+        Err(error) => return error.into(),
+    };
+    ClipError::Precision {
         joint: recording.joints()[joint].name.clone(),
         frame,
         tolerance: source.bounds[joint].tolerance,
-    })
+        distance: place.length(),
+    }
 }
 
 /// How many of how many segments are encoded, over all repetitions.

@@ -11,6 +11,7 @@ use crate::frame::{self, Command, Context, Warning};
 use crate::motion_file;
 use crate::output;
 use ga_anim::retarget::begins_with_calibration;
+use ga_anim::unit::likely_unit;
 
 /// Measure how accurately bodies are reconstructed from their joints in pictures.
 ///
@@ -42,10 +43,8 @@ pub(crate) struct Arguments {
     /// The motion, BVH.
     #[arg(long, value_name = "F.bvh")]
     motion: PathBuf,
-    /// The length of one unit of the motion in metres; by default that of a metre, a decimetre, an
-    /// inch, a centimetre, a millimetre or CMU's unit (an inch / 0.45) with which the body at rest
-    /// is nearest to 1.7 m.
-    #[arg(long, value_name = "N")]
+    /// The length of one unit of the motion in metres [default: found from the length of the legs].
+    #[arg(long, value_name = "METRES")]
     metres_per_unit: Option<f64>,
     /// Standard deviations of the noise in pixels.
     #[arg(
@@ -112,8 +111,12 @@ impl Command for Arguments {
         let file = self.motion.display().to_string();
         let mut warnings = Vec::new();
         let recorded = motion_file::read(&self.motion, &mut warnings)?;
+        let likely = likely_unit(&recorded);
+        if self.metres_per_unit.is_none() {
+            motion_file::warn_of_unit(&self.motion, likely, "--metres-per-unit", &mut warnings);
+        }
         let options = MotionOptions {
-            metres_per_unit: self.metres_per_unit,
+            metres_per_unit: Some(self.metres_per_unit.unwrap_or(likely.metres)),
             first: usize::from(begins_with_calibration(&recorded)),
             every: self.every,
             most: self.frames,

@@ -1,0 +1,133 @@
+//! What of a motion a format does not hold.
+
+/// Something of a motion or of its file that is not in the file that was written.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Loss {
+    /// What a document shows beside its motion.
+    #[error("{} not in the file", listed(&[(*.meshes, "mesh", "meshes"), (*.skins, "skin", "skins")]))]
+    Meshes {
+        /// How many meshes there are.
+        meshes: usize,
+        /// How many skins.
+        skins: usize,
+    },
+    /// The other animations of a document.
+    #[error("{} not in the file", listed(&[(*.animations, "other animation", "other animations")]))]
+    Animations {
+        /// How many.
+        animations: usize,
+    },
+    /// Scalar tracks, such as the weights of morph targets.
+    #[error(
+        "{} not in the file: {}",
+        listed(&[(.tracks.len(), "scalar track", "scalar tracks")]),
+        .tracks.join("; ")
+    )]
+    Tracks {
+        /// Their names.
+        tracks: Vec<String>,
+    },
+    /// Joints are scaled.
+    #[error(
+        "the factors of {} not in the file, as of {joint:?} in frame {frame}; joints are where \
+         these put them",
+        listed(&[(*.joints, "scaled joint", "scaled joints")])
+    )]
+    Scale {
+        /// How many joints.
+        joints: usize,
+        /// The first of them.
+        joint: String,
+        /// The first frame in which it is scaled.
+        frame: usize,
+    },
+    /// Axes of joints at rest.
+    #[error(
+        "the axes at rest of {} not in the file, as of {joint:?}: rotations are 0 at rest",
+        listed(&[(*.joints, "joint", "joints")])
+    )]
+    JointAxes {
+        /// How many joints.
+        joints: usize,
+        /// The first of them.
+        joint: String,
+    },
+    /// Ends of bones.
+    #[error("{} not in the file", listed(&[(*.joints, "End Site", "End Sites")]))]
+    EndSites {
+        /// How many joints have one.
+        joints: usize,
+    },
+    /// A joint has another name.
+    #[error("joint {joint:?} is called {written:?} in the file")]
+    Name {
+        /// Its name.
+        joint: String,
+        /// Its name in the file.
+        written: String,
+    },
+    /// Places are rounded to single precision.
+    #[error(
+        "places are rounded by up to {rounding:.1e} m in single precision, since {joint:?} is \
+         {distance:.0} m from the joint above it or the origin"
+    )]
+    Precision {
+        /// The joint that is farthest away.
+        joint: String,
+        /// How far, in metres.
+        distance: f64,
+        /// By how much its place is rounded, in metres.
+        rounding: f64,
+    },
+}
+
+impl Loss {
+    /// What it is, as one word for programs.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Meshes { .. } => "meshes_left_out",
+            Self::Animations { .. } => "animations_left_out",
+            Self::Tracks { .. } => "tracks_left_out",
+            Self::Scale { .. } => "scale_left_out",
+            Self::JointAxes { .. } => "joint_axes_left_out",
+            Self::EndSites { .. } => "end_sites_left_out",
+            Self::Name { .. } => "joint_renamed",
+            Self::Precision { .. } => "precision",
+        }
+    }
+
+    /// The joint that it is about, where it is about one.
+    #[must_use]
+    pub fn joint(&self) -> Option<&str> {
+        match self {
+            Self::Scale { joint, .. }
+            | Self::JointAxes { joint, .. }
+            | Self::Name { joint, .. }
+            | Self::Precision { joint, .. } => Some(joint),
+            _ => None,
+        }
+    }
+
+    /// The frame that it is about, from 0.
+    #[must_use]
+    pub fn frame(&self) -> Option<usize> {
+        match self {
+            Self::Scale { frame, .. } => Some(*frame),
+            _ => None,
+        }
+    }
+}
+
+/// Counts with their nouns, but for those of 0, and the verb, as in `1 mesh and 2 skins are`.
+fn listed(counts: &[(usize, &str, &str)]) -> String {
+    let there: Vec<&(usize, &str, &str)> = counts.iter().filter(|(n, ..)| *n > 0).collect();
+    let words = there.iter().map(|(count, one, several)| match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {several}"),
+    });
+    let all: usize = there.iter().map(|(count, ..)| count).sum();
+    let verb = if all == 1 { "is" } else { "are" };
+    format!("{} {verb}", words.collect::<Vec<_>>().join(" and "))
+}
