@@ -438,7 +438,7 @@ fn the_mesh_has_what_the_primitives_form() {
         .map(|part| part.vertices.clone())
         .collect();
     assert_eq!(ranges, [0..4, 4..8, 8..12, 12..12, 12..16]);
-    let mesh = placement.mesh(&placed).unwrap();
+    let mesh = placement.mesh(&placed, |_| true).unwrap();
     assert_eq!(
         mesh.triangles(),
         [[0, 1, 2], [1, 3, 2], [4, 6, 5], [5, 6, 7]]
