@@ -2,10 +2,12 @@
 //! into its compiler.
 
 mod camera_file;
+mod chosen_animation;
 mod commands;
 mod examples;
 mod failure;
 mod files;
+mod film_file;
 mod format;
 mod frame;
 mod interruption;

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use ga_character::report::{AnimationReport, FigureReport};
 use ga_character::{Animation, Figure, Overlay, TwoViews, model, pictures};
+use ga_files::Staged;
 
 use crate::files::Files;
+use crate::film_file;
 use crate::format::Format;
 use crate::frame::Progress;
 use crate::output;
@@ -18,9 +20,6 @@ pub(crate) const STEPS: u64 = 5;
 
 /// The name of the file that holds the report.
 const REPORT: &str = "report.json";
-
-/// The most pictures of a film.
-const MOST_PICTURES: usize = 1000;
 
 /// Where the files are written, what is drawn over the pictures, and the seed of the random
 /// numbers.
@@ -41,8 +40,9 @@ pub(crate) struct OutputArguments {
     /// Example: --trails LeftHand,RightFoot
     #[arg(long, value_name = "JOINT,…", value_delimiter = ',')]
     trails: Vec<String>,
-    /// Also write the motion as an animated PNG, at most 1000 pictures.
-    #[arg(long, value_name = "FILE.png")]
+    /// Also write the motion as a film: an animated PNG if its name ends in .png, or without
+    /// compression if it ends in .y4m.
+    #[arg(long, value_name = "FILE.png|FILE.y4m")]
     film: Option<PathBuf>,
 }
 
@@ -52,7 +52,7 @@ impl OutputArguments {
     pub(crate) fn check(&self, mut files: Files) -> Result<()> {
         let names = model::NAMES.iter().chain(&[pictures::SHEET, REPORT]);
         files.write_folder("--out", &self.out, names)?;
-        files.write_if_given("--film", self.film.as_ref(), &[Format::Png])?;
+        files.write_if_given("--film", self.film.as_ref(), &film_file::FORMATS)?;
         Ok(())
     }
 
@@ -106,19 +106,28 @@ pub(crate) fn perform(
         .context("two cameras cannot see the motion")?;
     progress.step("drawing the contact sheet");
     let sheet = pictures::sheet(&figure, &animation, &overlay)?;
-    let film = match &arguments.film {
-        Some(path) => {
-            progress.step("drawing the film");
-            let count = animation.clip.frames().len();
-            ensure!(
-                count <= MOST_PICTURES,
-                "--film: the motion has {count} frames, more than {MOST_PICTURES}; choose fewer of \
-                 them or a lower rate"
-            );
-            Some((path, pictures::film(&figure, &animation, &overlay)?))
-        }
-        None => None,
-    };
+    let mut staged = Staged::default();
+    let mut written = Vec::new();
+    if let Some(path) = &arguments.film {
+        progress.step("drawing the film");
+        let format = Format::of(path, &film_file::FORMATS).unwrap_or(Format::Png);
+        let frames = animation.clip.frames().len() as u64;
+        let mut bytes = 0;
+        output::stage_with(&mut staged, path, |file| {
+            bytes = film_file::write(file, |file| {
+                let format = film_file::encoding(format);
+                let mut done = |done| progress.at(done as u64, frames);
+                let film =
+                    pictures::write_film(&figure, &animation, &overlay, file, format, &mut done);
+                Ok(film?)
+            })?;
+            Ok(())
+        })?;
+        written.push(Written {
+            file: path.display().to_string(),
+            bytes,
+        });
+    }
     progress.step("making the model");
     let mut files = model::files(&figure, &animation.clip, &animation.name)?;
     files.insert(2, sheet);
@@ -136,20 +145,19 @@ pub(crate) fn perform(
         serde_json::to_string_pretty(&report).context("the report cannot be written as JSON")?;
     text.push('\n');
     progress.step("writing");
-    let mut contents: Vec<(PathBuf, &[u8])> = Vec::new();
     let files = report.files.iter();
-    contents.extend(files.map(|file| (arguments.out.join(file.name), file.contents.as_slice())));
-    contents.push((arguments.out.join(REPORT), text.as_bytes()));
-    contents.extend(
-        film.iter()
-            .map(|(path, film)| (path.to_path_buf(), film.as_slice())),
-    );
-    let written = contents.iter().map(|(path, contents)| Written {
-        file: path.display().to_string(),
-        bytes: contents.len(),
-    });
-    let written = written.collect();
-    output::write_together(contents)?;
+    let files = files.map(|file| (arguments.out.join(file.name), file.contents.as_slice()));
+    let contents = files.chain([(arguments.out.join(REPORT), text.as_bytes())]);
+    let mut others = Vec::new();
+    for (path, contents) in contents {
+        output::stage(&mut staged, &path, contents)?;
+        others.push(Written {
+            file: path.display().to_string(),
+            bytes: contents.len(),
+        });
+    }
+    staged.finish()?;
+    written.splice(0..0, others);
     Ok(Performed {
         report,
         written,

@@ -84,8 +84,11 @@ pub fn character(document: &Document) -> Result<Character, MotionFileError> {
     let heads = joint_nodes
         .iter()
         .map(|&node| pose.world[node].translation.into());
+    // The pictures of materials lie beside the file, which a character does not know.
+    let mesh = placement.mesh(&placed, |_| true)?;
+    let faces = mesh.faces().len();
     Ok(Character {
-        mesh: placement.mesh(&placed)?,
+        mesh: mesh.with_materials(Vec::new(), vec![None; faces])?,
         skeleton: skeleton(document, &whole, &joint_nodes, &joint_of, heads.collect())?,
         weights: SkinWeights::new(joint_nodes.len(), rows)?,
     })

@@ -78,7 +78,7 @@ impl Moment {
         if placement.parts().is_empty() {
             return Err(MotionFileError::NoMesh);
         }
-        let mesh = placement.mesh(&placed)?;
+        let mesh = placement.mesh(&placed, |_| true)?;
         let played = animation.and_then(|index| document.animations.get(index));
         let parts = placement.parts().iter().map(|part| {
             let node = &document.nodes[part.node];

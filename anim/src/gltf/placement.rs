@@ -1,9 +1,9 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use ga_mesh::gltf::{Document, Mesh as Shape, Node, Primitive};
-use ga_mesh::{Faces, Group, Mesh, MeshError, Polylines};
-use ga_runtime::cga3::Point;
+use ga_mesh::Mesh;
+use ga_mesh::gltf::{self, Document, Primitive, Vertices};
+use ga_runtime::cga3::{Direction, DualPlane, Point};
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
@@ -81,6 +81,10 @@ pub struct Part {
 pub struct Placed {
     /// Their places, in the order of [`Placement::parts`].
     pub positions: Vec<Point<f64>>,
+    /// For each part the unit normals of its vertices; none where its primitive has none.
+    pub normals: Vec<Vec<Vector<f64>>>,
+    /// For each part the unit tangents of its vertices; none where its primitive has none.
+    pub tangents: Vec<Vec<Vector<f64>>>,
     /// For each part, whether it is mirrored, so that its faces must be reversed.
     pub is_mirrored: Vec<bool>,
 }
@@ -163,102 +167,79 @@ impl<'a> Placement<'a> {
     /// [`MotionFileError::JointNotFinite`] and [`MotionFileError::VertexNotFinite`];
     /// [`MotionFileError::Skin`] for more pairs of joints than can be counted.
     pub fn place(&self, pose: &NodePose, method: Method) -> Result<Placed, MotionFileError> {
-        let mut placed = Placed {
-            positions: Vec::with_capacity(self.vertex_count()),
-            is_mirrored: Vec::with_capacity(self.parts.len()),
-        };
+        let mut placed = Placed::default();
         for (part, bound) in self.parts.iter().zip(&self.bound) {
             let node = &self.document.nodes[part.node];
             let primitive = &self.document.meshes[part.mesh].primitives[part.primitive];
-            let mut positions = morphed(primitive, pose.weights(part.node));
+            let mut moved = Morphed::new(primitive, pose.weights(part.node));
             let map = match (bound, node.skin) {
                 (Some(skinned), Some(skin)) => {
                     let maps = self.maps(skin, pose, method)?;
                     let skinned = &self.skinned[*skinned];
-                    skinned.pose(&maps, method, &mut positions)?;
+                    skinned.pose(&maps, method, &mut moved)?;
                     let first = skinned.weights.influences(0).first();
                     maps[first.map_or(0, |influence| influence.joint as usize)]
                 }
                 _ => {
                     let map = pose.world[part.node];
-                    for position in &mut positions {
-                        *position = map.transform(*position);
-                    }
+                    moved.transform(map);
                     map
                 }
             };
             let is_placed = |point: &Point<f64>| point.coordinates().iter().all(|x| x.is_finite());
-            if let Some(vertex) = positions.iter().position(|point| !is_placed(point)) {
+            if let Some(vertex) = moved.positions.iter().position(|point| !is_placed(point)) {
                 return Err(MotionFileError::VertexNotFinite {
                     node: part.node,
                     primitive: part.primitive,
                     vertex,
                 });
             }
-            placed.positions.append(&mut positions);
-            placed.is_mirrored.push(map.determinant() < 0.0);
+            let is_mirrored = map.determinant() < 0.0;
+            if is_mirrored {
+                // The image of a plane has the other orientation, and so have the faces reversed.
+                moved
+                    .normals
+                    .iter_mut()
+                    .for_each(|normal| *normal = -*normal);
+            }
+            placed.positions.append(&mut moved.positions);
+            placed.normals.push(moved.normals);
+            placed.tangents.push(moved.tangents);
+            placed.is_mirrored.push(is_mirrored);
         }
         Ok(placed)
     }
 
-    /// The placed vertices with the faces, lines and points of their primitives. Each node is an
-    /// object of its name. Vertices keep their order and number.
+    /// The placed vertices of the parts of some nodes as a mesh with all that their primitives
+    /// have: faces, lines and points, normals, tangents, colours, texture coordinates and materials.
+    /// Each node is an object of its name. Vertices keep their order; those of all nodes keep their
+    /// number.
     ///
     /// # Errors
     ///
-    /// [`MeshError::TooLarge`] past 2³² − 1 vertices or corners, and
-    /// [`MeshError::IndexOutOfRange`] where `placed` is of another document.
-    pub fn mesh(&self, placed: &Placed) -> Result<Mesh, MeshError> {
-        let mut faces = Faces::default();
-        let (mut lines, mut points) = (Polylines::default(), Vec::new());
-        let mut objects: Vec<(usize, Group)> = Vec::new();
-        for (index, part) in self.parts.iter().enumerate() {
-            let primitive = &self.document.meshes[part.mesh].primitives[part.primitive];
-            let (what, count) = ("vertices", part.vertices.end);
-            let Ok(first) = u32::try_from(part.vertices.start) else {
-                return Err(MeshError::TooLarge { what, count });
+    /// [`MotionFileError::Document`] past 2³² − 1 vertices or corners, and where `placed` is of
+    /// another document.
+    pub fn mesh(
+        &self,
+        placed: &Placed,
+        is_shown: impl Fn(usize) -> bool,
+    ) -> Result<Mesh, MotionFileError> {
+        let parts = self.parts.iter().enumerate();
+        let shown = parts.filter(|(_, part)| is_shown(part.node));
+        let list =
+            |lists: &[Vec<Vector<f64>>], index| lists.get(index).cloned().unwrap_or_default();
+        let of_parts = shown.map(|(index, part)| {
+            let positions = placed.positions.get(part.vertices.clone());
+            let positions = positions.unwrap_or_default().iter();
+            let of_part = gltf::Placed {
+                positions: positions.map(|point| point.coordinates()).collect(),
+                normals: list(&placed.normals, index),
+                tangents: list(&placed.tangents, index),
+                is_mirrored: placed.is_mirrored.get(index).copied().unwrap_or_default(),
             };
-            if u32::try_from(count).is_err() {
-                return Err(MeshError::TooLarge { what, count });
-            }
-            if objects.last().is_none_or(|(node, _)| *node != part.node) {
-                let name = self.name(part);
-                let faces = Vec::new();
-                objects.push((part.node, Group { name, faces }));
-            }
-            // A primitive without positions cannot be seen.
-            if part.vertices.is_empty() {
-                continue;
-            }
-            let is_mirrored = placed.is_mirrored.get(index).copied().unwrap_or_default();
-            for mut triangle in primitive.triangles() {
-                if is_mirrored {
-                    triangle.swap(1, 2);
-                }
-                if let Some((_, object)) = objects.last_mut() {
-                    object.faces.push(faces.len() as u32);
-                }
-                faces.push(&triangle.map(|vertex| vertex + first))?;
-            }
-            for mut line in primitive.polylines() {
-                line.iter_mut().for_each(|vertex| *vertex += first);
-                lines.push(&line)?;
-            }
-            points.extend(primitive.points().into_iter().map(|vertex| vertex + first));
-        }
-        let objects = objects.into_iter().map(|(_, object)| object);
-        Mesh::new(placed.positions.clone(), faces)?
-            .with_objects(objects.collect())?
-            .with_polylines(lines)?
-            .with_points(points)
-    }
-
-    /// The name of a node, of its mesh, or else its number.
-    fn name(&self, part: &Part) -> String {
-        let node: &Node = &self.document.nodes[part.node];
-        let mesh: &Shape = &self.document.meshes[part.mesh];
-        let name = node.name.as_ref().or(mesh.name.as_ref());
-        name.map_or_else(|| format!("node {}", part.node), Clone::clone)
+            (part.node, part.primitive, of_part)
+        });
+        Ok(self.document.placed_mesh(of_parts, Vertices::Kept)?)
     }
 
     /// For each joint of a skin, the map that takes the mesh at rest to the world.
@@ -300,7 +281,10 @@ impl Skinned {
             problem,
         })?;
         Ok(Self {
-            binding: Binding::new(&morphed(primitive, &[]), &weights)?,
+            binding: {
+                let rest = Morphed::new(primitive, &[]);
+                rest.with_directions(Binding::new(&rest.positions, &weights)?)?
+            },
             is_morphed: !primitive.targets.is_empty(),
             weights,
         })
@@ -311,17 +295,17 @@ impl Skinned {
         &self,
         maps: &[Affine<f64>],
         method: Method,
-        positions: &mut [Point<f64>],
+        moved: &mut Morphed,
     ) -> Result<(), SkinError> {
         let mut palette = self.binding.palette(method);
         palette.set_maps(maps)?;
-        let posed = Posed::of_points(positions);
         if self.is_morphed {
             let mut binding = self.binding.clone();
-            binding.set_points(posed.points)?;
-            binding.pose(&palette, posed)
+            binding.set_points(&moved.positions)?;
+            let binding = moved.with_directions(binding)?;
+            binding.pose(&palette, moved.posed())
         } else {
-            self.binding.pose(&palette, posed)
+            self.binding.pose(&palette, moved.posed())
         }
     }
 }
@@ -354,16 +338,77 @@ pub(super) fn inverse_bind_map(columns: &[f32; 16]) -> Affine<f64> {
     )
 }
 
-/// The vertices with the displacements of morph targets, p + Σ wᵢ dᵢ.
-fn morphed(primitive: &Primitive, weights: &[f64]) -> Vec<Point<f64>> {
-    let vector = |numbers: [f32; 3]| Vector::from(numbers.map(f64::from));
-    let mut sums: Vec<Vector<f64>> = primitive.positions.iter().map(|&p| vector(p)).collect();
-    for (target, &weight) in primitive.targets.iter().zip(weights) {
-        for (sum, &displacement) in sums.iter_mut().zip(&target.positions) {
-            *sum += vector(displacement) * weight;
+/// The vertices of a primitive with the displacements of morph targets, p + Σ wᵢ dᵢ, and the
+/// directions at them. Those of a primitive without normals or tangents are empty.
+struct Morphed {
+    positions: Vec<Point<f64>>,
+    normals: Vec<Vector<f64>>,
+    tangents: Vec<Vector<f64>>,
+}
+
+impl Morphed {
+    fn new(primitive: &Primitive, weights: &[f64]) -> Self {
+        let vector = |numbers: [f32; 3]| Vector::from(numbers.map(f64::from));
+        let plain = |list: &[[f32; 3]]| list.iter().map(|&numbers| vector(numbers)).collect();
+        let mut positions: Vec<Vector<f64>> = plain(&primitive.positions);
+        let mut normals: Vec<Vector<f64>> = plain(&primitive.normals);
+        let tangents = primitive.tangents.iter();
+        let mut tangents: Vec<_> = tangents.map(|&[x, y, z, _]| vector([x, y, z])).collect();
+        for (target, &weight) in primitive.targets.iter().zip(weights) {
+            for (sums, displacements) in [
+                (&mut positions, &target.positions),
+                (&mut normals, &target.normals),
+                (&mut tangents, &target.tangents),
+            ] {
+                for (sum, &displacement) in sums.iter_mut().zip(displacements) {
+                    *sum += vector(displacement) * weight;
+                }
+            }
+        }
+        // A primitive without positions has none of its vertices placed.
+        normals.truncate(positions.len());
+        tangents.truncate(positions.len());
+        Self {
+            positions: positions.into_iter().map(Point::from).collect(),
+            normals,
+            tangents,
         }
     }
-    sums.into_iter().map(Point::from).collect()
+
+    /// Moves all by the frame of a node.
+    fn transform(&mut self, map: Affine<f64>) {
+        for position in &mut self.positions {
+            *position = map.transform(*position);
+        }
+        for normal in &mut self.normals {
+            let plane = DualPlane::from_normal_distance((*normal).into(), 0.0).undual();
+            let image = Vector::from(map.transform_plane(plane).dual().normal());
+            *normal = image.normalized().unwrap_or_default();
+        }
+        for tangent in &mut self.tangents {
+            let image = map.transform_direction(Direction::from(*tangent));
+            *tangent = Vector::from(image).normalized().unwrap_or_default();
+        }
+    }
+
+    /// The binding with the directions as they are.
+    fn with_directions(&self, mut binding: Binding<f64>) -> Result<Binding<f64>, SkinError> {
+        if !self.normals.is_empty() {
+            binding = binding.with_normals(&self.normals)?;
+        }
+        if !self.tangents.is_empty() {
+            binding = binding.with_tangents(&self.tangents)?;
+        }
+        Ok(binding)
+    }
+
+    fn posed(&mut self) -> Posed<'_, f64> {
+        Posed {
+            points: &mut self.positions,
+            normals: &mut self.normals,
+            tangents: &mut self.tangents,
+        }
+    }
 }
 
 /// The influences of all sets together. Where a vertex has two weights for a joint, which glTF does

@@ -6,52 +6,42 @@ use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_anim::gltf::Moment;
 use ga_anim::skin;
-use ga_mesh::{gltf, obj};
+use ga_mesh::format::{self, Options};
+use ga_mesh::gltf;
 use serde::Serialize;
 
+use crate::chosen_animation::{ChosenAnimation, warn_of_times};
 use crate::format::Format;
-use crate::frame::{self, Command, Context};
-use crate::output;
+use crate::frame::{self, Command, Context, Warning};
+use crate::mesh_file;
 
-/// Pose an animated glTF model at a time and write its vertices in world space.
+/// Pose an animated glTF model at a time and write it as a mesh in world space.
 ///
-/// The output has the vertices of each node that has a mesh, in rising index of the nodes, each
+/// The mesh has the normals, texture coordinates, colours and materials of the model, as far as the
+/// format of the output has them: Wavefront OBJ with its materials (.mtl) and pictures, PLY, or
+/// glTF. Paths of pictures are written relative to the output. OBJ has the vertices of each node that has a mesh, in rising index of the nodes, each
 /// primitive in order and all vertices of its POSITION, so that they are numbered as in the file.
 /// Morph targets displace them first; then the joints of the skin move them, or the node where it
-/// has no skin. Coordinates are written with as many digits as read back exactly.
+/// has no skin. Its coordinates are written with as many digits as read back exactly. In other
+/// formats vertices may be numbered otherwise.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The model: glTF 2.0 (.glb or .gltf).
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// The number of the animation, from 0, or `rest` for the pose of the nodes alone. The default
-    /// is 0, and `rest` for a model without animations.
-    #[arg(long, value_name = "N", value_parser = choice)]
-    animation: Option<Choice>,
+    #[command(flatten)]
+    animation: ChosenAnimation,
     /// The time in seconds. Before the first key of a channel the first key counts, after the last
-    /// key the last.
+    /// key the last. A time that the animation does not have is warned of.
     #[arg(long, value_name = "SECONDS")]
     time: f64,
     /// How the joints that move a vertex are combined.
     #[arg(long, value_enum, default_value_t)]
     method: Method,
-    /// The mesh to be written.
-    #[arg(long, value_name = "FRAME.obj")]
+    /// The mesh to be written, in the format that the ending of its name says.
+    #[arg(long, value_name = "FRAME.obj|FRAME.glb|FRAME.ply")]
     out: PathBuf,
-}
-
-/// The number of an animation, or none for the pose of the nodes.
-type Choice = Option<usize>;
-
-fn choice(text: &str) -> Result<Choice, &'static str> {
-    match text {
-        "rest" => Ok(None),
-        number => match number.parse() {
-            Ok(animation) => Ok(Some(animation)),
-            Err(_) => Err("must be a number from 0, or `rest`"),
-        },
-    }
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -86,22 +76,35 @@ impl Command for Arguments {
             "--time {}: the time must be finite",
             arguments.time
         );
-        let mut files = context.files([&arguments.model])?;
-        files.write("--out", &arguments.out, &[Format::Obj])?;
-        let document = gltf::read(&arguments.model)?;
-        let first = || (!document.animations.is_empty()).then_some(0);
-        let animation = arguments.animation.unwrap_or_else(first);
+        let (model, out) = (&arguments.model, &arguments.out);
+        let formats = mesh_file::formats(|_| true);
+        let format = context.files([model])?.write("--out", out, &formats)?;
+        let document = gltf::read(model)?;
+        let named = || model.display().to_string();
+        let animation = arguments.animation.number(&document).with_context(named)?;
+        let mut warnings = Vec::new();
+        let played = animation.and_then(|number| document.animations.get(number));
+        warn_of_times(model, played, [arguments.time; 2], &mut warnings);
         let moment = Moment::new(
             &document,
             animation,
             arguments.time,
             arguments.method.into(),
         );
-        let moment = moment.with_context(|| arguments.model.display().to_string())?;
-        output::write(&arguments.out, obj::encode(&moment.mesh).as_bytes())?;
+        let moment = moment.with_context(named)?;
+        let mesh = format::relocated(&moment.mesh, model, out)?;
+        let files = mesh_file::files(out, format, &mesh, &Options::default())?;
+        mesh_file::check_parts("--out", &[model], &files[1..])?;
+        let written = mesh_file::write(&mesh, &files)?;
+        if let Format::Mesh(format) = format {
+            let omissions = format.omissions(&mesh).into_iter();
+            warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));
+        }
         Ok(Report {
-            out: arguments.out.display().to_string(),
+            out: out.display().to_string(),
+            files: written.files,
             moment,
+            warnings,
         })
     }
 }
@@ -110,13 +113,16 @@ impl Command for Arguments {
 #[derive(Debug, Serialize)]
 pub(crate) struct Report {
     out: String,
+    files: Vec<String>,
     #[serde(flatten)]
     moment: Moment,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
 impl frame::Report for Report {
     fn text(&self) -> String {
-        let Self { out, moment } = self;
+        let Self { out, moment, .. } = self;
         let shown = match (moment.animation, moment.duration_seconds) {
             (Some(animation), Some(duration)) => {
                 let name = moment.animation_name.as_ref();
@@ -128,5 +134,9 @@ impl frame::Report for Report {
         };
         let (vertices, faces) = (moment.vertices, moment.faces);
         format!("wrote {out}: {vertices} vertices and {faces} faces, {shown}\n")
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
     }
 }

@@ -32,6 +32,7 @@ mod quality;
 mod quality_opinion;
 mod reconstruct;
 mod render;
+mod render_animation;
 mod signals;
 mod skin;
 mod stereo;

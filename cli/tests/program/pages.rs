@@ -90,7 +90,7 @@ fn animation() {
 fn meshes() {
     page(
         "meshes.md",
-        &["picture.png", "baked/normal.png", "textured.glb"],
+        &["picture.png", "walk.y4m", "baked/normal.png", "textured.glb"],
     );
 }
 

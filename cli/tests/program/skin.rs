@@ -303,3 +303,95 @@ fn truncated_files() {
         fails(&file[..end], &[], &["model: "]);
     }
 }
+
+/// A triangle with a painted material, which an animation moves.
+fn painted(folder: &Path) {
+    use ga_mesh::gltf::{self, Animation, Channel, Document, Interpolation, Keys, Mesh, Node};
+
+    let paint = ga_image::plane::Plane::filled(2, 2, [200u8, 30, 30]);
+    let corner = gltf::Primitive {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        normals: vec![[0.0, 0.0, 1.0]; 3],
+        texcoords: vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 0.25]]],
+        colours: vec![vec![[1.0, 0.5, 0.25, 1.0]; 3]],
+        material: Some(0),
+        ..gltf::Primitive::default()
+    };
+    let turn = Channel {
+        node: 0,
+        times: vec![0.0, 2.0],
+        interpolation: Interpolation::Linear,
+        keys: Keys::Rotation(vec![[0.0, 0.0, 0.0, 1.0], [0.5f32.sqrt(), 0.0, 0.0, 0.5f32.sqrt()]]),
+        extras: None,
+    };
+    let document = Document {
+        nodes: vec![Node {
+            mesh: Some(0),
+            ..Node::default()
+        }],
+        meshes: vec![Mesh {
+            primitives: vec![corner],
+            ..Mesh::default()
+        }],
+        materials: vec![gltf::MaterialElement {
+            name: Some("paint".to_owned()),
+            base_colour_texture: Some(gltf::TextureInfo::default()),
+            ..gltf::MaterialElement::default()
+        }],
+        textures: vec![gltf::TextureElement {
+            image: Some(0),
+            ..gltf::TextureElement::default()
+        }],
+        images: vec![gltf::Image {
+            name: None,
+            source: gltf::ImageSource::Bytes {
+                media_type: "image/png".to_owned(),
+                bytes: ga_image::png::encode(&paint).unwrap(),
+            },
+            extras: None,
+        }],
+        animations: vec![Animation {
+            channels: vec![turn],
+            ..Animation::default()
+        }],
+        ..Document::default()
+    };
+    gltf::write(folder.join("painted.glb"), &document).unwrap();
+}
+
+/// After 2 s the triangle, which faced +z, faces −y.
+#[test]
+fn what_the_model_has_is_written_in_every_format() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    painted(folder);
+    for out in ["frame.obj", "frame.glb", "frame.gltf", "frame.ply"] {
+        let arguments = ["skin", "painted.glb", "--time", "2", "--out", out];
+        let report = crate::common::json(folder, &arguments);
+        assert_eq!(report["files"][0], out);
+        let (mesh, warnings) = ga_mesh::format::read(folder.join(out)).unwrap();
+        assert_eq!(warnings, [""; 0]);
+        let place = |vertex: usize| mesh.positions()[vertex].coordinates();
+        let top = (0..3).map(place).find(|place| place[0] < 0.5 && place[2] > 0.5);
+        assert_near(top.unwrap(), &json!([0, 0, 1]), 1e-6);
+        let normal = mesh.normals().unwrap().get(0).unwrap();
+        assert_near(normal.coordinates(), &json!([0, -1, 0]), 1e-6);
+        let coordinates = mesh.texture_coordinates().unwrap();
+        let mut heights: Vec<f64> = coordinates.values.iter().map(|place| place[1]).collect();
+        heights.sort_by(f64::total_cmp);
+        assert_eq!((heights[0], heights[heights.len() - 1]), (0.75, 1.0), "{out}");
+        assert!(mesh.colours().is_some(), "{out}");
+        if out != "frame.ply" {
+            let [material] = mesh.materials() else {
+                panic!("{out}: one material")
+            };
+            assert_eq!(material.name, "paint");
+            assert!(material.base_colour_texture.is_some(), "{out}");
+        }
+    }
+    let obj = std::fs::read_to_string(folder.join("frame.obj")).unwrap();
+    let lines = |start: &str| obj.lines().filter(|line| line.starts_with(start)).count();
+    assert_eq!((lines("vt "), lines("vn "), lines("usemtl paint")), (3, 3, 1));
+    let files = crate::common::names(folder);
+    assert!(files.contains(&"frame.mtl".into()) && files.contains(&"frame-1.png".into()));
+}

@@ -11,6 +11,7 @@ use ga_camera::triangulation::TriangulationError;
 use ga_files::ReadError;
 use ga_image::file::FormatError as PictureFormatError;
 use ga_mesh::{FormatError, MeshError};
+use ga_render::RenderError;
 use ga_render::sheet::SheetError;
 use ga_render::texture::TextureError;
 
@@ -86,6 +87,35 @@ pub enum CharacterError {
         what: &'static str,
         /// What is wrong.
         source: PictureFormatError,
+    },
+    /// An animated document cannot be evaluated.
+    #[error(transparent)]
+    Document(Box<MotionFileError>),
+    /// The picture of a material cannot be read.
+    #[error(transparent)]
+    Texture(Box<TextureError>),
+    /// The node has no camera.
+    #[error("node {node} has no camera")]
+    NoCamera {
+        /// The node.
+        node: usize,
+    },
+    /// The camera of a node has no centre of projection.
+    #[error("node {node}: its camera is a parallel projection, and only perspective is drawn")]
+    ParallelProjection {
+        /// The node.
+        node: usize,
+    },
+    /// Nothing can be seen from a viewpoint.
+    #[error(transparent)]
+    Viewpoint(RenderError),
+    /// Nothing can be seen by the camera of a node.
+    #[error("node {node}: {source}")]
+    View {
+        /// The node.
+        node: usize,
+        /// What is wrong.
+        source: RenderError,
     },
     /// The model has no form as glTF.
     #[error("the model cannot be written as glTF: {0}")]

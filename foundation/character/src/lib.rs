@@ -9,6 +9,7 @@
 //! | [`overlay`] | bones and the paths of joints over pictures |
 //! | [`pictures`] | draws the contact sheet and the film |
 //! | [`model`], [`gltf`] | the model as files: OBJ at rest, binary glTF with the motion |
+//! | [`animated_scene`] | a glTF document at any time of its animations, ready to be drawn |
 //! | [`two_views`] | how accurately two cameras find the joints |
 //! | [`report`] | what is said of a figure and its animation |
 //!
@@ -31,6 +32,7 @@
 //! # Ok::<(), ga_character::CharacterError>(())
 //! ```
 
+pub mod animated_scene;
 mod error;
 mod figure;
 pub mod gltf;
@@ -43,6 +45,7 @@ mod staging;
 pub mod storyboard;
 pub mod two_views;
 
+pub use animated_scene::AnimatedScene;
 pub use error::CharacterError;
 pub use figure::Figure;
 pub use overlay::Overlay;

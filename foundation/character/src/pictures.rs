@@ -1,10 +1,11 @@
 //! The pictures of a motion: the contact sheet and the film.
 
+use std::io::Write;
+
 use ga_anim::character::Character;
 use ga_anim::pose::Pose;
 use ga_anim::skin::Method;
-use ga_image::frames;
-use ga_image::picture::PictureView;
+use ga_image::film::{self, Rate};
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_render::Style;
@@ -93,17 +94,20 @@ pub fn sheet(
     })
 }
 
-/// The frames of an animation as an animated PNG, seen from where the contact sheet sees the
-/// moments.
+/// Writes the frames of an animation as a film, seen from where the contact sheet sees the moments.
+/// `progress` is told how many frames are drawn.
 ///
 /// # Errors
 ///
-/// As [`sheet`].
-pub fn film(
+/// As [`sheet`], and [`CharacterError::Encode`] where the film cannot be written.
+pub fn write_film(
     figure: &Figure,
     animation: &Animation,
     overlay: &Overlay,
-) -> Result<Vec<u8>, CharacterError> {
+    writer: impl Write,
+    format: film::Format,
+    progress: &mut dyn FnMut(usize),
+) -> Result<(), CharacterError> {
     let Animation {
         clip, storyboard, ..
     } = animation;
@@ -123,23 +127,25 @@ pub fn film(
             .add(&Frame::new(number, &positions))
             .map_err(of_film)?;
     }
+    let size = FILM_SIZE.map(|side| side as usize);
+    let rate = Rate::new(clip.frame_time().recip()).unwrap_or(Rate::HIGHEST);
+    let encoding = |source| CharacterError::Encode {
+        what: "film",
+        source,
+    };
     with_subject(figure, |subject| {
         let shooting = sequence.shoot(subject).map_err(of_film)?;
-        let poses = clip.frames().iter().enumerate();
-        let pictures = poses.map(|(number, pose)| {
+        let frames = clip.frames();
+        let film = film::Writer::new(writer, format, size, frames.len(), rate);
+        let mut film = film.map_err(encoding)?;
+        for (number, pose) in frames.iter().enumerate() {
             let time = number as f64 * clip.frame_time();
             let posed = Posed::new(&figure.character, overlay, time, pose)?;
-            picture(&shooting, number, &posed)
-        });
-        let animation = png::Animation {
-            frames_per_second: rate(clip.frame_time()),
-            plays: 0,
-        };
-        let encoded = frames::encode(pictures, |frames| png::encode_animation(frames, animation));
-        encoded?.map_err(|source| CharacterError::Encode {
-            what: "film",
-            source,
-        })
+            film.write(&picture(&shooting, number, &posed)?)
+                .map_err(encoding)?;
+            progress(number + 1);
+        }
+        film.finish().map_err(encoding)
     })?
 }
 
@@ -160,36 +166,5 @@ fn picture(
         lines: &posed.marks.lines(FILM_SIZE[1]),
         ..Frame::new(number, &posed.positions)
     };
-    let picture = shooting.picture(number, &frame).map_err(of_film)?;
-    Ok(PictureView::from(&picture.colour).to_rgb())
-}
-
-/// Frames in a second as a quotient of numbers of 16 bits.
-fn rate(frame_time: f64) -> [u16; 2] {
-    let denominator = (f64::from(u16::MAX) * frame_time)
-        .clamp(1.0, 1000.0)
-        .floor();
-    // A cast from float saturates.
-    [
-        (denominator / frame_time).round().max(1.0) as u16,
-        denominator as u16,
-    ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rates_are_quotients() {
-        for (rate_, quotient) in [
-            (25.0, [25_000, 1000]),
-            (1000.0, [65_000, 65]),
-            (0.5, [500, 1000]),
-        ] {
-            assert_eq!(rate(1.0 / rate_), quotient);
-        }
-        assert_eq!(rate(1e9), [1, 1000]);
-        assert_eq!(rate(1e-9), [u16::MAX, 1]);
-    }
+    Ok(shooting.picture(number, &frame).map_err(of_film)?.colour)
 }

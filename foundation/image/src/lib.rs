@@ -4,7 +4,7 @@
 //! - [`picture`]: pictures whose kind of pixel is known only at run time.
 //! - [`file`](mod@file): reading and writing pictures of any known format; [`png`], [`jpeg`],
 //!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers.
-//! - [`frames`]: films whose pictures may fail to be made.
+//! - [`film`]: films that are written while their pictures are made.
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
 //! - [`filter`]: Gaussian blur and gradients; [`pyramid`]: halved sizes; [`resample`]: other sizes;
@@ -36,10 +36,10 @@
 pub mod canny;
 pub mod colour;
 pub mod file;
+pub mod film;
 pub mod filter;
 mod format;
 mod format_error;
-pub mod frames;
 pub mod grey;
 mod header;
 pub mod interpolation;

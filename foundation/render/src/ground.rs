@@ -12,6 +12,18 @@ pub struct Ground {
 }
 
 impl Ground {
+    /// The ground under a box of these least and greatest coordinates, with a grid of about a fifth
+    /// of its size.
+    #[must_use]
+    pub fn under([low, high]: [Vector; 2]) -> Self {
+        let sides = high - low;
+        let size = sides.e1.max(sides.e2).max(sides.e3);
+        Self {
+            height: low.e2,
+            grid: (size / 5.0).max(f64::MIN_POSITIVE),
+        }
+    }
+
     /// The depth at which a ray of depth 1 in the camera's frame meets the ground; infinite where
     /// it does not.
     pub(crate) fn depth(&self, view: &View, ray: Vector) -> f64 {

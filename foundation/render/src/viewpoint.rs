@@ -118,13 +118,19 @@ impl Viewpoint {
         Ok(steps.map(|motion| first.moved(motion)).collect())
     }
 
-    fn view(
+    /// The view of a picture with this quotient of width and height. From a side it shows all
+    /// points.
+    ///
+    /// # Errors
+    ///
+    /// As [`View::fit`] and [`View::look_at`].
+    pub fn view(
         &self,
-        shown: impl Iterator<Item = [f64; 3]>,
+        points: impl IntoIterator<Item = [f64; 3]>,
         aspect: f64,
     ) -> Result<View, RenderError> {
         match *self {
-            Self::Side(side) => View::fit(shown, side, FIELD_OF_VIEW, aspect, MARGIN),
+            Self::Side(side) => View::fit(points, side, FIELD_OF_VIEW, aspect, MARGIN),
             Self::Towards {
                 eye,
                 target,

@@ -4,7 +4,7 @@ use ga_anim::gltf::{Placed, Placement, Player};
 use ga_anim::skin::Method;
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Mesh, Mode, MorphTarget, Node, Primitive,
-    Skin, Transform, decode, encode,
+    Skin, Transform, Vertices, decode, encode,
 };
 use proptest::prelude::*;
 
@@ -249,6 +249,48 @@ proptest! {
         }
     }
 
+    /// The mesh of placed vertices is that which ga-mesh makes of the document on a path of its own,
+    /// by matrices, with normals and tangents.
+    #[test]
+    fn normals_and_tangents_are_those_of_the_document_as_a_mesh(numbers in numbers()) {
+        let mut document = document(numbers);
+        for primitive in document.meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
+            let next = |&[x, y, z]: &[f32; 3]| [y, z, x];
+            primitive.normals = primitive.positions.iter().map(next).collect();
+            let tangents = primitive.positions.iter();
+            primitive.tangents = tangents.map(|&[x, y, z]| [z, x, y, 1.0]).collect();
+            for target in &mut primitive.targets {
+                target.normals = target.positions.iter().map(next).collect();
+                target.tangents = target.positions.iter().map(|&[x, y, z]| [z, x, y]).collect();
+            }
+            // Where the joints of a part mirror only some of its vertices, the part has no side.
+            for row in primitive.joints.iter_mut().flatten() {
+                *row = [0; 4];
+            }
+        }
+        let expected = document.to_mesh(Vertices::Kept).unwrap();
+        let placed = place(&document, None, 0.0, Method::Linear);
+        let player = Player::new(&document).unwrap();
+        let placement = Placement::new(&player).unwrap();
+        let found = placement.mesh(&placed, |_| true).unwrap();
+        prop_assert_eq!(found.faces(), expected.faces());
+        let lists = [&found, &expected].map(|mesh| {
+            let normals = mesh.normals().unwrap();
+            let tangents = mesh.tangents().unwrap();
+            let directions = tangents.values.iter().map(|tangent| tangent.direction);
+            (normals.values.iter().copied().chain(directions).collect::<Vec<_>>(), normals, tangents)
+        });
+        prop_assert_eq!(&lists[0].1.corners, &lists[1].1.corners);
+        for (found, expected) in lists[0].2.values.iter().zip(&lists[1].2.values) {
+            prop_assert_eq!(found.handedness, expected.handedness);
+        }
+        prop_assert_eq!(lists[0].0.len(), lists[1].0.len());
+        for (found, expected) in lists[0].0.iter().zip(&lists[1].0) {
+            // Frames that are almost flat take directions close together.
+            prop_assert!((*found - *expected).length() < 1e-6, "{found:?} {expected:?}");
+        }
+    }
+
     /// A vertex that one joint moves goes where the joint's transform takes it, scaled, sheared and
     /// mirrored, however the transforms are blended.
     #[test]
@@ -438,7 +480,7 @@ fn the_mesh_has_what_the_primitives_form() {
         .map(|part| part.vertices.clone())
         .collect();
     assert_eq!(ranges, [0..4, 4..8, 8..12, 12..12, 12..16]);
-    let mesh = placement.mesh(&placed).unwrap();
+    let mesh = placement.mesh(&placed, |_| true).unwrap();
     assert_eq!(
         mesh.triangles(),
         [[0, 1, 2], [1, 3, 2], [4, 6, 5], [5, 6, 7]]

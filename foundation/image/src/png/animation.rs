@@ -1,8 +1,9 @@
 //! Animated PNG.
 
 use std::borrow::Borrow;
+use std::io::Write;
 
-use png::{Encoder, Filter};
+use png::{BitDepth, ColorType, Encoder, Filter};
 
 use super::encode::{kind, raw};
 use crate::format::Format;
@@ -59,39 +60,84 @@ where
 {
     let mut frames = frames.into_iter();
     let count = frames.len();
-    let (Ok(declared), Some(first)) = (u32::try_from(count), frames.next()) else {
-        return Err(FormatError::Frames {
-            format: Format::Png,
-            frames: count,
-        });
+    let Some(first) = frames.next() else {
+        return Err(frames_error(count));
     };
-    let picture = PictureView::from(first.borrow());
-    let (colour, depth) = kind(&picture)?;
-    let size = [picture.width(), picture.height()];
-    let [width, height] = size_for(Format::Png, size)?;
-
+    let first = PictureView::from(first.borrow());
     let mut bytes = Vec::new();
-    let mut encoder = Encoder::new(&mut bytes, width, height);
-    encoder.set_color(colour);
-    encoder.set_depth(depth);
-    encoder.set_filter(Filter::Adaptive);
-    encoder.set_animated(declared, animation.plays)?;
-    let [numerator, denominator] = animation.frames_per_second;
-    encoder.set_frame_delay(denominator, numerator)?;
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&raw(&picture))?;
-    for (index, frame) in frames.enumerate() {
-        let picture = PictureView::from(frame.borrow());
-        let this = [picture.width(), picture.height()];
-        if this != size {
-            return Err(FormatError::FrameSize {
-                frame: index + 1,
-                size: this,
-                first: size,
-            });
-        }
-        writer.write_image_data(&raw(&picture))?;
+    let mut writer = AnimationWriter::new(
+        &mut bytes,
+        [first.width(), first.height()],
+        kind(&first)?,
+        count,
+        animation,
+    )?;
+    writer.write(&first)?;
+    for frame in frames {
+        writer.write(&PictureView::from(frame.borrow()))?;
     }
     writer.finish()?;
     Ok(bytes)
+}
+
+/// An animated PNG that is written frame by frame.
+pub(crate) struct AnimationWriter<W: Write> {
+    writer: png::Writer<W>,
+    size: [usize; 2],
+    /// The number of the next frame.
+    frame: usize,
+}
+
+impl<W: Write> AnimationWriter<W> {
+    /// Writes what stands before the first of `frames` frames of this size and kind.
+    pub(crate) fn new(
+        writer: W,
+        size: [usize; 2],
+        (colour, depth): (ColorType, BitDepth),
+        frames: usize,
+        animation: Animation,
+    ) -> Result<Self, FormatError> {
+        let declared = u32::try_from(frames).ok().filter(|&frames| frames > 0);
+        let declared = declared.ok_or_else(|| frames_error(frames))?;
+        let [width, height] = size_for(Format::Png, size)?;
+        let mut encoder = Encoder::new(writer, width, height);
+        encoder.set_color(colour);
+        encoder.set_depth(depth);
+        encoder.set_filter(Filter::Adaptive);
+        encoder.set_animated(declared, animation.plays)?;
+        let [numerator, denominator] = animation.frames_per_second;
+        encoder.set_frame_delay(denominator, numerator)?;
+        Ok(Self {
+            writer: encoder.write_header()?,
+            size,
+            frame: 0,
+        })
+    }
+
+    /// Writes a frame, of the kind of pixels that all have.
+    pub(crate) fn write(&mut self, picture: &PictureView<'_>) -> Result<(), FormatError> {
+        let size = [picture.width(), picture.height()];
+        if size != self.size {
+            return Err(FormatError::FrameSize {
+                frame: self.frame,
+                size,
+                first: self.size,
+            });
+        }
+        self.writer.write_image_data(&raw(picture))?;
+        self.frame += 1;
+        Ok(())
+    }
+
+    /// Writes what stands after the last frame.
+    pub(crate) fn finish(self) -> Result<(), FormatError> {
+        Ok(self.writer.finish()?)
+    }
+}
+
+fn frames_error(frames: usize) -> FormatError {
+    FormatError::Frames {
+        format: Format::Png,
+        frames,
+    }
 }

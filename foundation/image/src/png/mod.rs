@@ -6,6 +6,7 @@ mod encode;
 
 use std::path::Path;
 
+pub(crate) use animation::AnimationWriter;
 pub use animation::{Animation, encode_animation};
 pub use decode::decode;
 pub(crate) use encode::{big_endian, bytes_of};

@@ -5,7 +5,7 @@
 //!   bits for each number; [`Header`]: what its first line says.
 //! - [`encode`](fn@encode) and [`write`](fn@write): films of 8 bits, of pictures in red, green and
 //!   blue; [`Writer`]: films of 8 or 10 bits that are written as they come, of luma and colour
-//!   differences.
+//!   differences or of such pictures.
 //!
 //! The reader is our own: the crate `y4m` multiplies the sizes of the header without a check, and
 //! does not read the range of the numbers.

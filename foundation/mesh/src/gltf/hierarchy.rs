@@ -24,6 +24,26 @@ impl Document {
         parents_before_children(&self.nodes, &parents)
     }
 
+    /// The nodes of the default scene, of the first scene without a default, and all nodes without
+    /// scenes, in rising order.
+    #[must_use]
+    pub fn shown_nodes(&self) -> Vec<usize> {
+        let scene = self.scene.unwrap_or(0);
+        let Some(scene) = self.scenes.get(scene) else {
+            return (0..self.nodes.len()).collect();
+        };
+        let mut is_shown = vec![false; self.nodes.len()];
+        let mut next = scene.nodes.clone();
+        while let Some(index) = next.pop() {
+            if let Some(node) = self.nodes.get(index)
+                && !std::mem::replace(&mut is_shown[index], true)
+            {
+                next.extend(&node.children);
+            }
+        }
+        (0..is_shown.len()).filter(|&node| is_shown[node]).collect()
+    }
+
     /// The frame of each node in the world, as the upper three rows of a 4 × 4 matrix: that of its
     /// parent times its own.
     ///

@@ -49,7 +49,7 @@ mod writer;
 
 pub use animation::{Animation, Channel, Interpolation, Keys, Skin};
 pub(crate) use convert::mesh_files;
-pub use convert::{Target, Vertices, read_mesh, write_mesh};
+pub use convert::{Placed, Target, Vertices, read_mesh, write_mesh};
 pub use document::{Asset, CameraElement, Document, Node, Projection, Scene, Transform};
 pub use extras::Extras;
 pub use material::{

@@ -7,12 +7,12 @@ use super::Model;
 use crate::{Ground, Polyline, Scene, Visibility};
 
 /// What is drawn beside the surfaces, lines and points of a model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// The edges of all triangles.
     pub edges: bool,
-    /// Level ground under the model, with a grid of about a fifth of its size.
-    pub ground: bool,
+    /// Level ground.
+    pub ground: Option<Ground>,
 }
 
 /// The width of the model's polylines and the diameter of its points, in pixels.
@@ -41,7 +41,7 @@ impl Model {
         draw(&Scene {
             lines: &lines,
             dots: &self.dots(POINT_DIAMETER),
-            ground: options.ground.then(|| self.ground()),
+            ground: options.ground,
             ..self.scene(&materials)
         })
     }
@@ -50,15 +50,5 @@ impl Model {
     #[must_use]
     pub fn bounds(&self) -> [Vector<f64>; 2] {
         ga_mesh::bounds(self.points().map(Vector::from)).unwrap_or_default()
-    }
-
-    fn ground(&self) -> Ground {
-        let [low, high] = self.bounds();
-        let sides = high - low;
-        let size = sides.e1.max(sides.e2).max(sides.e3);
-        Ground {
-            height: low.e2,
-            grid: (size / 5.0).max(f64::MIN_POSITIVE),
-        }
     }
 }

@@ -40,7 +40,14 @@ impl Model {
             surfaces.push(loader.surface(material)?);
         }
         model.surfaces = surfaces;
+        model.set_shape(mesh);
+        Ok(model)
+    }
 
+    /// Takes the faces, lines and points of another mesh, whose materials are those of this model:
+    /// its mesh in another pose.
+    pub fn set_shape(&mut self, mesh: &Mesh) {
+        let model = self;
         let triangles = Triangles::new(mesh);
         let normals = mesh
             .normals()
@@ -60,16 +67,15 @@ impl Model {
         let mut sets = mesh.texture_coordinate_sets().iter();
         let texture_coordinates = [sets.next(), sets.next()]
             .map(|set| set.map(|set| triangles.attribute(set, |&coordinates| coordinates)));
-        for members in members(mesh, &triangles) {
-            model.parts.push(Part {
-                normals: select(&normals, &members),
-                texture_coordinates: texture_coordinates
-                    .each_ref()
-                    .map(|set| select(set, &members)),
-                tangents: select(&tangents, &members),
-                ..part(mesh, &triangles, &members)
-            });
-        }
+        let parts = members(mesh, &triangles).into_iter().map(|members| Part {
+            normals: select(&normals, &members),
+            texture_coordinates: texture_coordinates
+                .each_ref()
+                .map(|set| select(set, &members)),
+            tangents: select(&tangents, &members),
+            ..part(mesh, &triangles, &members)
+        });
+        model.parts = parts.collect();
         model.normals = normals.map(|normals| normals.values).unwrap_or_default();
         model.tangents = tangents.map(|tangents| tangents.values).unwrap_or_default();
         model.texture_coordinates = texture_coordinates.map(|set| {
@@ -78,7 +84,6 @@ impl Model {
         });
         model.lines = lines(mesh);
         model.dots = dots(mesh);
-        Ok(model)
     }
 }
 

@@ -15,6 +15,7 @@ use super::{Document, Element, Problem};
 use crate::{FileError, FormatError, Mesh, MeshError};
 
 pub use from_mesh::Target;
+pub use place::Placed;
 pub use to_mesh::Vertices;
 
 impl Document {
@@ -35,6 +36,39 @@ impl Document {
     /// thousand times each on average.
     pub fn to_mesh(&self, vertices: Vertices) -> Result<Mesh, FormatError> {
         to_mesh::mesh(self, vertices)
+    }
+
+    /// Primitives of the meshes of nodes as one mesh, as [`to_mesh`](Self::to_mesh) makes it, with
+    /// their vertices in other places: each is given by its node, its number among the primitives
+    /// of the node's mesh, and its places. Those of one node follow each other.
+    ///
+    /// # Errors
+    ///
+    /// [`Problem::Missing`](super::Problem::Missing) for a primitive that is not in the document,
+    /// and [`Problem::Mesh`](super::Problem::Mesh) where it has another number of vertices, or one
+    /// is not at a finite place.
+    ///
+    /// ```
+    /// use ga_mesh::gltf::{Document, Mesh, Node, Placed, Primitive, Vertices};
+    ///
+    /// let triangle = Primitive { positions: vec![[0.0; 3]; 3], ..Primitive::default() };
+    /// let document = Document {
+    ///     nodes: vec![Node { mesh: Some(0), ..Node::default() }],
+    ///     meshes: vec![Mesh { primitives: vec![triangle], ..Mesh::default() }],
+    ///     ..Document::default()
+    /// };
+    /// let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let placed = Placed { positions, ..Placed::default() };
+    /// let mesh = document.placed_mesh([(0, 0, placed)], Vertices::Kept)?;
+    /// assert_eq!(mesh.positions()[1].coordinates(), [1.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn placed_mesh(
+        &self,
+        placed: impl IntoIterator<Item = (usize, usize, Placed)>,
+        vertices: Vertices,
+    ) -> Result<Mesh, FormatError> {
+        to_mesh::placed_mesh(self, placed, vertices)
     }
 
     /// A mesh as a document: a node for each object, and one for faces without an object; in it a

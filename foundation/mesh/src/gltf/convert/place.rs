@@ -8,15 +8,17 @@ use crate::FormatError;
 /// The upper three rows of a 4 × 4 matrix.
 type Matrix = [[f64; 4]; 3];
 
-/// Places of vertices and directions at them.
-pub(super) struct Placed {
-    pub(super) positions: Vec<[f64; 3]>,
-    /// Empty where the primitive has none; zero vectors stay zero.
-    pub(super) normals: Vec<Vector<f64>>,
-    /// Empty where the primitive has none; zero vectors stay zero.
-    pub(super) tangents: Vec<Vector<f64>>,
+/// The vertices of a primitive in the world, and directions at them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Placed {
+    /// The places of the vertices.
+    pub positions: Vec<[f64; 3]>,
+    /// Unit normals, empty where the primitive has none; zero where a vertex has none.
+    pub normals: Vec<Vector<f64>>,
+    /// Unit tangents, empty where the primitive has none; zero where a vertex has none.
+    pub tangents: Vec<Vector<f64>>,
     /// Whether the vertices are mirrored, so that faces must be reversed.
-    pub(super) is_mirrored: bool,
+    pub is_mirrored: bool,
 }
 
 /// The transforms of a document's nodes and joints.

@@ -24,25 +24,53 @@ pub enum Vertices {
 
 pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, FormatError> {
     document.validate()?;
-    let shown = shown_nodes(document);
+    let shown = document.shown_nodes();
     check_size(document, &shown)?;
     let world = World::new(document)?;
+    let placed = shown.into_iter().flat_map(|index| {
+        let (world, node) = (&world, &document.nodes[index]);
+        let mesh = node.mesh.map(|mesh| &document.meshes[mesh]);
+        let primitives = mesh.map_or(&[][..], |mesh| &mesh.primitives);
+        let place = move |(number, primitive)| (index, number, world.place(index, node, primitive));
+        primitives.iter().enumerate().map(place)
+    });
+    placed_mesh(document, placed, vertices)
+}
+
+/// The mesh of primitives, each given by a node, its number in the node's mesh, and its places.
+pub(super) fn placed_mesh(
+    document: &Document,
+    placed: impl IntoIterator<Item = (usize, usize, Placed)>,
+    vertices: Vertices,
+) -> Result<Mesh, FormatError> {
     let mut parts = Parts::default();
-    for &index in &shown {
-        let node = &document.nodes[index];
-        let Some(mesh) = node.mesh.map(|mesh| &document.meshes[mesh]) else {
-            continue;
-        };
-        let first_face = parts.faces.len() as u32;
-        for primitive in &mesh.primitives {
-            let placed = world.place(index, node, primitive);
-            parts.add(primitive, placed).map_err(|problem| {
-                FormatError::gltf(Element::Node(index), Problem::Mesh(problem.into()))
-            })?;
+    let mut last = None;
+    for (index, number, placed) in placed {
+        let fault = |problem| FormatError::gltf(Element::Node(index), problem);
+        let found = document.nodes.get(index).and_then(|node| {
+            let mesh = document.meshes.get(node.mesh?)?;
+            Some((node, mesh, mesh.primitives.get(number)?))
+        });
+        let (node, mesh, primitive) = found.ok_or_else(|| fault(Problem::Missing("primitive")))?;
+        let (expected, found) = (primitive.positions.len(), placed.positions.len());
+        if expected != found {
+            let problem = MeshError::VertexCount { expected, found };
+            return Err(fault(Problem::Mesh(problem.into())));
         }
-        let faces = (first_face..parts.faces.len() as u32).collect();
-        let name = name(index, node, mesh);
-        parts.objects.push(Group { name, faces });
+        if last != Some(index) {
+            let name = name(index, node, mesh);
+            parts.objects.push(Group {
+                name,
+                faces: Vec::new(),
+            });
+        }
+        last = Some(index);
+        let first_face = parts.faces.len() as u32;
+        let added = parts.add(primitive, placed);
+        added.map_err(|problem| fault(Problem::Mesh(problem.into())))?;
+        if let Some(object) = parts.objects.last_mut() {
+            object.faces.extend(first_face..parts.faces.len() as u32);
+        }
     }
     if vertices == Vertices::Merged {
         parts.merge();
@@ -50,24 +78,6 @@ pub(super) fn mesh(document: &Document, vertices: Vertices) -> Result<Mesh, Form
     parts
         .into_mesh(document)
         .map_err(|problem| FormatError::gltf(Element::File, Problem::Mesh(problem.into())))
-}
-
-/// The nodes of the default scene, of the first scene without a default, and all nodes without
-/// scenes, in rising order.
-fn shown_nodes(document: &Document) -> Vec<usize> {
-    let scene = document.scene.unwrap_or(0);
-    let Some(scene) = document.scenes.get(scene) else {
-        return (0..document.nodes.len()).collect();
-    };
-    // The nodes form a forest, so that none is met twice.
-    let mut nodes = scene.nodes.clone();
-    let mut next = 0;
-    while let Some(&node) = nodes.get(next) {
-        nodes.extend(&document.nodes[node].children);
-        next += 1;
-    }
-    nodes.sort_unstable();
-    nodes
 }
 
 /// Many nodes may place one mesh. A few bytes for each must not become a mesh of any size, so nodes

@@ -1,0 +1,124 @@
+//! Pictures of a model that does not move.
+
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result};
+use ga_camera::format::json;
+use ga_files::Staged;
+use ga_image::film::{self, Rate};
+use ga_image::png;
+use ga_render::model::{self, Model};
+use ga_render::view_file::{self, ViewFiles};
+use ga_render::{Buffers, Ground, Style, View, buffer_files, render};
+
+use super::Arguments;
+use crate::film_file;
+use crate::format::Format;
+use crate::frame::Progress;
+use crate::output;
+
+/// Files that are complete but for their names, the picture or film first.
+#[derive(Default)]
+pub(super) struct Drawing {
+    pub(super) staged: Staged,
+    pub(super) files: Vec<PathBuf>,
+}
+
+impl Drawing {
+    fn add(&mut self, path: PathBuf, contents: &[u8]) -> Result<()> {
+        output::stage(&mut self.staged, &path, contents)?;
+        self.files.push(path);
+        Ok(())
+    }
+
+    /// Adds a film whose pictures a function makes one after another.
+    pub(super) fn add_film(
+        &mut self,
+        path: PathBuf,
+        format: Format,
+        style: &Style,
+        frames: usize,
+        rate: f64,
+        mut picture: impl FnMut(usize) -> Result<ga_image::plane::Plane<[u8; 3]>>,
+    ) -> Result<()> {
+        let size = [style.width, style.height].map(|side| side as usize);
+        let rate = Rate::new(rate).context("the rate is not above 0")?;
+        output::stage_with(&mut self.staged, &path, |file| {
+            film_file::write(file, |file| {
+                let format = film_file::encoding(format);
+                let mut film = film::Writer::new(file, format, size, frames, rate)?;
+                for frame in 0..frames {
+                    film.write(&picture(frame)?)?;
+                }
+                Ok(film.finish()?)
+            })?;
+            Ok(())
+        })?;
+        self.files.push(path);
+        Ok(())
+    }
+
+    /// Adds the file of the camera of a view, where it is asked for.
+    pub(super) fn add_camera(
+        &mut self,
+        arguments: &Arguments,
+        view: &View,
+        style: &Style,
+    ) -> Result<()> {
+        let Some(path) = &arguments.camera_out else {
+            return Ok(());
+        };
+        let camera = view_file::to_camera("camera", view, [style.width, style.height])?;
+        self.add(path.clone(), json::encode(&camera)?.as_bytes())
+    }
+}
+
+/// The rate of the film of a turntable.
+const TURNTABLE_RATE: f64 = 25.0;
+
+/// Draws a model as these views see it.
+pub(super) fn draw(
+    arguments: &Arguments,
+    model: &Model,
+    views: &[View],
+    style: &Style,
+    format: Format,
+    progress: &Progress,
+) -> Result<Drawing> {
+    let options = model::Options {
+        edges: arguments.wireframe,
+        ground: arguments.ground.then(|| Ground::under(model.bounds())),
+    };
+    let out = arguments.out.clone().unwrap_or_default();
+    let mut drawing = Drawing::default();
+    let mut pictures_with_views = arguments.views.as_deref().map(ViewFiles::new);
+    progress.step("drawing");
+    model.with_scene(options, |scene| {
+        let mut picture = |number: usize| {
+            let picture = render(scene, &views[number], style)?.colour;
+            if let Some(files) = &mut pictures_with_views {
+                files.add(&picture, &views[number])?;
+            }
+            progress.at(number as u64 + 1, views.len() as u64);
+            anyhow::Ok(picture)
+        };
+        match format {
+            Format::Png if views.len() == 1 => drawing.add(out, &png::encode(&picture(0)?)?)?,
+            _ => drawing.add_film(out, format, style, views.len(), TURNTABLE_RATE, picture)?,
+        }
+        if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
+            let buffers = Buffers::new(scene, first, style.width, style.height)?;
+            let encoded = buffer_files::encode(&buffers).context("--buffers")?;
+            for (name, contents) in encoded {
+                drawing.add(folder.join(name), &contents)?;
+            }
+        }
+        for (path, contents) in pictures_with_views.map_or(Ok(Vec::new()), ViewFiles::finish)? {
+            drawing.add(path, &contents)?;
+        }
+        if let [first, ..] = views {
+            drawing.add_camera(arguments, first, style)?;
+        }
+        Ok(drawing)
+    })
+}
