@@ -10,14 +10,25 @@ use serde::Serialize;
 use crate::format::{Format, endings};
 use crate::frame::{Warning, keep_for_failure};
 use crate::output;
+use crate::reading::reading;
 use crate::standard_output::is_standard_output;
 
-/// Reads a mesh, with warnings of what its file refers to that is not there.
+/// Reads a mesh, with warnings of what in its file deviates from the format, and of what it refers
+/// to that is not there.
 pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
-    let (mesh, warnings) = format::read(file)?;
-    let warnings = missing_parts(file, warnings);
+    let (mesh, warnings) = format::read(file, reading())?;
+    Ok((mesh, warnings_of(file, warnings)))
+}
+
+/// The warnings of a file that was read, which are also kept for the case that the command fails.
+pub(crate) fn warnings_of(file: &Path, found: Vec<ga_mesh::Warning>) -> Vec<Warning> {
+    let warnings = found.into_iter().map(|found| Warning {
+        line: found.line,
+        ..Warning::new(found.kind, &found).in_file(found.file.as_deref().unwrap_or(file))
+    });
+    let warnings: Vec<Warning> = warnings.collect();
     keep_for_failure(&warnings);
-    Ok((mesh, warnings))
+    warnings
 }
 
 /// The formats of meshes that fit, by their endings.
@@ -130,11 +141,11 @@ fn parts(file: &Path) -> Result<Vec<PathBuf>> {
             Ok(bytes)
         };
         ga_files::read(file, |bytes| {
-            obj::decode_with_libraries(bytes, &mut library)
+            obj::decode_with_libraries(bytes, reading(), &mut library)
         })?
         .0
     } else {
-        format::read(file)?.0
+        format::read(file, reading())?.0
     };
     for texture in mesh.materials().iter().flat_map(|m| m.textures()) {
         if let Image::File(path) = &texture.image {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 use ga_mesh::gltf::{self, Document};
 
 use super::format::Format;
@@ -23,6 +23,8 @@ pub struct Options {
     /// The frames per second at which an animation of glTF is recorded; where none are given,
     /// those of its keys, see [`GltfMotion::recording`]. The other formats have frames.
     pub rate: Option<f64>,
+    /// Whether what deviates from the format of BVH is an error.
+    pub reading: Reading,
 }
 
 impl Default for Options {
@@ -32,6 +34,7 @@ impl Default for Options {
             metres_per_unit: 1.0,
             animation: 0,
             rate: None,
+            reading: Reading::Tolerant,
         }
     }
 }
@@ -64,7 +67,7 @@ impl MotionFile {
     ) -> Result<Self, ReadError<MotionFileError>> {
         let path = path.as_ref();
         let contents = match Format::of_path(path)? {
-            Format::Bvh => Contents::Bvh(bvh::read(path)?),
+            Format::Bvh => Contents::Bvh(bvh::read_as(path, options.reading)?),
             Format::Gltf => {
                 Contents::Gltf(gltf::read(path).map_err(|error| error.map(Into::into))?)
             }
@@ -96,6 +99,7 @@ impl MotionFile {
             metres_per_unit,
             animation,
             rate,
+            ..
         } = self.options;
         match &self.contents {
             Contents::Bvh(motion) => Ok(Recording::from_bvh(motion, metres_per_unit)?),

@@ -12,10 +12,11 @@ use ga_anim::unit::likely_unit;
 use ga_character::{Animation, Figure, Storyboard};
 
 use crate::frame::{Command, Context, Warning};
-use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::reading::reading;
 use crate::report::{Input, MotionInput, Performed};
 use crate::transfer::{Body, Motion, TransferArguments, metres};
+use crate::{mesh_file, motion_file};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -119,7 +120,10 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     progress.step("reading the figure");
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
-    let mut warnings = Vec::new();
+    let mut warnings = match &arguments.mesh {
+        Some(mesh) => mesh_file::warnings_of(mesh, figure.warnings.clone()),
+        None => Vec::new(),
+    };
     let motion = motion_file::read_any(&arguments.motion, Options::default(), &mut warnings)?;
     let motion = motion
         .recording()
@@ -213,7 +217,7 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
             weights: Some(weights),
             group,
             ..
-        } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit)?,
+        } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit, reading())?,
         _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
     })
 }

@@ -18,6 +18,8 @@ pub struct Figure {
     pub group: Option<String>,
     /// The length of one unit of the file that it was read from.
     pub metres_per_unit: f64,
+    /// What in the file of its mesh deviates from the format and was read nevertheless.
+    pub warnings: Vec<ga_mesh::Warning>,
 }
 
 impl Figure {
@@ -29,6 +31,7 @@ impl Figure {
             paint: None,
             group: None,
             metres_per_unit: 1.0,
+            warnings: Vec::new(),
         }
     }
 

@@ -3,9 +3,9 @@
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 
-use crate::{FileError, Image, Mesh, gltf, obj, ply};
+use crate::{FileError, Image, Mesh, Warning, gltf, obj, ply};
 
 /// A format of mesh files. All are read and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +25,8 @@ pub struct Options {
     pub ply: ply::Encoding,
 }
 
-/// A mesh, with a sentence for each thing that its file refers to and that is not there.
-type Read = (Mesh, Vec<String>);
+/// A mesh, with what in its file deviates from the format or is not there.
+type Read = (Mesh, Vec<Warning>);
 
 /// The names, the first of which does not count, and contents of files.
 type Files = Vec<(String, Vec<u8>)>;
@@ -37,7 +37,7 @@ struct Description {
     /// The usual one first.
     endings: &'static [&'static str],
     keeps_materials: bool,
-    read: fn(&Path) -> Result<Read, FileError>,
+    read: fn(&Path, Reading) -> Result<Read, FileError>,
     files: fn(&Path, &Mesh, &Options) -> Result<Files, FileError>,
     /// What is left out of a mesh, a sentence each.
     omissions: fn(&Mesh) -> Vec<String>,
@@ -54,9 +54,10 @@ impl Format {
                 name: "Wavefront OBJ with MTL",
                 endings: &["obj"],
                 keeps_materials: true,
-                read: |path| {
-                    let (mesh, warnings) = obj::read_with_warnings(path)?;
-                    Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
+                read: |path, reading| {
+                    let (mesh, warnings) = obj::read_with_warnings(path, reading)?;
+                    let warnings = warnings.iter().map(|warning| warning.of_file(path));
+                    Ok((mesh, warnings.collect()))
                 },
                 files: |path, mesh, _| Ok(obj::files(path, mesh)),
                 omissions: textures_without_place,
@@ -65,7 +66,7 @@ impl Format {
                 name: "PLY",
                 endings: &["ply"],
                 keeps_materials: false,
-                read: |path| Ok((ply::read(path)?, Vec::new())),
+                read: |path, _| Ok((ply::read(path)?, Vec::new())),
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
                 omissions: |_| Vec::new(),
             },
@@ -73,7 +74,7 @@ impl Format {
                 name: "glTF 2.0",
                 endings: &["glb", "gltf"],
                 keeps_materials: true,
-                read: |path| {
+                read: |path, _| {
                     let mesh = gltf::read(path)?.to_mesh(gltf::Vertices::Merged);
                     let wrong = |problem| ReadError::Contents {
                         path: path.to_path_buf(),
@@ -145,8 +146,8 @@ impl Format {
     }
 }
 
-/// Reads a mesh, and says what was replaced where the file refers to something that is not there, a
-/// sentence each.
+/// Reads a mesh, and says what in its file deviates from the format and was read nevertheless, and
+/// what was replaced where the file refers to something that is not there.
 ///
 /// Vertices of a glTF file with equal positions become one vertex, see
 /// [`Vertices::Merged`](gltf::Vertices::Merged), since such a file has to split vertices where
@@ -156,9 +157,9 @@ impl Format {
 /// # Errors
 ///
 /// [`FileError`].
-pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
+pub fn read(path: impl AsRef<Path>, reading: Reading) -> Result<(Mesh, Vec<Warning>), FileError> {
     let path = path.as_ref();
-    (Format::of_path(path)?.description().read)(path)
+    (Format::of_path(path)?.description().read)(path, reading)
 }
 
 /// Writes a mesh and the files beside it, all of them or none.

@@ -64,6 +64,7 @@ mod summary;
 pub mod tangents;
 mod texture_space_error;
 pub mod topology;
+mod warning;
 mod words;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
@@ -78,3 +79,4 @@ pub use places::bounds;
 pub use polylines::Polylines;
 pub use summary::{Bounds, Fault, NamedFaces, Summary};
 pub use texture_space_error::TextureSpaceError;
+pub use warning::Warning;

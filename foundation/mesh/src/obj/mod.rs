@@ -1,4 +1,4 @@
-//! Wavefront OBJ: polygon meshes as text, read strictly and in file order, with their materials.
+//! Wavefront OBJ: polygon meshes as text, read in file order, with their materials.
 //!
 //! Vertex n of the mesh is the n-th `v` line of the file, also when no face uses it, so that
 //! weights and other data numbered by vertex fit. Every number must be finite and every index in
@@ -16,13 +16,33 @@
 //! | `o name` | the following faces belong to this object |
 //! | `mtllib file`, `usemtl name` | the following faces have this material; see [`mtl`] |
 //! | `s` and other attributes | ignored; the normals say what is smooth |
-//! | `curv`, `surf` and other free-form geometry, unknown words | an error |
 //!
 //! Indices count from 1, or from −1 backwards from the latest element.
 //!
 //! A line that ends in `\` continues on the next one. Line ends may be LF or CR LF. A word that
 //! begins with `#` begins a comment, which ends with its line and may be in any encoding;
-//! everything else is UTF-8.
+//! everything else is UTF-8. A polygon may name a vertex twice.
+//!
+//! # Deviations
+//!
+//! A [tolerant](ga_files::Reading) reading, which [`read`] and [`decode`] do, also takes what other
+//! programs read. There is one [`Warning`] for each kind, which names its first line and says how
+//! many lines there are. A strict reading makes an error of it.
+//!
+//! | line | read as | which other readers do so |
+//! | --- | --- | --- |
+//! | an unknown word, as `t`, `vw`, `vp`, `curv` | left out; without any face it is an error if it may be geometry | Blender, assimp, three.js, tinyobjloader |
+//! | a face of one or two corners, a polyline of one | left out | tinyobjloader, three.js |
+//! | a corner `v/`, `v//`, `v/vt/`, or with more than three indices | a corner with the indices that it has | Blender, three.js |
+//! | `l v/vt/vn`, `p v/vt` | the vertex | tinyobjloader |
+//! | corners with `vn` or `vt` in a file without any | corners without | Blender, assimp |
+//! | `v` with 5 numbers or more than 7, `vt` or `vn` with more than 3 | the first numbers | Blender, tinyobjloader |
+//! | vertices alone | points | Blender, assimp, trimesh |
+//! | lines that end in a carriage return alone | lines | assimp, tinyobjloader, trimesh |
+//! | names that are not UTF-8 | Shift-JIS or Latin-1, see [`ga_files::text::decode`] | |
+//!
+//! An index beyond the end of its list, text in the place of a number, NaN and infinity, and a
+//! vertex with fewer than three numbers are errors in either reading.
 //!
 //! Colours of vertices are taken as sRGB, as most programs write them, and become linear light.
 //! Where some vertices have a colour, those without are white. `usemtl` without a name or with the
@@ -44,12 +64,14 @@
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
 mod check;
+mod corner;
 mod lines;
 pub mod mtl;
 mod parser;
 mod problem;
 mod read;
 mod statements;
+mod text;
 mod write;
 
 pub use problem::ObjProblem;
