@@ -89,6 +89,8 @@ const MOST: usize = 32;
 pub struct Deviations<P> {
     reading: Reading,
     list: Vec<Deviation<P>>,
+    /// The last line of each in `list`.
+    last_lines: Vec<usize>,
 }
 
 impl<P> Default for Deviations<P> {
@@ -101,8 +103,11 @@ impl<P> Deviations<P> {
     /// None yet.
     #[must_use]
     pub fn new(reading: Reading) -> Self {
-        let list = Vec::new();
-        Self { reading, list }
+        Self {
+            reading,
+            list: Vec::new(),
+            last_lines: Vec::new(),
+        }
     }
 
     /// How the file is read.
@@ -152,14 +157,21 @@ impl<P: Tolerated> Deviations<P> {
         let is_full = self.list.len() >= MOST;
         let is_like =
             |known: &P| known.is_like(&problem) || (is_full && known.kind() == problem.kind());
-        let mut known = self.list.iter_mut().rev();
-        match known.find(|known| is_like(&known.problem)) {
-            Some(known) => known.count += count,
-            None => self.list.push(Deviation {
-                line,
-                count,
-                problem,
-            }),
+        match self.list.iter().rposition(|known| is_like(&known.problem)) {
+            // A line with several of one kind counts once.
+            Some(index) if self.last_lines[index] == line => {}
+            Some(index) => {
+                self.list[index].count += count;
+                self.last_lines[index] = line;
+            }
+            None => {
+                self.last_lines.push(line);
+                self.list.push(Deviation {
+                    line,
+                    count,
+                    problem,
+                });
+            }
         }
     }
 }

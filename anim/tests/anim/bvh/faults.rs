@@ -46,7 +46,7 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS 4 Xposition Zrotation Xrotation",
-            "line 6: \"JOINT\" is not a channel",
+            "line 5: joint \"Hip\" announces 4 channels and lists 3",
         ),
         (
             5,

@@ -32,13 +32,13 @@
 //! | line | read as | which other readers do so |
 //! | --- | --- | --- |
 //! | an unknown word, as `t`, `vw`, `vp`, `curv` | left out; without any face it is an error if it may be geometry | Blender, assimp, three.js, tinyobjloader |
-//! | a face of one or two corners, a polyline of one | left out | tinyobjloader, three.js |
-//! | a corner `v/`, `v//`, `v/vt/`, or with more than three indices | a corner with the indices that it has | Blender, three.js |
+//! | a face of one or two corners, a polyline of one | left out | tinyobjloader, trimesh |
+//! | a corner `v/`, `v//`, `v/vt/`, or with more than three indices | a corner with the indices that it has | Blender, tinyobjloader, trimesh |
 //! | `l v/vt/vn`, `p v/vt` | the vertex | tinyobjloader |
-//! | corners with `vn` or `vt` in a file without any | corners without | Blender, assimp |
-//! | `v` with 5 numbers or more than 7, `vt` or `vn` with more than 3 | the first numbers | Blender, tinyobjloader |
-//! | vertices alone | points | Blender, assimp, trimesh |
-//! | lines that end in a carriage return alone | lines | assimp, tinyobjloader, trimesh |
+//! | corners with `vn` or `vt` in a file without any | corners without | Blender, assimp, tinyobjloader, trimesh |
+//! | `v` with 5 numbers or more than 7, `vt` or `vn` with more than 3 | the first numbers | Blender, tinyobjloader, trimesh |
+//! | vertices alone | points | Blender, trimesh |
+//! | lines that end in a carriage return alone | lines | assimp, tinyobjloader |
 //! | names that are not UTF-8 | Shift-JIS or Latin-1, see [`ga_files::text::decode`] | |
 //!
 //! An index beyond the end of its list, text in the place of a number, NaN and infinity, and a

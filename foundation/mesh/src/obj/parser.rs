@@ -94,7 +94,8 @@ impl Parser {
             b"f" => self.face(line, words),
             b"vt" => {
                 let ([u, v, _], count) = numbers::<3>(&mut words)?;
-                self.expect_count(line, "vt", "1, 2 or 3", count, 1, count <= 3)?;
+                let fits = matches!(count, 1..=3);
+                self.expect_count(line, "vt", "1, 2 or 3", count, 1, fits)?;
                 self.read.texture.push([u, v]);
                 Ok(())
             }

@@ -13,7 +13,7 @@ use ga_runtime::vga3::Vector;
 
 const TRIANGLES: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
+pub(crate) fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
     let text = format!("{TRIANGLES}{text}");
     obj::decode_with_libraries(text.as_bytes(), Reading::Tolerant, |name| match name {
         "a.mtl" | "two words.mtl" => Ok(library.as_bytes().to_vec()),

@@ -47,6 +47,7 @@
 
 mod parser;
 mod problem;
+mod remarks;
 mod texture;
 mod write;
 

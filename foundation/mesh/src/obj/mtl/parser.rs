@@ -1,8 +1,9 @@
 //! The statements of an MTL file.
 
-use ga_files::{Deviation, Deviations, Reading};
+use ga_files::{Deviation, Reading};
 
 use super::MtlProblem;
+use super::remarks::Remarks;
 use super::texture::{Picture, picture};
 use crate::obj::lines::Lines;
 use crate::obj::text::{self, Text};
@@ -22,10 +23,7 @@ pub(in crate::obj) fn library(bytes: &[u8], reading: Reading) -> Result<Library,
         materials: Vec::new(),
         open: None,
         is_nameless: false,
-        remarks: Remarks {
-            line: 0,
-            deviations: Deviations::new(reading),
-        },
+        remarks: Remarks::new(reading),
     };
     let deviations = &mut parser.remarks.deviations;
     if let Some(foreign) = foreign {
@@ -46,24 +44,6 @@ pub(in crate::obj) fn library(bytes: &[u8], reading: Reading) -> Result<Library,
         tolerated.map_err(|problem| (line, problem))?;
     }
     Ok((parser.materials, deviations.into_list()))
-}
-
-/// What is wrong with the line being read and the lines before it.
-pub(super) struct Remarks {
-    line: usize,
-    deviations: Deviations<MtlProblem>,
-}
-
-impl Remarks {
-    /// Adds a problem, which is an error where the file is read strictly.
-    pub(super) fn tolerate(&mut self, problem: MtlProblem) -> Result<(), MtlProblem> {
-        self.deviations.tolerate(self.line, problem)
-    }
-
-    /// Adds a problem that is no error in either reading.
-    pub(super) fn note(&mut self, problem: MtlProblem) {
-        self.deviations.note(self.line, problem);
-    }
 }
 
 struct Parser {

@@ -1,7 +1,7 @@
 //! Pictures of materials, with their options.
 
 use super::MtlProblem;
-use super::parser::Remarks;
+use super::remarks::Remarks;
 use crate::words::{WordError, Words, number, text};
 use crate::{Texture, Wrap};
 
