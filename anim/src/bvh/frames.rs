@@ -14,10 +14,10 @@ struct Row {
 
 /// The numbers of all frames up to the end of the text.
 ///
-/// A line is a frame. In a tolerant reading a frame may also fill several lines, and a line may have
-/// several frames; frames begin and end anywhere in lines only where all numbers together are just
-/// those of the frames that are announced, since otherwise a number that is missing would shift all
-/// that follow.
+/// A line is a frame. In a tolerant reading a frame may also fill several lines, and a line may
+/// have several frames; frames begin and end anywhere in lines only where all numbers together are
+/// just those of the frames that are announced, since otherwise a number that is missing would
+/// shift all that follow.
 pub(super) fn frames(
     words: &mut Words,
     channels: usize,

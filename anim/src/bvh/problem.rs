@@ -154,7 +154,7 @@ impl Tolerated for BvhProblem {
             Self::CarriageReturns => "the next line begins behind it",
             Self::EndSiteName { .. } => "the name is ignored",
             Self::ChannelCount { .. } => "the channels that are listed count",
-            Self::Expected { .. } => "it is read as that",
+            Self::Expected { .. } => "the line is read as if it were there",
             Self::DuplicateName { instead, .. } => {
                 return format!("the later one is read as {instead:?}").into();
             }

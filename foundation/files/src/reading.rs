@@ -81,7 +81,8 @@ const MOST: usize = 32;
 /// found.tolerate(3, Unknown("a"))?;
 /// found.tolerate(7, Unknown("b"))?;
 /// let warnings = found.into_list();
-/// assert_eq!(warnings[0].to_string(), "line 3: \"a\" means nothing; it is left out (2 such lines)");
+/// let message = "line 3: \"a\" means nothing; it is left out (2 such lines)";
+/// assert_eq!(warnings[0].to_string(), message);
 /// assert!(Deviations::new(Reading::Strict).tolerate(3, Unknown("a")).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -59,8 +59,8 @@ fn kinds(motion: &Bvh) -> Vec<(&str, Option<usize>)> {
         .collect()
 }
 
-/// assimp 5.2 reads the wrapped rows, the carriage returns and the names as here, the Python package
-/// bvh 0.3 the other ones: three joints and three frames.
+/// assimp 5.2 reads the wrapped rows, the carriage returns and the names as here, the Python
+/// package bvh 0.3 most of the others: three joints and three frames.
 #[test]
 fn deviations_give_the_motion_that_other_readers_give() {
     let plain = bvh::decode(valid().as_bytes()).unwrap();
@@ -294,8 +294,8 @@ proptest! {
         prop_assert_eq!(strict.is_err(), deviates);
     }
 
-    /// Words of the format in any places: what a strict reading takes is the same in a tolerant one,
-    /// without deviations.
+    /// Words of the format in any places: what a strict reading takes is the same in a tolerant
+    /// one.
     #[test]
     fn a_strict_reading_is_a_tolerant_one(
         edits in vec((any::<prop::sample::Index>(), 0..WORDS.len(), 0..3usize), 0..4),

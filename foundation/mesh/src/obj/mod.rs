@@ -29,17 +29,21 @@
 //! programs read. There is one [`Warning`] for each kind, which names its first line and says how
 //! many lines there are. A strict reading makes an error of it.
 //!
-//! | line | read as | which other readers do so |
+//! | line | read as | as by |
 //! | --- | --- | --- |
-//! | an unknown word, as `t`, `vw`, `vp`, `curv` | left out; without any face it is an error if it may be geometry | Blender, assimp, three.js, tinyobjloader |
-//! | a face of one or two corners, a polyline of one | left out | tinyobjloader, trimesh |
-//! | a corner `v/`, `v//`, `v/vt/`, or with more than three indices | a corner with the indices that it has | Blender, tinyobjloader, trimesh |
-//! | `l v/vt/vn`, `p v/vt` | the vertex | tinyobjloader |
-//! | corners with `vn` or `vt` in a file without any | corners without | Blender, assimp, tinyobjloader, trimesh |
-//! | `v` with 5 numbers or more than 7, `vt` or `vn` with more than 3 | the first numbers | Blender, tinyobjloader, trimesh |
+//! | `t`, `vw`, `vp`, `curv` and other words | left out | Blender, assimp, three.js, trimesh |
+//! | a face of 1 or 2 corners, a polyline of 1 | left out | tinyobjloader, trimesh |
+//! | corners as `1/`, `1//`, `1/1/`, `1/1/1/1` | without what does not fit | Blender, trimesh |
+//! | `l 1/1/1 …`, `p 1/1 …` | the vertices | tinyobjloader |
+//! | corners with `vn` or `vt` that no line has | corners without | Blender, assimp, trimesh |
+//! | `v` of 5 or more than 7 numbers | the first 3 or 6 | Blender, tinyobjloader |
+//! | `vt` or `vn` of more than 3 numbers | the first ones | Blender, tinyobjloader |
 //! | vertices alone | points | Blender, trimesh |
-//! | lines that end in a carriage return alone | lines | assimp, tinyobjloader |
-//! | names that are not UTF-8 | Shift-JIS or Latin-1, see [`ga_files::text::decode`] | |
+//! | lines that end in CR alone | lines | assimp, tinyobjloader |
+//! | names that are not UTF-8 | see [`ga_files::text::decode`] | |
+//!
+//! In a file without any face, polyline or point, a line that is left out is an error where it may
+//! be geometry, as `curv` or a face of two corners: its vertices alone would be another model.
 //!
 //! An index beyond the end of its list, text in the place of a number, NaN and infinity, and a
 //! vertex with fewer than three numbers are errors in either reading.

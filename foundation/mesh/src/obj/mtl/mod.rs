@@ -12,22 +12,22 @@
 //! | `norm`, `map_Kn` | normals in the tangent frame; `-bm` scales them |
 //! | `map_Pr`, `map_Pm` | roughness and metallic part, where both name one picture |
 //! | `map_Ka`, `map_Ks`, `map_Ns`, `map_d`, `bump`, `map_bump` | the pictures of Phong's model |
-//! | `Tf`, `sharpness`, `refl`, `disp`, `decal` and other statements of the format, or of its extension for physically based rendering | ignored |
+//! | `Tf`, `sharpness`, `refl`, `disp`, `decal`, `Ps`, `Pc`, `aniso` and the like | ignored |
 //!
 //! A [tolerant](ga_files::Reading) reading also takes the following, with one warning for each kind
 //! that names its first line and says how many there are:
 //!
-//! | line | read as | which other readers do so |
+//! | line | read as | as by |
 //! | --- | --- | --- |
-//! | an unknown word | ignored, in a strict reading too | Blender, assimp, tinyobjloader, three.js |
-//! | a known word without its number, a colour of two numbers | ignored | assimp ignores what it cannot read |
-//! | more numbers than the line has place for | the first ones | all |
-//! | `Kd spectral …`, `Kd xyz …` | ignored | Blender, assimp |
-//! | `newmtl` without a name | the material is left out | no `usemtl` can name it |
-//! | a property before the first `newmtl` | ignored | assimp |
-//! | an option of a picture without its value | ignored | Blender |
-//! | lines that end in a carriage return alone | lines | assimp, tinyobjloader |
-//! | text that is not UTF-8 | Shift-JIS or Latin-1, see [`ga_files::text::decode`] | |
+//! | an unknown word | ignored, in a strict reading too | Blender, assimp, tinyobjloader |
+//! | a word without its number, a colour of two | ignored | |
+//! | more numbers than the line has place for | the first ones | Blender, tinyobjloader |
+//! | `Kd spectral …`, `Kd xyz …` | ignored | |
+//! | `newmtl` without a name | left out, since nothing can name it | |
+//! | a property before the first `newmtl` | ignored | Blender, assimp |
+//! | an option of a picture without its value | ignored | |
+//! | lines that end in CR alone | lines | assimp, tinyobjloader |
+//! | text that is not UTF-8 | see [`ga_files::text::decode`] | |
 //!
 //! Where `d` and `Tr` of a material state different opacities, that by `d` counts, as in
 //! tinyobjloader, with a warning. Text in the place of a number, NaN and infinity are errors.
