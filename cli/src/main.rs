@@ -15,6 +15,7 @@ mod mesh_file;
 mod motion_file;
 mod output;
 mod pipeline;
+mod reading;
 mod report;
 mod shell;
 mod standard_output;
@@ -93,6 +94,9 @@ fn main() -> ExitCode {
     }
     let words = iter::successors(matches.subcommand(), |(_, below)| below.subcommand());
     let words = words.map(|(word, _): (&str, &ArgMatches)| word.to_owned());
+    if cli.options.is_strict() {
+        reading::be_strict();
+    }
     let context = Context::new(cli.options.clone(), words.collect());
     match run(&cli.command, &context) {
         Ok(status) => status,

@@ -10,14 +10,25 @@ use serde::Serialize;
 use crate::format::{Format, endings};
 use crate::frame::{Warning, keep_for_failure};
 use crate::output;
+use crate::reading::reading;
 use crate::standard_output::is_standard_output;
 
-/// Reads a mesh, with warnings of what its file refers to that is not there.
+/// Reads a mesh, with warnings of what in its file deviates from the format, and of what it refers
+/// to that is not there.
 pub(crate) fn read(file: &Path) -> Result<(Mesh, Vec<Warning>)> {
-    let (mesh, warnings) = format::read(file)?;
-    let warnings = missing_parts(file, warnings);
+    let (mesh, warnings) = format::read(file, reading())?;
+    Ok((mesh, warnings_of(file, warnings)))
+}
+
+/// The warnings of a file that was read, which are also kept for the case that the command fails.
+pub(crate) fn warnings_of(file: &Path, found: Vec<ga_mesh::Warning>) -> Vec<Warning> {
+    let warnings = found.into_iter().map(|found| Warning {
+        line: found.line,
+        ..Warning::new(found.kind, &found).in_file(found.file.as_deref().unwrap_or(file))
+    });
+    let warnings: Vec<Warning> = warnings.collect();
     keep_for_failure(&warnings);
-    Ok((mesh, warnings))
+    warnings
 }
 
 /// The formats of meshes that fit, by their endings, of which the first goes to standard output.
@@ -132,7 +143,7 @@ pub(crate) fn check_parts(
             continue;
         }
         for mesh in meshes {
-            let mut parts = format::parts(mesh)?.into_iter();
+            let mut parts = format::parts(mesh, reading())?.into_iter();
             if parts.any(|part| ga_files::is_same_file(part, path)) {
                 bail!(
                     "{option} {}: it is a part of the input {}, which would be lost",

@@ -8,10 +8,11 @@ use ga_anim::motion_file::{MotionFile, Options};
 use ga_anim::unit::LikelyUnit;
 
 use crate::frame::{Warning, keep_for_failure};
+use crate::reading::reading;
 
 /// Reads a motion in BVH and adds what is unusual about the file to the warnings.
 pub(crate) fn read(path: &Path, warnings: &mut Vec<Warning>) -> Result<Bvh> {
-    let motion = bvh::read(path)?;
+    let motion = bvh::read_as(path, reading())?;
     warn(path, motion.warnings(), warnings);
     Ok(motion)
 }
@@ -22,6 +23,10 @@ pub(crate) fn read_any(
     options: Options,
     warnings: &mut Vec<Warning>,
 ) -> Result<MotionFile> {
+    let options = Options {
+        reading: reading(),
+        ..options
+    };
     let motion = MotionFile::read(path, options)?;
     warn(path, motion.warnings(), warnings);
     if let Some(unit) = motion.likely_unit() {

@@ -22,12 +22,35 @@
 //! - Where the positions of other joints are near their offsets, within a quarter of their lengths,
 //!   in most frames, they take the place of these.
 //!
-//! The reader is strict where numbers would be guessed: an error names the line, and a frame has
-//! exactly one number for each channel. Two deviations are so common that such files are read, with
-//! a [warning](Bvh::warnings):
+//! The reader is strict where numbers would be guessed: an error names the line, and the numbers of
+//! a frame are just as many as the channels. A [warning](Bvh::warnings) says that position channels
+//! are on joints below the root, see above, or that the file has one frame more or one fewer than
+//! it announces; the frames that are there count.
 //!
-//! - The file has one frame more or one fewer than it announces. The frames that are there count.
-//! - Position channels are on joints below the root, see above.
+//! # Deviations
+//!
+//! A [tolerant](ga_files::Reading) reading, which [`read`] and [`decode`] do, also takes what other
+//! programs read, with one warning for each kind, which names its first line and says how many
+//! lines there are. A strict reading makes an error of it.
+//!
+//! | in the file | read as | as by |
+//! | --- | --- | --- |
+//! | `End Site NAME` | `End Site` | Blender, the Python package bvh |
+//! | `Frames:3`, `Frames :3`, `Frames 3`, and so with `Frame Time` | `Frames: 3` | three.js |
+//! | another number of frames than announced, but some | those that are there | Blender |
+//! | a frame on several lines, several on a line | frames across lines | assimp |
+//! | joints of the same name | the later ones as `Spine.001` | Blender |
+//! | a joint without `CHANNELS` | a joint that does not move | assimp |
+//! | more or fewer channels than announced | those that are listed | Blender |
+//! | text behind `MOTION`, the two numbers, or the last frame | left out | assimp, three.js |
+//! | lines that end in CR alone | lines | assimp |
+//! | names that are not UTF-8 | see [`ga_files::text::decode`] | |
+//!
+//! Frames begin and end anywhere in lines only where all numbers together are just those of the
+//! frames that are announced; otherwise each line or each group of lines is a frame.
+//!
+//! A number that is missing from a frame, text among the frames, NaN and infinity are errors in
+//! either reading. Keywords may be in small letters, with any white space between them.
 //!
 //! Source: the description by the Motion Capture Web Group, University of Wisconsin, on which
 //! readers agree.
@@ -35,6 +58,7 @@
 mod channels;
 mod conversion;
 mod from_recording;
+mod frames;
 mod joint;
 mod kinematics;
 mod motion;
@@ -48,23 +72,35 @@ mod writer;
 use std::path::Path;
 
 use crate::file_error::MotionFileError;
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 
 pub use joint::{BvhJoint, Channel};
 pub use motion::Bvh;
 pub use problem::BvhProblem;
 pub use warning::{BvhWarning, PositionChannels};
 
-/// Reads the motion in a file.
+/// Reads the motion in a file tolerantly.
 ///
 /// # Errors
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<MotionFileError>> {
-    ga_files::read(path, decode)
+    read_as(path, Reading::Tolerant)
 }
 
-/// Reads a motion from the bytes of a file.
+/// Reads the motion in a file.
+///
+/// # Errors
+///
+/// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode_as`] gives.
+pub fn read_as(
+    path: impl AsRef<Path>,
+    reading: Reading,
+) -> Result<Bvh, ReadError<MotionFileError>> {
+    ga_files::read(path, |bytes| decode_as(bytes, reading))
+}
+
+/// Reads a motion from the bytes of a file tolerantly.
 ///
 /// # Errors
 ///
@@ -97,5 +133,38 @@ pub fn read(path: impl AsRef<Path>) -> Result<Bvh, ReadError<MotionFileError>> {
 /// # Ok::<(), ga_anim::MotionFileError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
-    parser::parse(bytes)
+    decode_as(bytes, Reading::Tolerant)
+}
+
+/// Reads a motion from the bytes of a file.
+///
+/// # Errors
+///
+/// As [`decode`]; for a strict reading also what other readers tolerate.
+///
+/// # Examples
+///
+/// ```
+/// use ga_anim::bvh;
+/// use ga_files::Reading;
+///
+/// let text = b"HIERARCHY
+/// ROOT Hips
+/// {
+///   OFFSET 0 0 0
+///   CHANNELS 1 Xrotation
+/// }
+/// MOTION
+/// Frames:1
+/// Frame Time: 0.04
+/// 90
+/// ";
+/// let motion = bvh::decode_as(text, Reading::Tolerant)?;
+/// let warning = motion.warnings()[0].to_string();
+/// assert!(warning.starts_with("line 8: expected Frames:, found \"Frames:1\"; "), "{warning}");
+/// assert!(bvh::decode_as(text, Reading::Strict).is_err());
+/// # Ok::<(), ga_anim::MotionFileError>(())
+/// ```
+pub fn decode_as(bytes: &[u8], reading: Reading) -> Result<Bvh, MotionFileError> {
+    parser::parse(bytes, reading)
 }

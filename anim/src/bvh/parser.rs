@@ -1,31 +1,46 @@
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
+use ga_files::Reading;
+use ga_files::text::{self, Encoding};
+
+use super::frames::frames;
 use super::root_offset::root_positions;
 use super::words::{Words, number};
 use super::{Bvh, BvhJoint, BvhProblem, BvhWarning, Channel, PositionChannels, warning};
 use crate::file_error::MotionFileError;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Bvh, MotionFileError> {
-    let mut words = Words::new(text(bytes)?);
+pub(super) fn parse(bytes: &[u8], reading: Reading) -> Result<Bvh, MotionFileError> {
+    let decoded = text::decode(bytes);
+    let (text, encoding) = decoded.map_err(|text::NotText(place)| MotionFileError::Bvh {
+        line: text::line_of(bytes, place),
+        problem: BvhProblem::NotText,
+    })?;
+    let mut words = Words::new(&text, reading);
+    if encoding != Encoding::Utf8 {
+        let (line, count) = lines_not_utf8(bytes);
+        words.tolerate_at(line, count, BvhProblem::NotUtf8 { encoding })?;
+    }
     words.expect("HIERARCHY")?;
     let joints = hierarchy(&mut words)?;
-    motion(&mut words, joints)
+    motion(words, joints)
 }
 
-fn text(bytes: &[u8]) -> Result<&str, MotionFileError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let end = match std::str::from_utf8(bytes) {
-        Ok(text) => match text.find('\0') {
-            None => return Ok(text),
-            Some(end) => end,
-        },
-        Err(error) => error.valid_up_to(),
-    };
-    let line = 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count();
-    Err(MotionFileError::Bvh {
-        line,
-        problem: BvhProblem::NotText,
-    })
+/// The first line that is not UTF-8, and how many are not.
+fn lines_not_utf8(bytes: &[u8]) -> (usize, usize) {
+    let (mut line, mut first, mut count) = (0, 1, 0);
+    let mut rest = Some(bytes);
+    while let Some(text) = rest {
+        line += 1;
+        let end = text::line_end(text);
+        rest = end.as_ref().map(|end| &text[end.end..]);
+        if std::str::from_utf8(&text[..end.map_or(text.len(), |end| end.start)]).is_err() {
+            if count == 0 {
+                first = line;
+            }
+            count += 1;
+        }
+    }
+    (first, count)
 }
 
 /// A joint whose block has begun and not ended, and which lines it has had.
@@ -40,7 +55,7 @@ struct Open {
 fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
     const IN_JOINT: &str = "OFFSET, CHANNELS, JOINT, End Site or }";
     let mut joints: Vec<BvhJoint> = Vec::new();
-    let mut names = HashSet::new();
+    let mut lines = Vec::new();
     let mut open: Vec<Open> = Vec::new();
     loop {
         let Some(top) = open.last_mut() else {
@@ -51,9 +66,10 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
             };
             match words.next(expected)? {
                 word if word.eq_ignore_ascii_case("ROOT") => {
-                    open.push(begin(words, &mut joints, &mut names, None)?)
+                    open.push(begin(words, &mut joints, &mut lines, None)?)
                 }
                 word if word.eq_ignore_ascii_case("MOTION") && !joints.is_empty() => {
+                    make_names_unique(words, &mut joints, &lines)?;
                     return Ok(joints);
                 }
                 word => return Err(words.expected(expected, word)),
@@ -75,7 +91,7 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
             }
             "JOINT" => {
                 let parent = Some(top.joint);
-                open.push(begin(words, &mut joints, &mut names, parent)?);
+                open.push(begin(words, &mut joints, &mut lines, parent)?);
             }
             "END" => {
                 words.expect("Site")?;
@@ -85,6 +101,10 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
                     "End Site",
                     1 + usize::from(joint.end_site.is_some()),
                 )?;
+                let name = words.name_of_end_site()?;
+                if !name.is_empty() {
+                    words.tolerate(BvhProblem::EndSiteName { name })?;
+                }
                 words.expect("{")?;
                 words.expect("OFFSET")?;
                 joint.end_site = Some(words.vector()?);
@@ -92,7 +112,9 @@ fn hierarchy(words: &mut Words) -> Result<Vec<BvhJoint>, MotionFileError> {
             }
             "}" => {
                 once(words, joint, "OFFSET", top.offsets)?;
-                once(words, joint, "CHANNELS", top.channels)?;
+                if top.channels == 0 {
+                    words.tolerate(not_once(joint, "CHANNELS", 0))?;
+                }
                 open.pop();
             }
             _ => return Err(words.expected(IN_JOINT, word)),
@@ -109,23 +131,25 @@ fn once(
     if found == 1 {
         return Ok(());
     }
-    Err(words.error(BvhProblem::NotOnce {
+    Err(words.error(not_once(joint, what, found)))
+}
+
+fn not_once(joint: &BvhJoint, what: &'static str, found: usize) -> BvhProblem {
+    BvhProblem::NotOnce {
         joint: joint.name.clone(),
         what,
         found,
-    }))
+    }
 }
 
 fn begin(
     words: &mut Words,
     joints: &mut Vec<BvhJoint>,
-    names: &mut HashSet<String>,
+    lines: &mut Vec<usize>,
     parent: Option<usize>,
 ) -> Result<Open, MotionFileError> {
     let name = words.name()?;
-    if !names.insert(name.clone()) {
-        return Err(words.error(BvhProblem::DuplicateName { name }));
-    }
+    lines.push(words.line());
     words.expect("{")?;
     joints.push(BvhJoint {
         name,
@@ -142,22 +166,72 @@ fn begin(
     })
 }
 
+/// Gives joints whose name an earlier one has a name of their own. `lines` has the line of each
+/// joint.
+fn make_names_unique(
+    words: &mut Words,
+    joints: &mut [BvhJoint],
+    lines: &[usize],
+) -> Result<(), MotionFileError> {
+    let mut taken: HashSet<String> = joints.iter().map(|joint| joint.name.clone()).collect();
+    let (mut seen, mut numbers) = (HashSet::new(), HashMap::new());
+    for (joint, &line) in joints.iter_mut().zip(lines) {
+        if seen.insert(joint.name.clone()) {
+            continue;
+        }
+        let name = joint.name.clone();
+        // Blender numbers such joints in the same way.
+        let number = numbers.entry(name.clone()).or_insert(0_u64);
+        while !taken.insert(joint.name.clone()) {
+            *number += 1;
+            joint.name = format!("{name}.{number:03}");
+        }
+        let instead = joint.name.clone();
+        words.tolerate_at(line, 1, BvhProblem::DuplicateName { name, instead })?;
+    }
+    Ok(())
+}
+
 fn channels(words: &mut Words, joint: &mut BvhJoint) -> Result<(), MotionFileError> {
-    let count = words.count()?;
-    for _ in 0..count {
-        let word = words.next("a channel")?;
+    let announced = words.count()?;
+    let line = words.line();
+    while let Some(word) = words.peek()? {
+        let listed = joint.channels.len();
         let Some(channel) = channel(word) else {
-            return Err(words.error(BvhProblem::UnknownChannel {
-                word: word.to_owned(),
-            }));
+            if listed < announced && !is_keyword(word) {
+                words.next("a channel")?;
+                return Err(words.error(BvhProblem::UnknownChannel {
+                    word: word.to_owned(),
+                }));
+            }
+            break;
         };
+        if listed >= announced && words.reading() == Reading::Strict {
+            break;
+        }
+        words.next("a channel")?;
         if joint.channels.contains(&channel) {
             let (joint, word) = (joint.name.clone(), word.to_owned());
             return Err(words.error(BvhProblem::DuplicateChannel { joint, word }));
         }
         joint.channels.push(channel);
     }
-    Ok(())
+    let found = joint.channels.len();
+    if found == announced {
+        return Ok(());
+    }
+    let problem = BvhProblem::ChannelCount {
+        joint: joint.name.clone(),
+        announced,
+        found,
+    };
+    words.tolerate_at(line, 1, problem)
+}
+
+/// Whether a word begins or ends something in a joint.
+fn is_keyword(word: &str) -> bool {
+    let mut keywords = ["OFFSET", "CHANNELS", "JOINT", "END", "{", "}"].iter();
+    keywords.any(|keyword| word.eq_ignore_ascii_case(keyword))
 }
 
 fn channel(word: &str) -> Option<Channel> {
@@ -172,7 +246,7 @@ fn channel(word: &str) -> Option<Channel> {
     })
 }
 
-fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, MotionFileError> {
+fn motion(mut words: Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, MotionFileError> {
     let mut channel_count = 0;
     for joint in &mut joints {
         joint.first_channel = channel_count;
@@ -181,48 +255,45 @@ fn motion(words: &mut Words, mut joints: Vec<BvhJoint>) -> Result<Bvh, MotionFil
     if channel_count == 0 {
         return Err(words.error(BvhProblem::NoChannels));
     }
-    words.expect("Frames:")?;
-    let announced = words.count()?;
+    let is_label = |word: &str| {
+        word.get(..6)
+            .is_some_and(|w| w.eq_ignore_ascii_case("Frames"))
+    };
+    if words
+        .rest_of_line()
+        .next()
+        .is_some_and(|word| !is_label(word))
+    {
+        words.leave_out_text()?;
+    }
+    let word = words.labelled(["", "Frames:"])?;
+    let announced = words.as_count(word)?;
     let announced_on_line = words.line();
-    words.expect("Frame")?;
-    words.expect("Time:")?;
-    let frame_time = words.number()?;
+    if !words
+        .rest_of_line()
+        .next()
+        .is_some_and(|word| word.eq_ignore_ascii_case("Frame"))
+    {
+        words.leave_out_text()?;
+    }
+    let word = words.labelled(["Frame", "Time:"])?;
+    let frame_time = number(word).map_err(|problem| words.error(problem))?;
     if frame_time <= 0.0 {
         return Err(words.error(BvhProblem::FrameTime(frame_time)));
     }
-    words.expect_end_of_line()?;
+    words.leave_out_text()?;
 
-    let mut values = Vec::new();
-    let mut found = 0;
-    while let Some(line) = words.next_line() {
-        let before = values.len();
-        for word in line {
-            values.push(number(word).map_err(|problem| words.error(problem))?);
-        }
-        match values.len() - before {
-            0 => continue,
-            length if length != channel_count => {
-                return Err(words.error(BvhProblem::FrameLength {
-                    expected: channel_count,
-                    found: length,
-                }));
-            }
-            _ => found += 1,
-        }
-        if found > announced.saturating_add(1) {
-            return Err(words.error(BvhProblem::FrameCount {
-                expected: announced,
-                found,
-            }));
-        }
-    }
-    if found.abs_diff(announced) > 1 || (found == 0 && announced > 0) {
+    let values = frames(&mut words, channel_count, announced)?;
+    let found = values.len() / channel_count;
+    let is_far = found.abs_diff(announced) > 1 && words.reading() == Reading::Strict;
+    if is_far || (found == 0 && announced > 0) {
         return Err(words.error(BvhProblem::FrameCount {
             expected: announced,
             found,
         }));
     }
-    let mut warnings = Vec::new();
+    let deviations = words.into_deviations().into_iter();
+    let mut warnings: Vec<BvhWarning> = deviations.map(BvhWarning::Deviation).collect();
     if found != announced {
         warnings.push(BvhWarning::FrameCount {
             line: announced_on_line,

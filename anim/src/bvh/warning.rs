@@ -1,8 +1,9 @@
 //! Deviations from the format that are so common that a file with them is read.
 
+use ga_files::{Deviation, Tolerated};
 use ga_runtime::vga3::Vector;
 
-use super::{BvhJoint, Channel};
+use super::{BvhJoint, BvhProblem, Channel};
 
 /// What the position channels of a joint are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,9 +15,12 @@ pub enum PositionChannels {
 }
 
 /// Something in a BVH file that deviates from the format and was read nevertheless.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BvhWarning {
-    /// One frame more or one fewer than announced.
+    /// Lines that deviate from the format; each kind once.
+    #[error("{0}")]
+    Deviation(Deviation<BvhProblem>),
+    /// Another number of frames than announced.
     #[error("line {line} announces {announced} frames, but the file has {found}, which are used")]
     FrameCount {
         /// The line that announces them, from 1.
@@ -49,11 +53,12 @@ pub enum BvhWarning {
 }
 
 impl BvhWarning {
-    /// What it is, as one word for programs: `frame_count`, `root_positions_added` or
-    /// `positions_below_root`.
+    /// What it is, as one word for programs: `frame_count`, `root_positions_added`,
+    /// `positions_below_root`, or the kind of a deviation.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
+            Self::Deviation(deviation) => deviation.problem.kind(),
             Self::FrameCount { .. } => "frame_count",
             Self::RootPositionsAdded => "root_positions_added",
             Self::PositionsBelowRoot { .. } => "positions_below_root",
@@ -64,7 +69,7 @@ impl BvhWarning {
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self {
-            Self::FrameCount { line, .. } => Some(*line),
+            Self::Deviation(Deviation { line, .. }) | Self::FrameCount { line, .. } => Some(*line),
             Self::RootPositionsAdded | Self::PositionsBelowRoot { .. } => None,
         }
     }

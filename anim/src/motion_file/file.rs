@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 use ga_mesh::gltf;
 
 use super::contents::Contents;
@@ -26,6 +26,8 @@ pub struct Options {
     /// The frames per second at which an animation of glTF is recorded; where none are given,
     /// those of its keys, see [`GltfMotion::recording`]. The other formats have frames.
     pub rate: Option<f64>,
+    /// Whether what deviates from the format of BVH is an error.
+    pub reading: Reading,
 }
 
 /// A motion in a file of any format.
@@ -51,7 +53,7 @@ impl MotionFile {
     ) -> Result<Self, ReadError<MotionFileError>> {
         let path = path.as_ref();
         let contents = match Format::of_path(path)? {
-            Format::Bvh => Contents::Bvh(bvh::read(path)?),
+            Format::Bvh => Contents::Bvh(bvh::read_as(path, options.reading)?),
             Format::Gltf => {
                 let document = gltf::read(path);
                 Contents::Gltf(Box::new(document.map_err(|error| error.map(Into::into))?))

@@ -12,10 +12,11 @@ use ga_anim::retarget::{Soles, Transfer, begins_with_calibration};
 use ga_character::{Animation, Figure, Storyboard};
 
 use crate::frame::{Command, Context, Warning};
-use crate::motion_file;
 use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::reading::reading;
 use crate::report::{Input, MotionInput, Performed};
 use crate::transfer::{Body, Motion, TransferArguments};
+use crate::{mesh_file, motion_file};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -128,6 +129,9 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
     progress.step("reading the motion");
     let mut warnings = losses(arguments, &figure)?;
+    if let Some(mesh) = &arguments.mesh {
+        warnings.extend(mesh_file::warnings_of(mesh, figure.warnings.clone()));
+    }
     let options = Options {
         metres_per_unit: arguments.motion_metres_per_unit,
         ..Options::default()
@@ -247,7 +251,7 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
             weights: Some(weights),
             group,
             ..
-        } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit)?,
+        } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit, reading())?,
         _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
     })
 }

@@ -18,9 +18,20 @@ pub(crate) struct Options {
     /// Write a page with the results; it needs no other file.
     #[arg(long, global = true, value_name = "PAGE.html", display_order = 101)]
     report: Option<PathBuf>,
+    /// Refuse meshes and motions that deviate from their formats, where other programs read them
+    /// and a warning would say so.
+    #[arg(long, global = true, display_order = 103)]
+    strict: bool,
     /// Print nothing but errors and what is asked for by name.
     #[arg(short, long, global = true, display_order = 102)]
     quiet: bool,
+}
+
+impl Options {
+    /// Whether files that deviate from their formats are refused.
+    pub(crate) fn is_strict(&self) -> bool {
+        self.strict
+    }
 }
 
 /// The options of every command, and the words that it was called by.

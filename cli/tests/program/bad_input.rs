@@ -66,16 +66,18 @@ fn meshes() {
         ("v 0 1e999 0", ["mesh.obj: line 4", "1e999"]),
         ("v 0 1", ["mesh.obj: line 4", "this one has 2"]),
         ("v 0 1 0\nf 1 2 9", ["mesh.obj: line 5", "refers to v 9"]),
-        ("v 0 1 0", ["mesh.obj: line 4", "without a face"]),
         ("\u{0}\u{1}", ["mesh.obj: line 4", "not UTF-8 text"]),
     ] {
         fails(&[("mesh.obj", &with(last))], &[], &parts);
     }
     fails(
-        &[("mesh.obj", b"\x89PNG\r\n\x1a\n\xff\xfe")],
+        &[("mesh.obj", b"\x89PNG\r\n\x1a\n\0\0\0\r\xff")],
         &[],
         &["mesh.obj: line 1"],
     );
+    let points = with("v 0 1 0");
+    let parts = ["mesh.obj: line 4", "without a face"];
+    fails(&[("mesh.obj", &points)], &["--strict"], &parts);
     fails(&[("mesh.obj", b"")], &[], &["mesh.obj", "without a vertex"]);
 }
 
@@ -148,13 +150,13 @@ fn motions() {
     let short = &short[..short.rfind('\n').unwrap()];
     fails(
         &[("motion.bvh", short.as_bytes())],
-        &[],
+        &["--strict"],
         &["motion.bvh: line", "4 frames and has 2"],
     );
     let count = bvh.replacen("CHANNELS 3", "CHANNELS 4", 1);
     fails(
         &[("motion.bvh", count.as_bytes())],
-        &[],
+        &["--strict"],
         &["motion.bvh: line"],
     );
     fails(&[("motion.bvh", b"\xff\xfe")], &[], &["motion.bvh: line 1"]);

@@ -40,6 +40,7 @@ mod stereo_calibrate;
 mod stereo_cameras;
 mod stereo_pose;
 mod texture;
+mod tolerant;
 mod video;
 mod video_align;
 mod video_comfort;

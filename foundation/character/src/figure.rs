@@ -23,6 +23,8 @@ pub struct Figure {
     /// The glTF document that it was read from, in the unit of its file, with all that a character
     /// does not have: materials, morph targets, meshes that no joint moves, and more.
     pub document: Option<Document>,
+    /// What in the file of its mesh deviates from the format and was read nevertheless.
+    pub warnings: Vec<ga_mesh::Warning>,
 }
 
 impl Figure {
@@ -35,6 +37,7 @@ impl Figure {
             group: None,
             metres_per_unit: 1.0,
             document: None,
+            warnings: Vec::new(),
         }
     }
 

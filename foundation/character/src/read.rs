@@ -5,7 +5,7 @@ use std::path::Path;
 use ga_anim::character::Character;
 use ga_anim::skin::SkinError;
 use ga_anim::{gltf, rig};
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 use ga_mesh::{Mesh, obj};
 
 use crate::error::CharacterError;
@@ -30,8 +30,10 @@ impl Figure {
         weights_path: &Path,
         group: Option<&str>,
         metres_per_unit: f64,
+        reading: Reading,
     ) -> Result<Self, CharacterError> {
-        let mesh = obj::read(mesh_path)?;
+        let (mesh, warnings) = obj::read_with_warnings(mesh_path, reading)?;
+        let warnings = warnings.iter().map(|warning| warning.of_file(mesh_path));
         let skeleton = rig::read(rig_path)?;
         let weights = rig::read_weights(weights_path, &skeleton, mesh.vertex_count())?;
         let group = group_of(mesh_path, &mesh, group)?;
@@ -53,7 +55,11 @@ impl Figure {
             weights,
         };
         let figure = Self::in_metres(mesh_path, character, metres_per_unit)?;
-        Ok(Self { group, ..figure })
+        Ok(Self {
+            group,
+            warnings: warnings.collect(),
+            ..figure
+        })
     }
 
     /// The figure of the skinned meshes of a glTF file, in metres, with the document of the file.

@@ -12,6 +12,8 @@
 //! - [`expand`] takes names and patterns of files, and [`natural_order`] sorts by numbers in names.
 //! - [`Outputs`] sees to it that no output takes the place of an input or of another output.
 //! - [`table`] reads and writes rows of cells, as CSV.
+//! - [`text`] finds the encoding of text and the ends of its lines.
+//! - [`Reading`] is strict or tolerant; [`Deviations`] are what a tolerant one warns of.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
@@ -19,9 +21,11 @@ mod list;
 mod name;
 mod outputs;
 mod read;
+mod reading;
 pub mod table;
 mod target;
 mod temporary;
+pub mod text;
 mod write;
 mod write_all;
 
@@ -30,6 +34,7 @@ pub use list::{ListError, expand, first_unlike_pair, natural_order};
 pub use name::{name, stem};
 pub use outputs::{OutputError, Outputs};
 pub use read::{ReadError, read};
+pub use reading::{Deviation, Deviations, Reading, Tolerated};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
 pub use temporary::remove_temporaries;
 pub use write::{Staged, write, write_together};

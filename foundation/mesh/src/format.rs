@@ -3,9 +3,11 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use ga_files::ReadError;
+use ga_files::{ReadError, Reading};
 
-use crate::{FileError, Image, Material, Mesh, Omission, gltf, obj, omission, ply, relocation};
+use crate::{
+    FileError, Image, Material, Mesh, Omission, Warning, gltf, obj, omission, ply, relocation,
+};
 
 /// A format of mesh files. All are read and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +27,8 @@ pub struct Options {
     pub ply: ply::Encoding,
 }
 
-/// A mesh, with a sentence for each thing that its file refers to and that is not there.
-type Read = (Mesh, Vec<String>);
+/// A mesh, with what in its file deviates from the format or is not there.
+type Read = (Mesh, Vec<Warning>);
 
 /// The names, the first of which does not count, and contents of files.
 type Files = Vec<(String, Vec<u8>)>;
@@ -38,10 +40,10 @@ struct Description {
     endings: &'static [&'static str],
     keeps_materials: bool,
     keeps_animations: bool,
-    read: fn(&Path) -> Result<Read, FileError>,
+    read: fn(&Path, Reading) -> Result<Read, FileError>,
     files: fn(&Path, &Mesh, &Options) -> Result<Files, FileError>,
     /// The files beside one that it is read with, but for pictures.
-    libraries: fn(&Path) -> Result<Vec<PathBuf>, FileError>,
+    libraries: fn(&Path, Reading) -> Result<Vec<PathBuf>, FileError>,
     /// What it cannot hold of a mesh.
     omissions: fn(&Mesh) -> Vec<Omission>,
 }
@@ -58,9 +60,10 @@ impl Format {
                 endings: &["obj"],
                 keeps_materials: true,
                 keeps_animations: false,
-                read: |path| {
-                    let (mesh, warnings) = obj::read_with_warnings(path)?;
-                    Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
+                read: |path, reading| {
+                    let (mesh, warnings) = obj::read_with_warnings(path, reading)?;
+                    let warnings = warnings.iter().map(|warning| warning.of_file(path));
+                    Ok((mesh, warnings.collect()))
                 },
                 files: |path, mesh, _| Ok(obj::files(path, mesh)),
                 libraries: libraries_of_obj,
@@ -71,9 +74,9 @@ impl Format {
                 endings: &["ply"],
                 keeps_materials: false,
                 keeps_animations: false,
-                read: |path| Ok((ply::read(path)?, Vec::new())),
+                read: |path, _| Ok((ply::read(path)?, Vec::new())),
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
-                libraries: |_| Ok(Vec::new()),
+                libraries: |_, _| Ok(Vec::new()),
                 omissions: omission::of_ply,
             },
             Self::Gltf => &Description {
@@ -81,7 +84,7 @@ impl Format {
                 endings: &["glb", "gltf"],
                 keeps_materials: true,
                 keeps_animations: true,
-                read: |path| {
+                read: |path, _| {
                     let mesh = gltf::read(path)?.to_mesh(gltf::Vertices::Merged);
                     let wrong = |problem| ReadError::Contents {
                         path: path.to_path_buf(),
@@ -90,7 +93,7 @@ impl Format {
                     Ok((mesh.map_err(wrong)?, Vec::new()))
                 },
                 files: |path, mesh, _| gltf::mesh_files(path, mesh),
-                libraries: buffers_of_gltf,
+                libraries: |path, _| buffers_of_gltf(path),
                 omissions: omission::of_gltf,
             },
         }
@@ -170,8 +173,8 @@ impl Format {
     }
 }
 
-/// Reads a mesh, and says what was replaced where the file refers to something that is not there, a
-/// sentence each.
+/// Reads a mesh, and says what in its file deviates from the format and was read nevertheless, and
+/// what was replaced where the file refers to something that is not there.
 ///
 /// Vertices of a glTF file with equal positions become one vertex, see
 /// [`Vertices::Merged`](gltf::Vertices::Merged), since such a file has to split vertices where
@@ -181,9 +184,9 @@ impl Format {
 /// # Errors
 ///
 /// [`FileError`].
-pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
+pub fn read(path: impl AsRef<Path>, reading: Reading) -> Result<(Mesh, Vec<Warning>), FileError> {
     let path = path.as_ref();
-    (Format::of_path(path)?.description().read)(path)
+    (Format::of_path(path)?.description().read)(path, reading)
 }
 
 /// The files beside a mesh that it is read with: libraries of materials, buffers, and pictures.
@@ -191,11 +194,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<(Mesh, Vec<String>), FileError> {
 /// # Errors
 ///
 /// [`FileError`].
-pub fn parts(path: impl AsRef<Path>) -> Result<Vec<PathBuf>, FileError> {
+pub fn parts(path: impl AsRef<Path>, reading: Reading) -> Result<Vec<PathBuf>, FileError> {
     let path = path.as_ref();
     let description = Format::of_path(path)?.description();
-    let (mesh, _) = (description.read)(path)?;
-    let mut parts = (description.libraries)(path)?;
+    let (mesh, _) = (description.read)(path, reading)?;
+    let mut parts = (description.libraries)(path, reading)?;
     for texture in mesh.materials().iter().flat_map(Material::textures) {
         if let Image::File(picture) = &texture.image {
             parts.push(path.with_file_name(picture));
@@ -251,10 +254,10 @@ pub fn encode_files(
 }
 
 /// The libraries of materials that an OBJ file names and that are there.
-fn libraries_of_obj(path: &Path) -> Result<Vec<PathBuf>, FileError> {
+fn libraries_of_obj(path: &Path, reading: Reading) -> Result<Vec<PathBuf>, FileError> {
     let mut libraries = Vec::new();
     ga_files::read(path, |bytes| {
-        obj::decode_with_libraries(bytes, |name| {
+        obj::decode_with_libraries(bytes, reading, |name| {
             let library = path.with_file_name(name);
             let bytes = std::fs::read(&library)?;
             libraries.push(library);

@@ -67,6 +67,7 @@ mod summary;
 pub mod tangents;
 mod texture_space_error;
 pub mod topology;
+mod warning;
 mod words;
 
 pub use attribute::{CornerAttribute, Normals, Rgba, Tangent, Tangents, TextureCoordinates};
@@ -82,3 +83,4 @@ pub use places::bounds;
 pub use polylines::Polylines;
 pub use summary::{Bounds, Fault, NamedFaces, Summary};
 pub use texture_space_error::TextureSpaceError;
+pub use warning::Warning;

@@ -3,12 +3,16 @@
 
 use ga_anim::bvh;
 use ga_anim::recording::Recording;
+use ga_files::Reading;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     let Ok(motion) = bvh::decode(data) else {
         return;
     };
+    if let Ok(strict) = bvh::decode_as(data, Reading::Strict) {
+        assert_eq!(strict, motion);
+    }
     for (index, joint) in motion.joints().iter().enumerate() {
         assert!(joint.parent.is_none_or(|parent| parent < index));
     }

@@ -1,8 +1,14 @@
 //! Faults of BVH files: each is named with its line, or is a warning.
 
-use ga_anim::bvh::{self, BvhWarning};
+use ga_anim::MotionFileError;
+use ga_anim::bvh::{self, Bvh, BvhWarning};
+use ga_files::Reading;
 
 use super::{SMALL, small_with};
+
+fn strict(text: &[u8]) -> Result<Bvh, MotionFileError> {
+    bvh::decode_as(text, Reading::Strict)
+}
 
 #[test]
 fn every_fault_is_named_with_its_line() {
@@ -40,7 +46,7 @@ fn every_fault_is_named_with_its_line() {
         (
             5,
             "CHANNELS 4 Xposition Zrotation Xrotation",
-            "line 6: \"JOINT\" is not a channel",
+            "line 5: joint \"Hip\" announces 4 channels and lists 3",
         ),
         (
             5,
@@ -130,19 +136,19 @@ fn every_fault_is_named_with_its_line() {
         (20, "1 2 NaN 4", "line 20: \"NaN\" is not a finite number"),
         (20, "1 2 3 \0", "line 20: the file is not UTF-8 text"),
     ] {
-        let error = bvh::decode(small_with(line, text).as_bytes()).unwrap_err();
+        let error = strict(small_with(line, text).as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message);
     }
     let still = SMALL
         .replace("CHANNELS 3 Xposition Zrotation Xrotation", "CHANNELS 0")
         .replace("1 Xrotation", "0");
-    let message = bvh::decode(still.as_bytes()).unwrap_err().to_string();
+    let message = strict(still.as_bytes()).unwrap_err().to_string();
     assert_eq!(message, "line 16: no joint has a channel");
     assert_eq!(
         bvh::decode(b"").unwrap_err().to_string(),
         "line 1: the file ends; expected HIERARCHY"
     );
-    let binary = bvh::decode(b"HIERARCHY\nROOT \xff\n").unwrap_err();
+    let binary = strict(b"HIERARCHY\nROOT \xff\n").unwrap_err();
     assert_eq!(binary.to_string(), "line 2: the file is not UTF-8 text");
 }
 
@@ -152,7 +158,7 @@ fn a_file_cut_short_anywhere_is_an_error_or_one_frame_short() {
     let end = SMALL.trim_end().len();
     let first_frame = SMALL.find("5 6 7 8").unwrap();
     for length in 0..end {
-        let cut = bvh::decode(&SMALL.as_bytes()[..length]);
+        let cut = strict(&SMALL.as_bytes()[..length]);
         if (first_frame - 1..=first_frame).contains(&length) {
             let motion = cut.unwrap();
             assert_eq!((motion.frame_count(), motion.warnings().len()), (1, 1));

@@ -2,6 +2,7 @@
 
 mod faults;
 mod properties;
+mod tolerant;
 
 use ga_anim::bvh::{self, Bvh, BvhWarning, Channel, PositionChannels};
 use nullcone_shared_data::shared;

@@ -58,6 +58,7 @@ impl MotionArguments {
             metres_per_unit: checked_unit("--metres-per-unit", unit)?,
             animation: self.animation.unwrap_or(0),
             rate: self.rate,
+            ..Options::default()
         };
         motion_file::read_any(&self.motion, options, warnings)
     }

@@ -22,9 +22,9 @@ use crate::mesh_file;
 /// face has it, and is not manifold when more than two have it. Degenerate faces name a vertex
 /// twice or have no area; duplicate vertices lie at the very place of an earlier one.
 ///
-/// The verdict is good where the mesh is manifold and oriented, without degenerate faces, and
-/// nothing that its file refers to is missing; else it is doubtful, and --json has the reasons as
-/// "warnings". A mesh with a boundary may be good.
+/// The verdict is good where the mesh is manifold and oriented, without degenerate faces, its file
+/// keeps to the format, and nothing that the file refers to is missing; else it is doubtful, and
+/// --json has the reasons as "warnings". A mesh with a boundary may be good.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

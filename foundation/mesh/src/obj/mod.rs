@@ -1,4 +1,4 @@
-//! Wavefront OBJ: polygon meshes as text, read strictly and in file order, with their materials.
+//! Wavefront OBJ: polygon meshes as text, read in file order, with their materials.
 //!
 //! Vertex n of the mesh is the n-th `v` line of the file, also when no face uses it, so that
 //! weights and other data numbered by vertex fit. Every number must be finite and every index in
@@ -16,13 +16,37 @@
 //! | `o name` | the following faces belong to this object |
 //! | `mtllib file`, `usemtl name` | the following faces have this material; see [`mtl`] |
 //! | `s` and other attributes | ignored; the normals say what is smooth |
-//! | `curv`, `surf` and other free-form geometry, unknown words | an error |
 //!
 //! Indices count from 1, or from −1 backwards from the latest element.
 //!
 //! A line that ends in `\` continues on the next one. Line ends may be LF or CR LF. A word that
 //! begins with `#` begins a comment, which ends with its line and may be in any encoding;
-//! everything else is UTF-8.
+//! everything else is UTF-8. A polygon may name a vertex twice.
+//!
+//! # Deviations
+//!
+//! A [tolerant](ga_files::Reading) reading, which [`read`] and [`decode`] do, also takes what other
+//! programs read. There is one [`Warning`] for each kind, which names its first line and says how
+//! many lines there are. A strict reading makes an error of it.
+//!
+//! | line | read as | as by |
+//! | --- | --- | --- |
+//! | `t`, `vw`, `vp`, `curv` and other words | left out | Blender, assimp, three.js, trimesh |
+//! | a face of 1 or 2 corners, a polyline of 1 | left out | tinyobjloader, trimesh |
+//! | corners as `1/`, `1//`, `1/1/`, `1/1/1/1` | without what does not fit | Blender, trimesh |
+//! | `l 1/1/1 …`, `p 1/1 …` | the vertices | tinyobjloader |
+//! | corners with `vn` or `vt` that no line has | corners without | Blender, assimp, trimesh |
+//! | `v` of 5 or more than 7 numbers | the first 3 or 6 | Blender, tinyobjloader |
+//! | `vt` or `vn` of more than 3 numbers | the first ones | Blender, tinyobjloader |
+//! | vertices alone | points | Blender, trimesh |
+//! | lines that end in CR alone | lines | assimp, tinyobjloader |
+//! | names that are not UTF-8 | see [`ga_files::text::decode`] | |
+//!
+//! In a file without any face, polyline or point, a line that is left out is an error where it may
+//! be geometry, as `curv` or a face of two corners: its vertices alone would be another model.
+//!
+//! An index beyond the end of its list, text in the place of a number, NaN and infinity, and a
+//! vertex with fewer than three numbers are errors in either reading.
 //!
 //! Colours of vertices are taken as sRGB, as most programs write them, and become linear light.
 //! Where some vertices have a colour, those without are white. `usemtl` without a name or with the
@@ -44,12 +68,14 @@
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
 mod check;
+mod corner;
 mod lines;
 pub mod mtl;
 mod parser;
 mod problem;
 mod read;
 mod statements;
+mod text;
 mod write;
 
 pub use problem::ObjProblem;

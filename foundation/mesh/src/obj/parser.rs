@@ -2,28 +2,50 @@
 
 use std::collections::HashMap;
 
+use ga_files::{Deviation, Deviations, Reading};
 use ga_runtime::vga3::Vector;
 
 use super::ObjProblem;
-use super::check::check_indices;
+use super::check::{check_indices, drop_indices_without_list};
+use super::corner::{Element, corner, lone_vertex, short_corner};
 use super::lines::Lines;
 use super::statements::{List, Statements};
+use super::text::{self, Text};
 use crate::lists::Lists;
-use crate::words::{Words, integer, numbers, text};
+use crate::words::{Words, numbers, text};
 use crate::{Faces, FormatError, Group};
 
-pub(super) fn statements(bytes: &[u8]) -> Result<Statements, FormatError> {
+/// What a file says, and what in it deviates from the format.
+pub(super) fn statements(
+    bytes: &[u8],
+    reading: Reading,
+) -> Result<(Statements, Vec<Deviation<ObjProblem>>), FormatError> {
+    let at = |line| move |problem| FormatError::Obj { line, problem };
+    let Text { text, foreign } =
+        text::decode(bytes).map_err(|line| at(line)(ObjProblem::NotText))?;
     let mut parser = Parser {
         group_faces_left: group_faces(bytes.len()),
+        deviations: Deviations::new(reading),
         ..Parser::default()
     };
-    let mut lines = Lines::new(bytes);
-    for (line, text) in lines.by_ref() {
-        parser
-            .statement(line, &text)
-            .map_err(|problem| FormatError::Obj { line, problem })?;
+    if let Some(foreign) = foreign {
+        let (line, encoding) = (foreign.first_line, foreign.encoding);
+        let problem = ObjProblem::NotUtf8 { encoding };
+        let tolerated = parser
+            .deviations
+            .tolerate_times(line, foreign.count, problem);
+        tolerated.map_err(at(line))?;
     }
-    parser.finish(bytes, lines.taken().max(1))
+    let mut lines = Lines::new(text.as_bytes());
+    for (line, text) in lines.by_ref() {
+        parser.statement(line, &text).map_err(at(line))?;
+    }
+    if let Some((line, count)) = lines.returns() {
+        let problem = ObjProblem::CarriageReturns;
+        let tolerated = parser.deviations.tolerate_times(line, count, problem);
+        tolerated.map_err(at(line))?;
+    }
+    parser.finish(text.as_bytes(), lines.taken().max(1))
 }
 
 /// How many faces the groups of a file of this size may have in all. A line may name many groups,
@@ -53,40 +75,38 @@ struct Parser {
     group_faces_left: usize,
     open_object: Option<usize>,
     open_material: Option<u32>,
+    deviations: Deviations<ObjProblem>,
+    /// Whether something was left out that may be geometry.
+    lacks_geometry: bool,
 }
 
-/// A corner of a face, indices from 0.
-#[derive(Clone, Copy)]
-struct Corner {
-    vertex: u32,
-    texture: Option<u32>,
-    normal: Option<u32>,
-}
+/// How much of an unknown word is told.
+const UNKNOWN_LETTERS: usize = 40;
 
 impl Parser {
     fn statement(&mut self, line: usize, bytes: &[u8]) -> Result<(), ObjProblem> {
         let mut words = Words::new(bytes);
         let Some(keyword) = words.next() else {
-            // A comment may have any encoding.
-            return if bytes.contains(&0) {
-                Err(ObjProblem::NotText)
-            } else {
-                Ok(())
-            };
+            return Ok(());
         };
         match keyword {
-            b"v" => self.vertex(&mut words),
-            b"f" => self.face(words),
+            b"v" => self.vertex(line, &mut words),
+            b"f" => self.face(line, words),
             b"vt" => {
                 let ([u, v, _], count) = numbers::<3>(&mut words)?;
-                expect_count("vt", "1, 2 or 3", count, matches!(count, 1..=3))?;
+                let fits = matches!(count, 1..=3);
+                self.expect_count(line, "vt", "1, 2 or 3", count, 1, fits)?;
                 self.read.texture.push([u, v]);
                 Ok(())
             }
             b"vn" => {
                 let ([x, y, z], count) = numbers::<3>(&mut words)?;
-                expect_count("vn", "3", count, count == 3)?;
-                self.read.normals.push(Vector::new(x, y, z));
+                self.expect_count(line, "vn", "3", count, 3, count == 3)?;
+                let normal = Vector::new(x, y, z);
+                if normal == Vector::default() {
+                    self.read.zero_normal_line.get_or_insert(line);
+                }
+                self.read.normals.push(normal);
                 Ok(())
             }
             _ => self.rare_statement(line, keyword, words),
@@ -100,19 +120,11 @@ impl Parser {
         words: Words<'_>,
     ) -> Result<(), ObjProblem> {
         match keyword {
-            b"l" => {
-                let vertices = words
-                    .map(|word| self.vertex_of_line(word))
-                    .collect::<Result<Vec<u32>, _>>()?;
-                let found = vertices.len();
-                self.read
-                    .polylines
-                    .push(&vertices)
-                    .map_err(|_| ObjProblem::LineTooShort { found })
-            }
+            b"l" => self.polyline(line, words),
             b"p" => {
                 for word in words {
-                    let point = self.vertex_alone(word)?;
+                    let (point, fits) = lone_vertex(&self.read, text(word)?, Element::Point)?;
+                    self.tolerate_form(line, fits)?;
                     self.read.points.push(point);
                 }
                 Ok(())
@@ -155,17 +167,22 @@ impl Parser {
             }
             b"s" | b"mg" | b"bevel" | b"c_interp" | b"d_interp" | b"lod" | b"maplib"
             | b"usemap" | b"shadow_obj" | b"trace_obj" => Ok(words.joined().map(|_| ())?),
-            _ => {
-                let word = text(keyword)?.to_owned();
-                words.joined()?;
-                Err(ObjProblem::UnknownStatement { word })
-            }
+            _ => self.unknown(line, keyword),
         }
     }
 
-    fn vertex(&mut self, words: &mut Words<'_>) -> Result<(), ObjProblem> {
+    /// A line that stands for nothing in a polygon mesh.
+    fn unknown(&mut self, line: usize, keyword: &[u8]) -> Result<(), ObjProblem> {
+        self.lacks_geometry |= is_geometry(keyword);
+        let word: String = text(keyword)?.chars().take(UNKNOWN_LETTERS).collect();
+        let problem = ObjProblem::UnknownStatement { word };
+        self.deviations.tolerate(line, problem)
+    }
+
+    fn vertex(&mut self, line: usize, words: &mut Words<'_>) -> Result<(), ObjProblem> {
         let ([x, y, z, red, green, blue, alpha], count) = numbers::<7>(words)?;
-        expect_count("v", "3, 4, 6 or 7", count, matches!(count, 3 | 4 | 6 | 7))?;
+        let fits = matches!(count, 3 | 4 | 6 | 7);
+        self.expect_count(line, "v", "3, 4, 6 or 7", count, 3, fits)?;
         let colours = &mut self.read.colours;
         if count >= 6 {
             // Vertices before the first one with a colour are white, as are those without.
@@ -179,12 +196,24 @@ impl Parser {
         Ok(())
     }
 
-    fn face(&mut self, mut words: Words<'_>) -> Result<(), ObjProblem> {
+    fn face(&mut self, line: usize, mut words: Words<'_>) -> Result<(), ObjProblem> {
         let first = self.corners.len();
+        let attributes = [
+            self.read.texture_corners.len(),
+            self.read.normal_corners.len(),
+        ];
         while let Some(rest) = words.rest() {
-            let corner = match self.short_corner(rest) {
+            let corner = match short_corner(&self.read, rest) {
                 Some((corner, length)) if words.advance(length) => corner,
-                _ => self.corner(words.next().map_or(Ok(""), text)?)?,
+                _ => {
+                    let word = words.next().map_or(Ok(""), text)?;
+                    let found = corner(&self.read, word)?;
+                    self.tolerate_form(line, found.fits)?;
+                    for (list, index) in found.without_list {
+                        self.without_list(line, word, list, index)?;
+                    }
+                    found.corner
+                }
             };
             add_corner(
                 &mut self.read.texture_corners,
@@ -200,7 +229,15 @@ impl Parser {
         }
         let found = self.corners.len() - first;
         if found < 3 {
-            return Err(ObjProblem::FaceTooShort { found });
+            let problem = ObjProblem::FaceTooShort { found };
+            self.deviations.tolerate(line, problem)?;
+            self.lacks_geometry = true;
+            let vertices = self.corners.drain(first..);
+            let left_out = vertices.map(|vertex| (line, vertex));
+            self.read.left_out.extend(left_out);
+            self.read.texture_corners.truncate(attributes[0]);
+            self.read.normal_corners.truncate(attributes[1]);
+            return Ok(());
         }
         let count = self.corners.len();
         let end = u32::try_from(count).map_err(|_| {
@@ -225,108 +262,77 @@ impl Parser {
         Ok(())
     }
 
-    /// The corner at the start of `bytes` and its length, in the forms that nearly all corners
-    /// have. Other text is `None`.
-    fn short_corner(&self, bytes: &[u8]) -> Option<(Corner, usize)> {
-        let (vertex, mut length) = integer(bytes)?;
-        let mut corner = Corner {
-            vertex: self.resolve(vertex, List::Vertices)?,
-            texture: None,
-            normal: None,
-        };
-        if bytes.get(length) == Some(&b'/') {
-            length += 1;
-            if let Some((texture, digits)) = integer(&bytes[length..]) {
-                corner.texture = Some(self.resolve(texture, List::Texture)?);
-                length += digits;
-                if bytes.get(length) != Some(&b'/') {
-                    return Some((corner, length));
-                }
-            } else if bytes.get(length) != Some(&b'/') {
-                return None;
-            }
-            let (normal, digits) = integer(&bytes[length + 1..])?;
-            corner.normal = Some(self.resolve(normal, List::Normals)?);
-            length += 1 + digits;
+    fn polyline(&mut self, line: usize, words: Words<'_>) -> Result<(), ObjProblem> {
+        let mut vertices = Vec::new();
+        for word in words {
+            let (vertex, fits) = lone_vertex(&self.read, text(word)?, Element::Line)?;
+            self.tolerate_form(line, fits)?;
+            vertices.push(vertex);
         }
-        Some((corner, length))
-    }
-
-    fn corner(&self, word: &str) -> Result<Corner, ObjProblem> {
-        let bad = || ObjProblem::BadCorner {
-            word: word.to_owned(),
-        };
-        let mut parts = word.split('/');
-        let (vertex, texture, normal) = (parts.next(), parts.next(), parts.next());
-        if parts.next().is_some() || normal == Some("") || (normal.is_none() && texture == Some(""))
-        {
-            return Err(bad());
+        let found = vertices.len();
+        if self.read.polylines.push(&vertices).is_err() {
+            let problem = ObjProblem::LineTooShort { found };
+            self.deviations.tolerate(line, problem)?;
+            self.lacks_geometry = true;
+            let left_out = vertices.into_iter().map(|vertex| (line, vertex));
+            self.read.left_out.extend(left_out);
         }
-        let index = |part: &str, list| self.index(word, part, list).unwrap_or_else(|| Err(bad()));
-        Ok(Corner {
-            vertex: index(vertex.unwrap_or(""), List::Vertices)?,
-            texture: match texture {
-                None | Some("") => None,
-                Some(part) => Some(index(part, List::Texture)?),
-            },
-            normal: normal.map(|part| index(part, List::Normals)).transpose()?,
-        })
+        Ok(())
     }
 
-    /// The vertex of a corner `v` or `v/vt` of a polyline.
-    fn vertex_of_line(&self, word: &[u8]) -> Result<u32, ObjProblem> {
-        let word = text(word)?;
-        let bad = || ObjProblem::BadLineVertex {
-            word: word.to_owned(),
-        };
-        let (vertex, texture) = match word.split_once('/') {
-            Some((vertex, texture)) => (vertex, Some(texture)),
-            None => (word, None),
-        };
-        if let Some(texture) = texture {
-            let index = self.index(word, texture, List::Texture);
-            index.unwrap_or_else(|| Err(bad()))?;
+    fn tolerate_form(
+        &mut self,
+        line: usize,
+        fits: Result<(), ObjProblem>,
+    ) -> Result<(), ObjProblem> {
+        fits.or_else(|problem| self.deviations.tolerate(line, problem))
+    }
+
+    /// An index that counts backwards in a list that is empty so far. It is tolerated where the
+    /// list stays empty.
+    fn without_list(
+        &mut self,
+        line: usize,
+        word: &str,
+        list: List,
+        index: i64,
+    ) -> Result<(), ObjProblem> {
+        let problem = self.read.out_of_range(word, list, index);
+        if self.deviations.reading() == Reading::Strict {
+            return Err(problem);
         }
-        let index = self.index(word, vertex, List::Vertices);
-        index.unwrap_or_else(|| Err(bad()))
+        self.read.without_list[list as usize].get_or_insert((line, problem));
+        Ok(())
     }
 
-    fn vertex_alone(&self, word: &[u8]) -> Result<u32, ObjProblem> {
-        let word = text(word)?;
-        let index = self.index(word, word, List::Vertices);
-        index.unwrap_or_else(|| {
-            Err(ObjProblem::BadPoint {
-                word: word.to_owned(),
-            })
-        })
-    }
-
-    /// The index that `part` of a word stands for, or `None` where it is not an integer.
-    fn index(&self, word: &str, part: &str, list: List) -> Option<Result<u32, ObjProblem>> {
-        let index: i64 = part.parse().ok()?;
-        Some(
-            self.resolve(index, list)
-                .ok_or_else(|| ObjProblem::IndexOutOfRange {
-                    word: word.to_owned(),
-                    what: list.keyword(),
-                    index,
-                    count: self.read.count(list),
-                }),
-        )
-    }
-
-    /// An index of the file, from 1 or backwards from −1, counted from 0.
-    #[inline]
-    fn resolve(&self, index: i64, list: List) -> Option<u32> {
-        let from_zero = if index < 0 {
-            index.checked_add(self.read.count(list) as i64)?
-        } else {
-            index - 1
+    fn expect_count(
+        &mut self,
+        line: usize,
+        statement: &'static str,
+        expected: &'static str,
+        found: usize,
+        least: usize,
+        fits: bool,
+    ) -> Result<(), ObjProblem> {
+        if fits {
+            return Ok(());
+        }
+        let problem = ObjProblem::WrongCount {
+            statement,
+            expected,
+            found,
         };
-        u32::try_from(from_zero).ok()
+        match found < least {
+            true => Err(problem),
+            false => self.deviations.tolerate(line, problem),
+        }
     }
 
-    fn finish(mut self, bytes: &[u8], last_line: usize) -> Result<Statements, FormatError> {
+    fn finish(
+        mut self,
+        bytes: &[u8],
+        last_line: usize,
+    ) -> Result<(Statements, Vec<Deviation<ObjProblem>>), FormatError> {
         let at_end = |problem| FormatError::Obj {
             line: last_line,
             problem,
@@ -336,9 +342,20 @@ impl Parser {
             return Err(at_end(ObjProblem::NoVertices));
         }
         if self.face_ends.is_empty() && read.polylines.is_empty() && read.points.is_empty() {
-            return Err(at_end(ObjProblem::NoFaces));
+            if self.lacks_geometry {
+                return Err(at_end(ObjProblem::NoFaces));
+            }
+            let tolerated = self.deviations.tolerate(last_line, ObjProblem::NoFaces);
+            tolerated.map_err(at_end)?;
+            read.points = (0..read.positions.len() as u32).collect();
         }
-        let corners = self.corners.len();
+        let mut offsets = Vec::with_capacity(self.face_ends.len() + 1);
+        offsets.push(0);
+        offsets.append(&mut self.face_ends);
+        read.faces = Faces::from_lists(Lists::new(offsets, self.corners));
+        drop_indices_without_list(read, bytes, &mut self.deviations)?;
+
+        let corners = read.faces.corners().len();
         if !read.texture.is_empty() || !read.texture_corners.is_empty() {
             read.texture_corners.resize(corners, None);
         }
@@ -346,16 +363,31 @@ impl Parser {
             read.normal_corners.resize(corners, None);
         }
         if !read.face_materials.is_empty() {
-            read.face_materials.resize(self.face_ends.len(), None);
+            read.face_materials.resize(read.faces.len(), None);
         }
         read.last_line = last_line;
-        let mut offsets = Vec::with_capacity(self.face_ends.len() + 1);
-        offsets.push(0);
-        offsets.append(&mut self.face_ends);
-        self.read.faces = Faces::from_lists(Lists::new(offsets, self.corners));
-        check_indices(&self.read, bytes)?;
-        Ok(self.read)
+        check_indices(read, bytes)?;
+        Ok((self.read, self.deviations.into_list()))
     }
+}
+
+/// Whether a word that stands for nothing in a polygon mesh may stand for geometry: free-form
+/// curves and surfaces, the old word for faces, and words in capital letters.
+fn is_geometry(keyword: &[u8]) -> bool {
+    matches!(
+        keyword.to_ascii_lowercase().as_slice(),
+        b"curv"
+            | b"curv2"
+            | b"surf"
+            | b"fo"
+            | b"f"
+            | b"l"
+            | b"p"
+            | b"bsp"
+            | b"bzp"
+            | b"cdc"
+            | b"cdp"
+    )
 }
 
 /// Appends to a list that stays empty until the first entry that is there; `length` is its length
@@ -381,21 +413,4 @@ fn named(groups: &mut Vec<Group>, by_name: &mut HashMap<String, usize>, name: &s
     });
     by_name.insert(name.to_owned(), groups.len() - 1);
     groups.len() - 1
-}
-
-fn expect_count(
-    statement: &'static str,
-    expected: &'static str,
-    found: usize,
-    fits: bool,
-) -> Result<(), ObjProblem> {
-    if fits {
-        Ok(())
-    } else {
-        Err(ObjProblem::WrongCount {
-            statement,
-            expected,
-            found,
-        })
-    }
 }

@@ -1,5 +1,10 @@
 //! What can be wrong with an OBJ file.
 
+use std::borrow::Cow;
+
+use ga_files::Tolerated;
+use ga_files::text::Encoding;
+
 use super::mtl::MtlProblem;
 use crate::MeshError;
 use crate::words::WordError;
@@ -10,6 +15,15 @@ pub enum ObjProblem {
     /// The line is not UTF-8, or holds a null byte.
     #[error("the file is not UTF-8 text")]
     NotText,
+    /// The file is in another encoding.
+    #[error("the file is not UTF-8 text")]
+    NotUtf8 {
+        /// As which it is read, unless it is read strictly.
+        encoding: Encoding,
+    },
+    /// A line ends in a carriage return alone.
+    #[error("the line ends in a carriage return alone")]
+    CarriageReturns,
     /// The first word of the line stands for nothing in a polygon mesh.
     #[error("a line of a polygon mesh cannot begin with {word:?}")]
     UnknownStatement {
@@ -118,6 +132,64 @@ impl From<WordError> for ObjProblem {
             WordError::Encoding => ObjProblem::NotText,
             WordError::Word(word) => ObjProblem::NotANumber { word },
             WordError::Infinite(word) => ObjProblem::NotFinite { word },
+        }
+    }
+}
+
+impl Tolerated for ObjProblem {
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::NotText | Self::NotUtf8 { .. } => "encoding",
+            Self::CarriageReturns => "line_ends",
+            Self::UnknownStatement { .. } => "unknown_statement",
+            Self::NotANumber { .. } | Self::NotFinite { .. } => "not_a_number",
+            Self::WrongCount { .. } => "number_count",
+            Self::BadCorner { .. } => "corner_form",
+            Self::BadLineVertex { .. } => "line_vertex_form",
+            Self::BadPoint { .. } => "point_form",
+            Self::FaceTooShort { .. } => "short_face",
+            Self::LineTooShort { .. } => "short_line",
+            Self::IndexOutOfRange { what: "vn", .. } => "no_normals",
+            Self::IndexOutOfRange { what: "vt", .. } => "no_texture_coordinates",
+            Self::IndexOutOfRange { .. } => "index_out_of_range",
+            Self::NoFaces => "points_alone",
+            Self::NoVertices => "no_vertices",
+            Self::TooManyGroups | Self::Mesh(_) => "too_large",
+            Self::LibraryUnreadable { .. } | Self::Library { .. } => "library",
+        }
+    }
+
+    fn remedy(&self) -> Cow<'_, str> {
+        match self {
+            Self::NotUtf8 { encoding } => return format!("it is read as {encoding}").into(),
+            Self::CarriageReturns => "the next line begins behind it",
+            Self::WrongCount { .. } => "the numbers beyond are ignored",
+            Self::BadCorner { .. } | Self::BadLineVertex { .. } | Self::BadPoint { .. } => {
+                "what does not fit this form is ignored"
+            }
+            Self::IndexOutOfRange { what: "vn", .. } => "such corners have no normal",
+            Self::IndexOutOfRange { what: "vt", .. } => "such corners have no texture coordinates",
+            Self::NoFaces => "its vertices are read as points",
+            _ => "it is left out",
+        }
+        .into()
+    }
+
+    fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::UnknownStatement { word }, Self::UnknownStatement { word: other }) => {
+                word == other
+            }
+            (
+                Self::WrongCount { statement, .. },
+                Self::WrongCount {
+                    statement: other, ..
+                },
+            ) => statement == other,
+            (Self::IndexOutOfRange { what, .. }, Self::IndexOutOfRange { what: other, .. }) => {
+                what == other
+            }
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }
 }

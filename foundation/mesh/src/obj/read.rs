@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::{fmt, io};
 
-use ga_files::ReadError;
+use ga_files::{Deviation, ReadError, Reading, Tolerated};
 use ga_runtime::vga3::Vector;
 
 use super::ObjProblem;
@@ -14,10 +14,12 @@ use super::statements::Statements;
 use crate::colour_space::linear_from_srgb;
 use crate::{CornerAttribute, FormatError, Image, Material, Mesh, MeshError};
 
-/// Something that an OBJ file refers to, or should say, and that is not there; and what the mesh
-/// has in its place.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// Something in an OBJ file that deviates from the format, or that the file refers to and that is
+/// not there; and what the mesh has in its place.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
+    /// Lines that deviate from the format; each kind once.
+    Deviation(Deviation<ObjProblem>),
     /// There is no material library of this name. Its materials are the default one.
     MissingLibrary {
         /// The line that names it.
@@ -39,17 +41,17 @@ pub enum Warning {
         /// The path of the picture.
         path: String,
     },
-    /// A library has a line or an option that is ignored.
+    /// A library has lines that deviate from its format; each kind once.
     Library {
         /// The name of the library.
         library: String,
-        /// The line in the library.
-        line: usize,
-        /// What is ignored.
-        ignored: MtlProblem,
+        /// The lines, in the library.
+        deviation: Deviation<MtlProblem>,
     },
     /// Some `vn` lines are zero vectors. Corners with one of them have no normal.
     ZeroNormals {
+        /// The first of them.
+        line: usize,
         /// How many lines.
         count: usize,
     },
@@ -58,6 +60,7 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Warning::Deviation(deviation) => deviation.fmt(f),
             Warning::MissingLibrary { line, library } => write!(
                 f,
                 "line {line}: the file {library} does not exist; its materials have the default appearance"
@@ -71,40 +74,77 @@ impl fmt::Display for Warning {
                 f,
                 "material {material:?}: there is no picture {path}; the surface is shown without it"
             ),
-            Warning::Library {
-                library,
-                line,
-                ignored,
-            } => write!(f, "{library}: line {line}: {ignored}; this is ignored"),
-            Warning::ZeroNormals { count } => write!(
+            Warning::Library { library, deviation } => write!(f, "{library}: {deviation}"),
+            Warning::ZeroNormals { line, count } => write!(
                 f,
-                "{count} normals are zero vectors; corners that refer to them have no normal"
+                "line {line}: {count} normals are zero vectors; corners that refer to them have no \
+                 normal"
             ),
         }
     }
 }
 
-/// Reads the mesh in a file, with the material libraries beside it.
+impl Warning {
+    /// What it is, as one word for programs.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Warning::Deviation(deviation) => deviation.problem.kind(),
+            Warning::Library { deviation, .. } => deviation.problem.kind(),
+            Warning::ZeroNormals { .. } => "zero_normals",
+            Warning::MissingLibrary { .. }
+            | Warning::UndefinedMaterial { .. }
+            | Warning::MissingTexture { .. } => "missing_part",
+        }
+    }
+
+    /// The warning as one of the file at this path.
+    #[must_use]
+    pub fn of_file(&self, path: &Path) -> crate::Warning {
+        let warning = |line, message| crate::Warning {
+            kind: self.kind(),
+            file: None,
+            line,
+            message,
+        };
+        match self {
+            Warning::Library { library, deviation } => crate::Warning {
+                file: Some(path.with_file_name(library)),
+                ..warning(Some(deviation.line), deviation.to_string())
+            },
+            Warning::Deviation(Deviation { line, .. })
+            | Warning::MissingLibrary { line, .. }
+            | Warning::UndefinedMaterial { line, .. }
+            | Warning::ZeroNormals { line, .. } => warning(Some(*line), self.to_string()),
+            Warning::MissingTexture { .. } => warning(None, self.to_string()),
+        }
+    }
+}
+
+/// Reads the mesh in a file tolerantly, with the material libraries beside it.
 ///
 /// # Errors
 ///
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode_with_libraries`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
-    read_with_warnings(path).map(|(mesh, _)| mesh)
+    read_with_warnings(path, Reading::Tolerant).map(|(mesh, _)| mesh)
 }
 
-/// Reads the mesh in a file as [`read`] does, and says what was replaced.
+/// Reads the mesh in a file as [`read`] does, and says what was tolerated, left out or replaced.
 ///
 /// # Errors
 ///
 /// As [`read`].
 pub fn read_with_warnings(
     path: impl AsRef<Path>,
+    reading: Reading,
 ) -> Result<(Mesh, Vec<Warning>), ReadError<FormatError>> {
     let path = path.as_ref();
     let folder = path.parent().unwrap_or(Path::new(""));
     let (mesh, mut warnings) = ga_files::read(path, |bytes| {
-        decode_with_libraries(bytes, |library| std::fs::read(folder.join(library)))
+        decode_with_libraries(bytes, reading, |library| {
+            std::fs::read(folder.join(library))
+        })
     })?;
     for material in mesh.materials() {
         for texture in material.textures() {
@@ -124,8 +164,8 @@ pub fn read_with_warnings(
     Ok((mesh, warnings))
 }
 
-/// Reads a mesh from the bytes of a file. Its materials have their names and are the default
-/// otherwise.
+/// Reads a mesh from the bytes of a file tolerantly. Its materials have their names and are the
+/// default otherwise.
 ///
 /// # Errors
 ///
@@ -144,7 +184,8 @@ pub fn read_with_warnings(
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
-    decode_with_libraries(bytes, |_| Err(io::ErrorKind::NotFound.into())).map(|(mesh, _)| mesh)
+    let nothing = |_: &str| Err(io::ErrorKind::NotFound.into());
+    decode_with_libraries(bytes, Reading::Tolerant, nothing).map(|(mesh, _)| mesh)
 }
 
 /// Reads a mesh from the bytes of a file; `open` gives the bytes of a material library by its name.
@@ -161,23 +202,33 @@ pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
 /// # Examples
 ///
 /// ```
+/// use ga_files::Reading;
 /// use ga_mesh::obj::decode_with_libraries;
 ///
 /// let text = b"mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-/// let (mesh, _) = decode_with_libraries(text, |_| Ok(b"newmtl red\nKd 1 0 0\n".to_vec()))?;
+/// let library = |_: &str| Ok(b"newmtl red\nKd 1 0 0\n".to_vec());
+/// let (mesh, _) = decode_with_libraries(text, Reading::Strict, library)?;
 /// let red = mesh.material(0).map(|material| material.base_colour);
 /// assert_eq!(red, Some([1.0, 0.0, 0.0, 1.0]));
+///
+/// let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nvw 1 0.5\n";
+/// let (_, warnings) = decode_with_libraries(text, Reading::Tolerant, library)?;
+/// let message = "line 5: a line of a polygon mesh cannot begin with \"vw\"; it is left out";
+/// assert_eq!(warnings[0].to_string(), message);
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode_with_libraries(
     bytes: &[u8],
+    reading: Reading,
     mut open: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<(Mesh, Vec<Warning>), FormatError> {
-    let mut read = statements(bytes)?;
-    let mut warnings = Vec::new();
+    let (mut read, deviations) = statements(bytes, reading)?;
+    let mut warnings: Vec<Warning> = deviations.into_iter().map(Warning::Deviation).collect();
     let mut materials = Vec::new();
+    let decode = |library: &[u8]| mtl::library(library, reading);
     for (library, line) in std::mem::take(&mut read.libraries) {
-        add_library(&library, line, &mut open, &mut materials, &mut warnings)?;
+        let library = (library.as_str(), line);
+        add_library(library, &mut open, decode, &mut materials, &mut warnings)?;
     }
     let face_materials = resolve(&mut read, &mut materials, &mut warnings);
     drop_zero_normals(&mut read, &mut warnings);
@@ -191,9 +242,9 @@ pub fn decode_with_libraries(
 
 /// Adds the materials of what a `mtllib` line names.
 fn add_library(
-    name: &str,
-    line: usize,
+    (name, line): (&str, usize),
     open: &mut impl FnMut(&str) -> io::Result<Vec<u8>>,
+    decode: impl Fn(&[u8]) -> Result<mtl::Library, mtl::Fault>,
     materials: &mut Vec<Material>,
     warnings: &mut Vec<Warning>,
 ) -> Result<(), FormatError> {
@@ -210,7 +261,7 @@ fn add_library(
     };
     let mut library_warnings = Vec::new();
     let mut add = |library: &str, bytes: Vec<u8>| {
-        let (read, ignored) = mtl::library(&bytes).map_err(|(at, problem)| {
+        let (read, deviations) = decode(&bytes).map_err(|(at, problem)| {
             let library = library.to_owned();
             let problem = ObjProblem::Library {
                 library,
@@ -220,11 +271,10 @@ fn add_library(
             FormatError::Obj { line, problem }
         })?;
         materials.extend(read);
-        let ignored = ignored.into_iter();
-        library_warnings.extend(ignored.map(|(line, ignored)| Warning::Library {
+        let deviations = deviations.into_iter();
+        library_warnings.extend(deviations.map(|deviation| Warning::Library {
             library: library.to_owned(),
-            line,
-            ignored,
+            deviation,
         }));
         Ok::<(), FormatError>(())
     };
@@ -300,7 +350,8 @@ fn drop_zero_normals(read: &mut Statements, warnings: &mut Vec<Warning>) {
     if count == 0 {
         return;
     }
-    warnings.push(Warning::ZeroNormals { count });
+    let line = read.zero_normal_line.unwrap_or(read.last_line);
+    warnings.push(Warning::ZeroNormals { line, count });
     let mut next = 0;
     let numbers: Vec<Option<u32>> = read
         .normals

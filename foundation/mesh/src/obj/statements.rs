@@ -2,6 +2,7 @@
 
 use ga_runtime::vga3::Vector;
 
+use super::ObjProblem;
 use crate::{Faces, Group, Polylines};
 
 /// What an OBJ file says, indices checked and counted from 0.
@@ -26,6 +27,13 @@ pub(super) struct Statements {
     pub(super) libraries: Vec<(String, usize)>,
     pub(super) polylines: Polylines,
     pub(super) points: Vec<u32>,
+    /// The vertices of faces and polylines that are too short, and so left out, with their lines.
+    pub(super) left_out: Vec<(usize, u32)>,
+    /// The first index backwards into the list of texture coordinates or of normals while that is
+    /// empty, with its line, in the place of the [`List`].
+    pub(super) without_list: [Option<(usize, ObjProblem)>; 3],
+    /// The first normal that is a zero vector.
+    pub(super) zero_normal_line: Option<usize>,
     pub(super) last_line: usize,
 }
 
@@ -55,5 +63,26 @@ impl Statements {
             List::Texture => self.texture.len(),
             List::Normals => self.normals.len(),
         }
+    }
+
+    /// The error of an index of the file that a word has.
+    pub(super) fn out_of_range(&self, word: &str, list: List, index: i64) -> ObjProblem {
+        ObjProblem::IndexOutOfRange {
+            word: word.to_owned(),
+            what: list.keyword(),
+            index,
+            count: self.count(list),
+        }
+    }
+
+    /// An index of the file, from 1 or backwards from −1, counted from 0.
+    #[inline]
+    pub(super) fn resolve(&self, index: i64, list: List) -> Option<u32> {
+        let from_zero = if index < 0 {
+            index.checked_add(self.count(list) as i64)?
+        } else {
+            index - 1
+        };
+        u32::try_from(from_zero).ok()
     }
 }

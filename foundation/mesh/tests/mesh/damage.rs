@@ -1,5 +1,6 @@
 //! Files that are cut off or changed at every place: an error or a mesh, never a panic.
 
+use ga_files::Reading;
 use ga_mesh::obj::{self, mtl};
 use ga_mesh::ply::{self, Encoding, Place, PlyProblem};
 use ga_mesh::{FormatError, Mesh};
@@ -78,7 +79,7 @@ fn assert_line(line: usize, text: &[u8]) {
 fn damaged_obj_files() {
     let (mut readable, mut faults) = (0, 0);
     damaged(OBJ, |text| {
-        match obj::decode_with_libraries(text, |_| Ok(MTL.to_vec())) {
+        match obj::decode_with_libraries(text, Reading::Tolerant, |_| Ok(MTL.to_vec())) {
             Ok((mesh, _)) => {
                 assert_sound(&mesh);
                 readable += 1;
@@ -108,7 +109,7 @@ fn damaged_mtl_files() {
             Err(FormatError::Mtl { line, .. }) => assert_line(*line, text),
             Err(error) => panic!("{error:?}"),
         }
-        match obj::decode_with_libraries(OBJ, |_| Ok(text.to_vec())) {
+        match obj::decode_with_libraries(OBJ, Reading::Tolerant, |_| Ok(text.to_vec())) {
             Ok((mesh, _)) => {
                 assert_sound(&mesh);
                 assert!(alone.is_ok());

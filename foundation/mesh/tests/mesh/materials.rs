@@ -3,6 +3,7 @@
 use std::io;
 use std::sync::Arc;
 
+use ga_files::Reading;
 use ga_mesh::obj::{self, Warning, mtl};
 use ga_mesh::{
     AlphaMode, CornerAttribute, Faces, Group, Image, Material, Mesh, Phong, Polylines, Texture,
@@ -12,9 +13,9 @@ use ga_runtime::vga3::Vector;
 
 const TRIANGLES: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
+pub(crate) fn load(text: &str, library: &str) -> (Mesh, Vec<obj::Warning>) {
     let text = format!("{TRIANGLES}{text}");
-    obj::decode_with_libraries(text.as_bytes(), |name| match name {
+    obj::decode_with_libraries(text.as_bytes(), Reading::Tolerant, |name| match name {
         "a.mtl" | "two words.mtl" => Ok(library.as_bytes().to_vec()),
         _ => Err(io::ErrorKind::NotFound.into()),
     })
@@ -127,10 +128,11 @@ fn every_fault_names_both_files_and_lines() {
             "line 2: the file is not UTF-8 text",
         ),
     ] {
-        let error = mtl::decode(library.as_bytes()).unwrap_err().to_string();
-        assert_eq!(error, message);
+        let error = mtl::decode_with_warnings(library.as_bytes(), Reading::Strict);
+        assert_eq!(error.unwrap_err().to_string(), message);
         let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
-        let error = obj::decode_with_libraries(text.as_bytes(), |_| Ok(library.into()));
+        let open = |_: &str| Ok(library.into());
+        let error = obj::decode_with_libraries(text.as_bytes(), Reading::Strict, open);
         assert_eq!(
             error.unwrap_err().to_string(),
             format!("line 5: a.mtl: {message}")
@@ -138,7 +140,7 @@ fn every_fault_names_both_files_and_lines() {
     }
     let text = format!("{TRIANGLES}mtllib a.mtl\nf 1 2 3\n");
     let denied = |_: &str| Err(io::ErrorKind::PermissionDenied.into());
-    let error = obj::decode_with_libraries(text.as_bytes(), denied).unwrap_err();
+    let error = obj::decode_with_libraries(text.as_bytes(), Reading::Tolerant, denied).unwrap_err();
     assert_eq!(
         error.to_string(),
         "line 5: cannot read a.mtl: permission denied"
@@ -216,7 +218,7 @@ fn what_is_missing_is_the_default_and_said() {
         ]
     );
     let (zero, warnings) = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
-    assert_eq!(warnings, [Warning::ZeroNormals { count: 1 }]);
+    assert_eq!(warnings, [Warning::ZeroNormals { line: 5, count: 1 }]);
     let normals = zero.normals().unwrap();
     assert_eq!(normals.get(0), None);
     assert_eq!(normals.get(1), Some(&Vector::new(0.0, 0.0, 1.0)));
@@ -248,8 +250,10 @@ fn lines_and_points_are_read_and_checked() {
         ),
         ("p 0", "line 5: \"0\" refers to v 0, but there are 4"),
     ] {
-        let error = obj::decode(format!("{TRIANGLES}{line}\n").as_bytes()).unwrap_err();
-        assert_eq!(error.to_string(), message);
+        let text = format!("{TRIANGLES}{line}\n");
+        let nothing = |_: &str| Err(io::ErrorKind::NotFound.into());
+        let error = obj::decode_with_libraries(text.as_bytes(), Reading::Strict, nothing);
+        assert_eq!(error.unwrap_err().to_string(), message);
     }
 }
 
@@ -335,7 +339,7 @@ fn a_mesh_with_everything_comes_back_the_same() {
         std::fs::create_dir_all(folder.path().join("maps")).unwrap();
         std::fs::write(folder.path().join(picture), b"").unwrap();
     }
-    let (back, warnings) = obj::read_with_warnings(&path).unwrap();
+    let (back, warnings) = obj::read_with_warnings(&path, Reading::Tolerant).unwrap();
     assert_eq!(warnings, []);
 
     let embedded = std::fs::read(folder.path().join("full-1.jpg")).unwrap();
@@ -405,7 +409,7 @@ fn files_beside_the_mesh_have_names_that_lines_can_hold() {
     for name in ["a #1.obj", "-s 1.obj", "two  words.obj", " x.obj"] {
         let path = folder.path().join(name);
         obj::write(&path, &mesh).unwrap();
-        let (mesh, warnings) = obj::read_with_warnings(&path).unwrap();
+        let (mesh, warnings) = obj::read_with_warnings(&path, Reading::Tolerant).unwrap();
         assert_eq!(warnings, [], "{name}");
         let paint = mesh.material(0).unwrap();
         assert_eq!(paint.base_colour, [1.0, 0.0, 0.0, 1.0], "{name}");
@@ -453,7 +457,7 @@ fn a_missing_picture_is_said() {
         "newmtl m\nmap_Kd no.png\nmap_Ke no.png\n",
     )
     .unwrap();
-    let (_, warnings) = obj::read_with_warnings(&path).unwrap();
+    let (_, warnings) = obj::read_with_warnings(&path, Reading::Tolerant).unwrap();
     let sentences: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         sentences,

@@ -12,12 +12,30 @@
 //! | `norm`, `map_Kn` | normals in the tangent frame; `-bm` scales them |
 //! | `map_Pr`, `map_Pm` | roughness and metallic part, where both name one picture |
 //! | `map_Ka`, `map_Ks`, `map_Ns`, `map_d`, `bump`, `map_bump` | the pictures of Phong's model |
-//! | all other lines | ignored |
+//! | `Tf`, `sharpness`, `refl`, `disp`, `decal`, `Ps`, `Pc`, `aniso` and the like | ignored |
+//!
+//! A [tolerant](ga_files::Reading) reading also takes the following, with one warning for each kind
+//! that names its first line and says how many there are:
+//!
+//! | line | read as | as by |
+//! | --- | --- | --- |
+//! | an unknown word | ignored, in a strict reading too | Blender, assimp, tinyobjloader |
+//! | a word without its number, a colour of two | ignored | |
+//! | more numbers than the line has place for | the first ones | Blender, tinyobjloader |
+//! | `Kd spectral …`, `Kd xyz …` | ignored | |
+//! | `newmtl` without a name | left out, since nothing can name it | |
+//! | a property before the first `newmtl` | ignored | Blender, assimp |
+//! | an option of a picture without its value | ignored | |
+//! | lines that end in CR alone | lines | assimp, tinyobjloader |
+//! | text that is not UTF-8 | see [`ga_files::text::decode`] | |
+//!
+//! Where `d` and `Tr` of a material state different opacities, that by `d` counts, as in
+//! tinyobjloader, with a warning. Text in the place of a number, NaN and infinity are errors.
 //!
 //! Without `Pr` the roughness follows from `Ns` by the formula of [`Material`]. Without `Ns` the
 //! exponent is 0. `illum 0` stands for an unlit surface. A colour of one number is grey. Numbers
 //! are taken as linear light, and those beyond their range as the nearest within it, since MTL
-//! allows for them. Spectral curves and `xyz` colours are an error.
+//! allows for them.
 //!
 //! A picture is a path, whose `\` become `/`, after options: `-o` and `-s` place it, `-clamp on`
 //! does not repeat it, `-bm` scales bumps and normals, `-imfchan` chooses a channel; others are
@@ -29,16 +47,19 @@
 
 mod parser;
 mod problem;
+mod remarks;
 mod texture;
 mod write;
 
+use ga_files::{Deviation, Reading};
+
 use crate::{FormatError, Material};
 
-pub(super) use parser::library;
+pub(super) use parser::{Fault, Library, library};
 pub use problem::MtlProblem;
 pub use write::encode;
 
-/// Reads the materials of a library, in its order.
+/// Reads the materials of a library tolerantly, in its order.
 ///
 /// # Errors
 ///
@@ -56,30 +77,31 @@ pub use write::encode;
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Vec<Material>, FormatError> {
-    decode_with_warnings(bytes).map(|(materials, _)| materials)
+    decode_with_warnings(bytes, Reading::Tolerant).map(|(materials, _)| materials)
 }
 
-/// Reads the materials of a library as [`decode`] does, and says what was ignored: pictures without
-/// a path ([`MtlProblem::NoPicture`]), which are left out, and options that do not exist
-/// ([`MtlProblem::UnknownOption`]), which are ignored with one word after them.
+/// Reads the materials of a library, and says what in it deviates from the format, each kind once.
 ///
 /// # Errors
 ///
-/// As [`decode`].
+/// As [`decode`]; for a strict reading also what other readers tolerate.
 ///
 /// # Examples
 ///
 /// ```
+/// use ga_files::Reading;
+/// use ga_mesh::obj::mtl;
+///
 /// let library = b"newmtl brick\nmap_Kd -colorspace sRGB brick.png\n";
-/// let (materials, warnings) = ga_mesh::obj::mtl::decode_with_warnings(library)?;
+/// let (materials, warnings) = mtl::decode_with_warnings(library, Reading::Tolerant)?;
 /// assert_eq!(materials[0].textures().count(), 1);
-/// assert_eq!(warnings[0].to_string(), "line 2: map_Kd has no option -colorspace");
+/// let message = "line 2: map_Kd has no option -colorspace; this is ignored";
+/// assert_eq!(warnings[0].to_string(), message);
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode_with_warnings(
     bytes: &[u8],
-) -> Result<(Vec<Material>, Vec<FormatError>), FormatError> {
-    let located = |(line, problem)| FormatError::Mtl { line, problem };
-    let (materials, warnings) = library(bytes).map_err(located)?;
-    Ok((materials, warnings.into_iter().map(located).collect()))
+    reading: Reading,
+) -> Result<(Vec<Material>, Vec<Deviation<MtlProblem>>), FormatError> {
+    library(bytes, reading).map_err(|(line, problem)| FormatError::Mtl { line, problem })
 }

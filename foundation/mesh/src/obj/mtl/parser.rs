@@ -1,33 +1,57 @@
 //! The statements of an MTL file.
 
+use ga_files::{Deviation, Reading};
+
 use super::MtlProblem;
+use super::remarks::Remarks;
 use super::texture::{Picture, picture};
 use crate::obj::lines::Lines;
+use crate::obj::text::{self, Text};
 use crate::words::{Words, numbers, text};
 use crate::{AlphaMode, Material, Phong, Texture};
 
-/// What is wrong with a line of a library, or ignored in it, and the line, from 1.
-pub(in crate::obj) type Remark = (usize, MtlProblem);
+/// What is wrong with a line of a library, and the line, from 1.
+pub(in crate::obj) type Fault = (usize, MtlProblem);
 
-/// The materials of a library, and what is ignored in it. The error is the first faulty line.
-pub(in crate::obj) fn library(bytes: &[u8]) -> Result<(Vec<Material>, Vec<Remark>), Remark> {
-    let mut parser = Parser::default();
-    let mut warnings = Vec::new();
-    for (line, text) in Lines::new(bytes) {
+/// The materials of a library, and what in it deviates from the format.
+pub(in crate::obj) type Library = (Vec<Material>, Vec<Deviation<MtlProblem>>);
+
+/// The contents of a library. The error is the first faulty line.
+pub(in crate::obj) fn library(bytes: &[u8], reading: Reading) -> Result<Library, Fault> {
+    let Text { text, foreign } = text::decode(bytes).map_err(|line| (line, MtlProblem::NotText))?;
+    let mut parser = Parser {
+        materials: Vec::new(),
+        open: None,
+        is_nameless: false,
+        remarks: Remarks::new(reading),
+    };
+    let deviations = &mut parser.remarks.deviations;
+    if let Some(foreign) = foreign {
+        let (line, encoding) = (foreign.first_line, foreign.encoding);
+        let problem = MtlProblem::NotUtf8 { encoding };
+        let tolerated = deviations.tolerate_times(line, foreign.count, problem);
+        tolerated.map_err(|problem| (line, problem))?;
+    }
+    let mut lines = Lines::new(text.as_bytes());
+    for (line, text) in lines.by_ref() {
+        parser.remarks.line = line;
         parser.statement(&text).map_err(|problem| (line, problem))?;
-        let ignored = parser.ignored.drain(..);
-        warnings.extend(ignored.map(|problem| (line, problem)));
     }
     parser.close();
-    Ok((parser.materials, warnings))
+    let mut deviations = parser.remarks.deviations;
+    if let Some((line, count)) = lines.returns() {
+        let tolerated = deviations.tolerate_times(line, count, MtlProblem::CarriageReturns);
+        tolerated.map_err(|problem| (line, problem))?;
+    }
+    Ok((parser.materials, deviations.into_list()))
 }
 
-#[derive(Default)]
 struct Parser {
     materials: Vec<Material>,
     open: Option<Open>,
-    /// What is ignored in the line being read.
-    ignored: Vec<MtlProblem>,
+    /// Whether the lines belong to a material without a name, which is left out.
+    is_nameless: bool,
+    remarks: Remarks,
 }
 
 /// The material being read.
@@ -37,6 +61,8 @@ struct Open {
     /// Whether the file states anything of `phong`.
     has_phong: bool,
     has_roughness: bool,
+    /// The opacities by `d` and by `Tr`.
+    opacities: [Option<f64>; 2],
     roughness_picture: Option<Picture>,
     metallic_picture: Option<Picture>,
 }
@@ -48,6 +74,7 @@ impl Open {
             phong: Phong::default(),
             has_phong: false,
             has_roughness: false,
+            opacities: [None; 2],
             roughness_picture: None,
             metallic_picture: None,
         }
@@ -79,6 +106,37 @@ impl Open {
         material
     }
 
+    fn set_number(&mut self, statement: &str, value: f64, remarks: &mut Remarks) {
+        let (fraction, not_negative) = (value.clamp(0.0, 1.0), value.max(0.0));
+        match statement {
+            "Pm" => self.material.metallic = fraction,
+            "Pr" => {
+                self.material.roughness = fraction;
+                self.has_roughness = true;
+            }
+            "d" => self.opacities[0] = Some(fraction),
+            "Tr" => self.opacities[1] = Some((1.0 - value).clamp(0.0, 1.0)),
+            _ => {
+                self.has_phong = true;
+                match statement {
+                    "Ns" => self.phong.exponent = not_negative,
+                    "Ni" => self.phong.refraction = Some(not_negative),
+                    _ => self.phong.illumination = Some(value.clamp(0.0, 10.0) as u8),
+                }
+            }
+        }
+        if let [Some(opaque), Some(other)] = self.opacities
+            && matches!(statement, "d" | "Tr")
+            && (opaque - other).abs() > 1e-6
+        {
+            remarks.note(MtlProblem::TwoOpacities);
+        }
+        let [by_d, by_tr] = self.opacities;
+        if let Some(opacity) = by_d.or(by_tr) {
+            self.material.base_colour[3] = opacity;
+        }
+    }
+
     /// The picture of Phong's model that a statement stands for.
     fn phong_picture(&mut self, statement: &str) -> Option<&mut Option<Texture>> {
         let phong = &mut self.phong;
@@ -108,127 +166,170 @@ impl Parser {
         let keyword = text(keyword)?;
         if keyword == "newmtl" {
             let name = words.joined()?;
-            if name.is_empty() {
-                return Err(MtlProblem::NoName);
-            }
             self.close();
+            self.is_nameless = name.is_empty();
+            if self.is_nameless {
+                return self.remarks.tolerate(MtlProblem::NoName);
+            }
             self.open = Some(Open::new(name));
             return Ok(());
         }
-        let known = matches!(
-            keyword,
-            "Ka" | "Kd" | "Ks" | "Ke" | "illum" | "d" | "Tr" | "Ns"
-        ) || matches!(keyword, "Ni" | "Pr" | "Pm" | "norm" | "bump")
-            || keyword.starts_with("map_");
-        let Some(open) = &mut self.open else {
-            if !known {
-                return Ok(());
+        match &mut self.open {
+            Some(open) => property(open, keyword, &mut words, &mut self.remarks),
+            None if self.is_nameless => Ok(()),
+            None => {
+                let statement = keyword.to_owned();
+                if is_known(keyword) {
+                    return self.remarks.tolerate(MtlProblem::NoMaterial { statement });
+                }
+                self.remarks
+                    .note(MtlProblem::UnknownStatement { statement });
+                Ok(())
             }
-            let statement = keyword.to_owned();
-            return Err(MtlProblem::NoMaterial { statement });
-        };
-        property(open, keyword, &mut words, &mut self.ignored)
+        }
     }
+}
+
+/// Whether a line can begin with this word, although it may be ignored.
+fn is_known(keyword: &str) -> bool {
+    matches!(
+        keyword.strip_prefix("map_").unwrap_or(keyword),
+        "Ka" | "Kd"
+            | "Ks"
+            | "Ke"
+            | "Kn"
+            | "Tf"
+            | "Tr"
+            | "d"
+            | "Ns"
+            | "Ni"
+            | "illum"
+            | "sharpness"
+            | "bump"
+            | "Bump"
+            | "disp"
+            | "Disp"
+            | "decal"
+            | "refl"
+            | "aat"
+            | "norm"
+            | "Pr"
+            | "Pm"
+            | "Ps"
+            | "Pc"
+            | "Pcr"
+            | "aniso"
+            | "anisor"
+    )
 }
 
 fn property(
     open: &mut Open,
     keyword: &str,
     words: &mut Words<'_>,
-    ignored: &mut Vec<MtlProblem>,
+    remarks: &mut Remarks,
 ) -> Result<(), MtlProblem> {
     let texture = |picture: Option<Picture>| picture.map(|picture| picture.texture);
     let fraction = |value: f64| value.clamp(0.0, 1.0);
     let not_negative = |value: f64| value.max(0.0);
     match keyword {
         "Kd" => {
-            let [red, green, blue] = colour(keyword, words)?.map(fraction);
-            open.material.base_colour = [red, green, blue, open.material.base_colour[3]];
+            if let Some(colour) = colour(keyword, words, remarks)? {
+                let [red, green, blue] = colour.map(fraction);
+                open.material.base_colour = [red, green, blue, open.material.base_colour[3]];
+            }
         }
-        "Ke" => open.material.emissive = colour(keyword, words)?.map(not_negative),
-        "Ka" => {
-            open.phong.ambient = colour(keyword, words)?.map(not_negative);
-            open.has_phong = true;
+        "Ke" => {
+            if let Some(colour) = colour(keyword, words, remarks)? {
+                open.material.emissive = colour.map(not_negative);
+            }
         }
-        "Ks" => {
-            open.phong.specular = colour(keyword, words)?.map(not_negative);
-            open.has_phong = true;
+        "Ka" | "Ks" => {
+            if let Some(colour) = colour(keyword, words, remarks)? {
+                let slot = match keyword {
+                    "Ka" => &mut open.phong.ambient,
+                    _ => &mut open.phong.specular,
+                };
+                *slot = colour.map(not_negative);
+                open.has_phong = true;
+            }
         }
-        "Ns" => {
-            open.phong.exponent = not_negative(one_number(keyword, words)?);
-            open.has_phong = true;
-        }
-        "Ni" => {
-            open.phong.refraction = Some(not_negative(one_number(keyword, words)?));
-            open.has_phong = true;
-        }
-        "illum" => {
-            open.phong.illumination = Some(one_number(keyword, words)?.clamp(0.0, 10.0) as u8);
-            open.has_phong = true;
-        }
-        "d" => {
-            if words.rest().is_some_and(|rest| rest.starts_with(b"-halo")) {
+        "Ns" | "Ni" | "illum" | "Pr" | "Pm" | "Tr" | "d" => {
+            let rest = words.rest();
+            if keyword == "d" && rest.is_some_and(|rest| rest.starts_with(b"-halo")) {
                 words.next();
             }
-            open.material.base_colour[3] = fraction(one_number(keyword, words)?);
+            if let Some(value) = one_number(keyword, words, remarks)? {
+                open.set_number(keyword, value, remarks);
+            }
         }
-        "Tr" => open.material.base_colour[3] = fraction(1.0 - one_number(keyword, words)?),
-        "Pr" => {
-            open.material.roughness = fraction(one_number(keyword, words)?);
-            open.has_roughness = true;
-        }
-        "Pm" => open.material.metallic = fraction(one_number(keyword, words)?),
         "map_Kd" => {
-            open.material.base_colour_texture = texture(picture(keyword, words, ignored)?);
+            open.material.base_colour_texture = texture(picture(keyword, words, remarks)?);
         }
         "map_Ke" => {
-            open.material.emissive_texture = texture(picture(keyword, words, ignored)?);
+            open.material.emissive_texture = texture(picture(keyword, words, remarks)?);
         }
         "norm" | "map_Kn" => {
-            if let Some(picture) = picture(keyword, words, ignored)? {
+            if let Some(picture) = picture(keyword, words, remarks)? {
                 open.material.normal_scale = picture.bump;
                 open.material.normal_texture = Some(picture.texture);
             }
         }
-        "map_Pr" => open.roughness_picture = picture(keyword, words, ignored)?,
-        "map_Pm" => open.metallic_picture = picture(keyword, words, ignored)?,
+        "map_Pr" => open.roughness_picture = picture(keyword, words, remarks)?,
+        "map_Pm" => open.metallic_picture = picture(keyword, words, remarks)?,
         _ => {
             if let Some(slot) = open.phong_picture(keyword) {
-                *slot = texture(picture(keyword, words, ignored)?);
+                *slot = texture(picture(keyword, words, remarks)?);
+            } else if !is_known(keyword) {
+                let statement = keyword.to_owned();
+                remarks.note(MtlProblem::UnknownStatement { statement });
             }
         }
     }
     Ok(())
 }
 
-fn one_number(statement: &str, words: &mut Words<'_>) -> Result<f64, MtlProblem> {
+/// The number of a line; `None` where there is none, which is tolerated.
+fn one_number(
+    statement: &str,
+    words: &mut Words<'_>,
+    remarks: &mut Remarks,
+) -> Result<Option<f64>, MtlProblem> {
     let ([value], found) = numbers::<1>(words)?;
-    if found == 1 {
-        return Ok(value);
+    if found != 1 {
+        remarks.tolerate(MtlProblem::WrongCount {
+            statement: statement.to_owned(),
+            expected: "one number",
+            found,
+        })?;
     }
-    Err(MtlProblem::WrongCount {
-        statement: statement.to_owned(),
-        expected: "one number",
-        found,
-    })
+    Ok((found > 0).then_some(value))
 }
 
-/// Red, green and blue, or one number for all three.
-fn colour(statement: &str, words: &mut Words<'_>) -> Result<[f64; 3], MtlProblem> {
+/// Red, green and blue, or one number for all three; `None` for other descriptions of colours,
+/// which are tolerated.
+fn colour(
+    statement: &str,
+    words: &mut Words<'_>,
+    remarks: &mut Remarks,
+) -> Result<Option<[f64; 3]>, MtlProblem> {
     if let Some(kind @ (b"spectral" | b"xyz")) = words.clone().next() {
-        return Err(MtlProblem::ColourKind {
-            statement: statement.to_owned(),
-            kind: text(kind)?.to_owned(),
-        });
+        let kind = text(kind)?.to_owned();
+        let statement = statement.to_owned();
+        remarks.tolerate(MtlProblem::ColourKind { statement, kind })?;
+        return Ok(None);
     }
     let (colour, found) = numbers::<3>(words)?;
-    match found {
-        1 => Ok([colour[0]; 3]),
-        3 => Ok(colour),
-        _ => Err(MtlProblem::WrongCount {
+    if !matches!(found, 1 | 3) {
+        remarks.tolerate(MtlProblem::WrongCount {
             statement: statement.to_owned(),
             expected: "1 or 3 numbers",
             found,
-        }),
+        })?;
     }
+    Ok(match found {
+        0 | 2 => None,
+        1 => Some([colour[0]; 3]),
+        _ => Some(colour),
+    })
 }

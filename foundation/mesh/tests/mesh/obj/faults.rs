@@ -3,7 +3,14 @@
 use ga_mesh::obj::{self, ObjProblem};
 
 use super::TRIANGLE;
-use ga_mesh::FormatError;
+use ga_files::Reading;
+use ga_mesh::{FormatError, Mesh};
+
+/// A mesh of a file that is read strictly.
+pub(super) fn strict(text: &[u8]) -> Result<Mesh, FormatError> {
+    let nothing = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    obj::decode_with_libraries(text, Reading::Strict, nothing).map(|(mesh, _)| mesh)
+}
 
 #[test]
 fn every_fault_is_named_with_its_line() {
@@ -101,19 +108,24 @@ fn every_fault_is_named_with_its_line() {
             "line 4: the file ends without a face, a line or a point",
         ),
     ] {
-        let error = obj::decode(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
+        let error = strict(format!("{TRIANGLE}{lines}\n").as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), message, "{lines:?}");
     }
     assert_eq!(
         obj::decode(b"").unwrap_err().to_string(),
         "line 1: the file ends without a vertex"
     );
-    let not_text = obj::decode(b"v 0 0 0\ng \xff\n").unwrap_err();
-    let expected = FormatError::Obj {
+    for bytes in [&b"v 0 0 0\ng \xff\n"[..], b"v 0 0 0\ng \0\n"] {
+        assert_eq!(
+            strict(bytes).unwrap_err().to_string(),
+            "line 2: the file is not UTF-8 text"
+        );
+    }
+    let not_text = FormatError::Obj {
         line: 2,
         problem: ObjProblem::NotText,
     };
-    assert_eq!(not_text, expected);
+    assert_eq!(obj::decode(b"v 0 0 0\ng \0\n"), Err(not_text));
 }
 
 #[test]

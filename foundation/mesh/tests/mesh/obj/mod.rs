@@ -3,6 +3,8 @@
 
 mod faults;
 mod properties;
+mod tolerant;
+mod tolerant_libraries;
 
 use ga_mesh::obj::{self, ObjProblem};
 use ga_mesh::{FormatError, Mesh};

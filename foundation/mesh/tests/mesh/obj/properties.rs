@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::{faces_by_tobj, faces_of};
 
-fn meshes() -> impl Strategy<Value = Mesh> {
+pub(super) fn meshes() -> impl Strategy<Value = Mesh> {
     let coordinate = prop_oneof![
         4 => -10.0..10.0f64,
         1 => any::<f64>().prop_filter("finite", |x| x.is_finite()),
