@@ -41,6 +41,7 @@
 pub mod atlas;
 mod attribute;
 pub mod bake;
+mod colour_range;
 mod colour_space;
 mod error;
 mod faces;
@@ -57,6 +58,7 @@ pub mod normals;
 pub mod obj;
 mod places;
 pub mod ply;
+mod polygon;
 mod polylines;
 pub mod query;
 pub mod subdivision;
