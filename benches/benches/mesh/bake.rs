@@ -93,7 +93,7 @@ fn surfaces() -> Option<(Mesh, Mesh)> {
     let refined = cage.refine().ok()?;
     let smooth: Vec<[f64; 3]> = refined.stencils.applied(&positions).ok()?;
     let fine_faces = refined.cage.faces().clone();
-    let normals = vertex_normals(&smooth, &fine_faces.triangles());
+    let normals = vertex_normals(&smooth, &fine_faces.triangles(&smooth));
     let bumpy = smooth.iter().zip(&normals).map(|(&[x, y, z], normal)| {
         let (a, b) = (z.atan2(x), y.atan2(x.hypot(z) - 1.0));
         let height = 0.02 * (18.0 * a).sin() * (9.0 * b).sin();

@@ -215,7 +215,7 @@ impl Split {
                 vertices.len() as u32 - 1
             })
         };
-        let triangles = mesh.faces().corner_triangles();
+        let triangles = mesh.corner_triangles();
         let triangles = triangles
             .into_iter()
             .map(|triangle| triangle.map(&mut number));

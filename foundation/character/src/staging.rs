@@ -41,7 +41,7 @@ pub(crate) fn with_subject<T>(
         roughness: ROUGHNESS,
         ..Appearance::default()
     }];
-    let corners = mesh.faces().corner_triangles().into_iter().map(|triangle| {
+    let corners = mesh.corner_triangles().into_iter().map(|triangle| {
         let [a, b, c] = triangle.map(|corner| coordinates.corners[corner as usize]);
         Some([a?, b?, c?])
     });

@@ -1,7 +1,10 @@
 //! Lists of polygons.
 
+use ga_runtime::vga3::Vector;
+
 use crate::MeshError;
 use crate::lists::{Lists, TooMany};
+use crate::polygon::Triangulation;
 
 /// Polygons, each a list of vertex indices in order along its boundary, in one block of memory.
 ///
@@ -110,6 +113,17 @@ impl Faces {
         offsets[face] as usize..offsets[face + 1] as usize
     }
 
+    /// Where in [`Faces::triangles`] those of `face` lie.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such face.
+    #[must_use]
+    pub fn triangle_range(&self, face: usize) -> std::ops::Range<usize> {
+        let corners = self.corner_range(face);
+        corners.start - 2 * face..corners.end - 2 * (face + 1)
+    }
+
     /// The corners of all faces, one face after the other.
     #[must_use]
     pub fn corners(&self) -> &[u32] {
@@ -132,25 +146,53 @@ impl Faces {
         }
     }
 
-    /// Every face split into triangles that share its first corner, in the order of the faces; a
-    /// face of n corners gives n − 2 triangles. For convex flat faces the surface stays the same;
-    /// the shape of other faces depends on which corner comes first.
+    /// Every face split into triangles, in the order of the faces; a face of n corners gives n − 2
+    /// triangles, with its orientation.
+    ///
+    /// Those of a flat face that does not cross itself cover it exactly, whether it is convex or
+    /// not; corners at one place, as of a bridge to a hole, and corners on a straight line are
+    /// allowed. Other faces are split as they look along their area vector. The triangles of a
+    /// convex face share its first corner.
+    ///
+    /// # Panics
+    ///
+    /// When a face names a vertex that has no position.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ga_mesh::Faces;
+    ///
+    /// // An arrow head, whose diagonal between the first and the third corner lies outside.
+    /// let arrow = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.5, 1.0, 0.0], [0.0, 2.0, 0.0]];
+    /// let faces = Faces::from_polygons([[1, 2, 3, 0]])?;
+    /// assert_eq!(faces.triangles(&arrow), [[1, 2, 0], [2, 3, 0]]);
+    /// # Ok::<(), ga_mesh::MeshError>(())
+    /// ```
     #[must_use]
-    pub fn triangles(&self) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::with_capacity(self.corners().len() - 2 * self.len());
-        for face in self {
-            triangles.extend(face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]));
+    pub fn triangles<P: Copy + Into<Vector<f64>>>(&self, positions: &[P]) -> Vec<[u32; 3]> {
+        let corners = self.corners();
+        let mut triangles = self.corner_triangles(positions);
+        for corner in triangles.as_flattened_mut() {
+            *corner = corners[*corner as usize];
         }
         triangles
     }
 
     /// The same triangles as [`Faces::triangles`], each as three indices into
     /// [`Faces::corners`], by which attributes of corners are found.
+    ///
+    /// # Panics
+    ///
+    /// When a face names a vertex that has no position.
     #[must_use]
-    pub fn corner_triangles(&self) -> Vec<[u32; 3]> {
+    pub fn corner_triangles<P: Copy + Into<Vector<f64>>>(&self, positions: &[P]) -> Vec<[u32; 3]> {
         let mut triangles = Vec::with_capacity(self.corners().len() - 2 * self.len());
-        for face in self.offsets().windows(2) {
-            triangles.extend((face[0] + 1..face[1] - 1).map(|next| [face[0], next, next + 1]));
+        let mut triangulation = Triangulation::new();
+        let position = |&vertex: &u32| positions[vertex as usize].into();
+        for (face, &first) in self.iter().zip(self.offsets()) {
+            let push = |triangle: [u32; 3]| triangles.push(triangle.map(|corner| first + corner));
+            triangulation.split(face.iter().map(position), push);
         }
         triangles
     }

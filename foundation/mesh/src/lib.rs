@@ -42,6 +42,7 @@
 pub mod atlas;
 mod attribute;
 pub mod bake;
+mod colour_range;
 mod colour_space;
 mod error;
 mod faces;
@@ -59,6 +60,7 @@ pub mod obj;
 mod omission;
 mod places;
 pub mod ply;
+mod polygon;
 mod polylines;
 pub mod query;
 mod relocation;

@@ -47,7 +47,7 @@ impl MeshAtlas {
     ) -> Result<Self, TextureSpaceError> {
         let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
         let triangles = mesh.triangles();
-        let corners = mesh.faces().corner_triangles();
+        let corners = mesh.corner_triangles();
         let corners = || corners.as_flattened().iter().map(|&corner| corner as usize);
         let own = mesh
             .texture_coordinates()

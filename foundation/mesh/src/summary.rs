@@ -58,6 +58,10 @@ pub struct Summary {
     pub duplicate_vertices: usize,
     /// Faces that name a vertex twice or have no area.
     pub degenerate_faces: usize,
+    /// Faces with an angle of more than 180° inside.
+    pub concave_faces: usize,
+    /// Faces whose corners do not lie in a plane.
+    pub non_planar_faces: usize,
     /// Faces with the vertices of an earlier one.
     pub duplicate_faces: usize,
     /// Faces with three corners.
@@ -171,6 +175,8 @@ impl Summary {
             unreferenced_vertices: report.unreferenced_vertices.len(),
             duplicate_vertices: report.duplicate_vertices.len(),
             degenerate_faces: report.degenerate_faces.len(),
+            concave_faces: report.concave_faces.len(),
+            non_planar_faces: report.non_planar_faces.len(),
             duplicate_faces: report.duplicate_faces.len(),
             triangles,
             quadrilaterals,

@@ -6,13 +6,15 @@ use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
 use ga_runtime::vga3::Vector;
 
 use crate::normals::vertex_normals;
-use crate::{CornerAttribute, Faces, Mesh, MeshError, Tangent, Tangents};
+use crate::polygon::Plane;
+use crate::{CornerAttribute, Mesh, MeshError, Tangent, Tangents};
 
 /// The tangents of a mesh by Mikkelsen's algorithm, which the programs that make and show normal
 /// maps have in common.
 ///
-/// Normals are those of the mesh, or [`vertex_normals`] where it has none. Faces of more than four
-/// corners are split as by [`Faces::triangles`]. A face gets no tangents where one of its corners
+/// Normals are those of the mesh, or [`vertex_normals`] where it has none. Quadrilaterals are left
+/// to the algorithm, unless they are concave; these and faces of more corners are split as by
+/// [`Mesh::triangles`]. A face gets no tangents where one of its corners
 /// lacks a texture coordinate or has no normal. Tangents are computed in single precision.
 ///
 /// Source: Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008; the code is that of the
@@ -88,7 +90,7 @@ impl Surface {
             texture.get(corner).is_some() && normals[corner] != Vector::default()
         };
         Ok(Self {
-            faces: small_faces(mesh.faces(), usable),
+            faces: small_faces(mesh, usable),
             vertices: corners.to_vec(),
             positions,
             normals: normals
@@ -144,19 +146,24 @@ fn corner_normals(mesh: &Mesh) -> Vec<Vector<f64>> {
     corners.iter().map(of_vertex).collect()
 }
 
-/// The faces all of whose corners are usable, those of more than four corners split.
-fn small_faces(faces: &Faces, usable: impl Fn(u32) -> bool) -> Vec<[u32; 4]> {
+/// The faces all of whose corners are usable, split except for convex quadrilaterals.
+fn small_faces(mesh: &Mesh, usable: impl Fn(u32) -> bool) -> Vec<[u32; 4]> {
+    let faces = mesh.faces();
+    let triangles = mesh.corner_triangles();
     let mut small = Vec::with_capacity(faces.len());
-    for range in faces.offsets().windows(2) {
-        let (first, end) = (range[0], range[1]);
+    let mut plane = Plane::default();
+    for (face, polygon) in faces.iter().enumerate() {
+        let range = faces.corner_range(face);
+        let (first, end) = (range.start as u32, range.end as u32);
         if !(first..end).all(&usable) {
             continue;
         }
-        if end - first == 4 {
+        plane.set(polygon.iter().map(|&v| mesh.positions()[v as usize].into()));
+        if end - first == 4 && !plane.is_concave() {
             small.push([first, first + 1, first + 2, first + 3]);
         } else {
-            let triangles = (first + 1..end - 1).map(|next| [first, next, next + 1, next + 1]);
-            small.extend(triangles);
+            let triangles = triangles[faces.triangle_range(face)].iter();
+            small.extend(triangles.map(|&[a, b, c]| [a, b, c, c]));
         }
     }
     small

@@ -141,7 +141,7 @@ fn surfaces() -> Result<(Mesh, Mesh), Box<dyn Error>> {
     let refined = Cage::new(faces.clone(), positions.len(), Rules::LOOP)?.refine()?;
     let smooth: Vec<[f64; 3]> = refined.stencils.applied(&positions)?;
     let fine_faces = refined.cage.faces().clone();
-    let normals = vertex_normals(&smooth, &fine_faces.triangles());
+    let normals = vertex_normals(&smooth, &fine_faces.triangles(&smooth));
     let mut bumpy = Vec::new();
     let mut colours = Vec::new();
     for (&[x, y, z], normal) in smooth.iter().zip(normals) {

@@ -106,7 +106,7 @@ fn row(
             positions = fine.stencils.applied(&positions)?;
             cage = fine.cage;
         }
-        let triangles = cage.faces().triangles();
+        let triangles = cage.faces().triangles(&positions);
         let edges = cage.edges().all().iter();
         let edges: Vec<_> = edges
             .map(|edge| edge.map(|v| positions[v as usize]))

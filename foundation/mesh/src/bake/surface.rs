@@ -51,7 +51,7 @@ impl Coarse {
         };
         let normals = corner_normals(mesh);
         let mut triangles = Vec::new();
-        for (corners, normals) in mesh.faces().corner_triangles().into_iter().zip(normals) {
+        for (corners, normals) in mesh.corner_triangles().into_iter().zip(normals) {
             let corner = |i: usize| {
                 let index = corners[i] as usize;
                 let vertex = mesh.faces().corners()[index] as usize;
@@ -178,7 +178,7 @@ pub fn corner_coordinates(mesh: &Mesh, set: usize) -> Option<Vec<[[f64; 2]; 3]>>
             .copied()
             .unwrap_or_default()
     };
-    let triangles = mesh.faces().corner_triangles();
+    let triangles = mesh.corner_triangles();
     Some(triangles.iter().map(|t| t.map(coordinate)).collect())
 }
 
@@ -190,7 +190,7 @@ fn corner_normals(mesh: &Mesh) -> Vec<[Vector<f64>; 3]> {
     let mut normals: Vec<[Vector<f64>; 3]> = match mesh.normals() {
         Some(normals) => {
             let normal = |corner: u32| normals.get(corner as usize).copied().unwrap_or_default();
-            let triangles = mesh.faces().corner_triangles();
+            let triangles = mesh.corner_triangles();
             triangles.iter().map(|t| t.map(normal)).collect()
         }
         None => {

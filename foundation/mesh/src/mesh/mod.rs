@@ -144,7 +144,14 @@ impl Mesh {
     /// The polygons split into triangles; see [`Faces::triangles`].
     #[must_use]
     pub fn triangles(&self) -> Vec<[u32; 3]> {
-        self.faces.triangles()
+        self.faces.triangles(&self.positions)
+    }
+
+    /// The same triangles as indices into the corners of all faces; see
+    /// [`Faces::corner_triangles`].
+    #[must_use]
+    pub fn corner_triangles(&self) -> Vec<[u32; 3]> {
+        self.faces.corner_triangles(&self.positions)
     }
 
     /// The least and the greatest value of each coordinate, or `None` without vertices.

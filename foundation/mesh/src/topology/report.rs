@@ -6,8 +6,8 @@ use ga_runtime::vga3::Vector;
 
 use super::union::DisjointSets;
 use super::{Components, Edges, VertexRings};
-use crate::normals::area_vector;
 use crate::places::first_of_equal;
+use crate::polygon::Plane;
 use crate::{Faces, Mesh};
 
 /// The shape of a mesh as a surface without regard to lengths, and every element at which it is not
@@ -69,6 +69,13 @@ pub struct Report {
     /// one line. A quadrilateral that crosses itself in its middle, a bow tie, is among them: the
     /// areas of its two halves have opposite signs.
     pub degenerate_faces: Vec<u32>,
+    /// The faces that have, seen along their area vector, an angle of more than 180° inside at a
+    /// corner, which lies by more than 10⁻⁵ of the face's size on the inner side of the line
+    /// through its neighbours.
+    pub concave_faces: Vec<u32>,
+    /// The faces with a corner that is farther than 10⁻⁵ of the face's size from the plane across
+    /// the area vector through the mean of the corners.
+    pub non_planar_faces: Vec<u32>,
     /// The faces with the vertices of an earlier one.
     pub duplicate_faces: Vec<u32>,
 }
@@ -105,15 +112,38 @@ impl Report {
             orientable: is_orientable(faces, &edges),
             unreferenced_vertices,
             duplicate_vertices: duplicate_vertices(mesh),
-            degenerate_faces: degenerate_faces(mesh),
+            degenerate_faces: Vec::new(),
+            concave_faces: Vec::new(),
+            non_planar_faces: Vec::new(),
             duplicate_faces: duplicate_faces(faces),
         };
+        report.examine_faces(mesh);
         if report.is_manifold() && report.orientable {
             let loops = report.boundary_loops.len() as i64;
             let twice = 2 * components as i64 - loops - euler_characteristic;
             report.genus = u64::try_from(twice / 2).ok();
         }
         report
+    }
+
+    /// Fills the lists of faces of a certain shape.
+    fn examine_faces(&mut self, mesh: &Mesh) {
+        let mut plane = Plane::default();
+        for (number, face) in (0..).zip(mesh.faces()) {
+            let position = |&vertex: &u32| Vector::from(mesh.positions()[vertex as usize]);
+            plane.set(face.iter().map(position));
+            if has_repeated(face) || plane.is_degenerate() {
+                self.degenerate_faces.push(number);
+            }
+            if face.len() > 3 && !plane.is_degenerate() {
+                if plane.is_concave() {
+                    self.concave_faces.push(number);
+                }
+                if plane.is_bent() {
+                    self.non_planar_faces.push(number);
+                }
+            }
+        }
     }
 
     /// Whether the mesh is a manifold, perhaps with a boundary.
@@ -221,41 +251,6 @@ fn duplicate_vertices(mesh: &Mesh) -> Vec<u32> {
     first
         .filter(|(vertex, first)| vertex != first)
         .map(|(vertex, _)| vertex)
-        .collect()
-}
-
-fn degenerate_faces(mesh: &Mesh) -> Vec<u32> {
-    let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
-    let is_degenerate = |face: &[u32]| {
-        if has_repeated(face) {
-            return true;
-        }
-        let position = |vertex: u32| positions[vertex as usize];
-        // Areas of tiny faces would be rounded to 0, so that the face is scaled to about size 1.
-        // A power of two changes no digit.
-        let origin = position(face[0]);
-        let offset = |vertex: u32| {
-            let place = position(vertex);
-            [0, 1, 2].map(|axis| place[axis] - origin[axis])
-        };
-        let coordinates = face.iter().flat_map(|&vertex| offset(vertex));
-        let size = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
-        if size == 0.0 {
-            return true;
-        }
-        let exponent = size.to_bits() & f64::INFINITY.to_bits();
-        let size = f64::from_bits(exponent).max(f64::MIN_POSITIVE);
-        let at = |vertex: u32| Vector::from(offset(vertex).map(|x| x / size));
-        let triangles = face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]);
-        let area = triangles.fold(Vector::default(), |sum, triangle| {
-            sum + area_vector(triangle.map(at))
-        });
-        area == Vector::default()
-    };
-    let degenerate = mesh.faces().iter().enumerate();
-    degenerate
-        .filter(|(_, face)| is_degenerate(face))
-        .map(|(face, _)| face as u32)
         .collect()
 }
 

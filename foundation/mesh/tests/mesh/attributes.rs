@@ -203,11 +203,12 @@ fn exponents_and_roughness_correspond() {
 #[test]
 fn corner_triangles_follow_the_triangles() {
     let faces = Faces::from_polygons([&[4, 5, 6, 7][..], &[7, 6, 0]]).unwrap();
-    let corners = faces.corner_triangles();
+    let positions = [0, 0, 0, 0, 0, 1, 3, 2].map(|i| [f64::from(i % 2), f64::from(i / 2), 0.0]);
+    let corners = faces.corner_triangles(&positions);
     assert_eq!(corners, [[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
     let vertices: Vec<[u32; 3]> = corners
         .iter()
         .map(|triangle| triangle.map(|corner| faces.corners()[corner as usize]))
         .collect();
-    assert_eq!(vertices, faces.triangles());
+    assert_eq!(vertices, faces.triangles(&positions));
 }

@@ -107,7 +107,7 @@ proptest! {
         let positions: Vec<[f64; 3]> =
             (0..corners).map(|i| [radius * (angle * i as f64).cos(), radius * (angle * i as f64).sin(), 0.0]).collect();
         let faces = Faces::from_polygons([(0..corners as u32).collect::<Vec<_>>()]).unwrap();
-        let triangles = faces.triangles();
+        let triangles = faces.triangles(&positions);
         prop_assert_eq!(triangles.len(), corners - 2);
         let area: f64 = triangles
             .iter()

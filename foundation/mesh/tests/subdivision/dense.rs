@@ -181,7 +181,7 @@ impl Dense {
             };
             let sharpness = self.edge_sharpness([a, b], faces);
             let stays = next_of(a, b) > 0.0 && next_of(b, a) > 0.0;
-            let share = if stays { 1.0 } else { sharpness.min(1.0) };
+            let share = if stays { 1.0 } else { sharpness };
             edge_points.push(between(middle, smooth, share));
         }
 

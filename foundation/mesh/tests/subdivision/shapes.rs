@@ -29,7 +29,7 @@ impl Shape {
 
     /// The same with every polygon split into triangles.
     pub(crate) fn triangulated(&self) -> Self {
-        let triangles = self.faces().triangles();
+        let triangles = self.faces().triangles(&self.positions);
         Self::new(&self.positions, &triangles)
     }
 }

@@ -106,13 +106,14 @@ struct Triangles {
 impl Triangles {
     fn new(mesh: &Mesh) -> Self {
         let mut faces = Vec::new();
-        for (face, polygon) in mesh.faces().iter().enumerate() {
-            faces.extend(std::iter::repeat_n(face as u32, polygon.len() - 2));
+        for face in 0..mesh.faces().len() {
+            let triangles = mesh.faces().triangle_range(face);
+            faces.extend(triangles.map(|_| face as u32));
         }
         let material = |&face: &u32| mesh.face_materials().get(face as usize).copied().flatten();
         Self {
             vertices: mesh.triangles(),
-            corners: mesh.faces().corner_triangles(),
+            corners: mesh.corner_triangles(),
             materials: faces.iter().map(material).collect(),
             faces,
         }

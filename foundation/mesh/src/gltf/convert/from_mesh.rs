@@ -49,8 +49,9 @@ pub(super) fn document(mesh: &Mesh, targets: &[Target<'_>]) -> Document {
     material::from_materials(mesh.materials(), &mut document);
     // One list of primitives for each object, and one for faces without an object and for lines.
     let mut lists: Vec<Vec<Primitive>> = vec![Vec::new(); mesh.objects().len() + 1];
+    let split = mesh.corner_triangles();
     for (kind, faces) in kinds(mesh) {
-        let mut primitive = triangles(mesh, &targets, &kind, &faces);
+        let mut primitive = triangles(mesh, &split, &targets, &kind, &faces);
         let sets = primitive.texcoords.len();
         primitive.material = primitive
             .material
@@ -134,8 +135,15 @@ fn kinds(mesh: &Mesh) -> BTreeMap<Kind, Vec<usize>> {
     kinds
 }
 
-/// The primitive of faces of one kind. Its vertices are in the order of those of the mesh.
-fn triangles(mesh: &Mesh, targets: &[Moved<'_>], kind: &Kind, faces: &[usize]) -> Primitive {
+/// The primitive of faces of one kind. Its vertices are in the order of those of the mesh, whose
+/// triangles are `split`, as indices of corners.
+fn triangles(
+    mesh: &Mesh,
+    split: &[[u32; 3]],
+    targets: &[Moved<'_>],
+    kind: &Kind,
+    faces: &[usize],
+) -> Primitive {
     let key = |corner: usize| -> Key {
         let sets = mesh.texture_coordinate_sets().iter().zip(&kind.texcoords);
         let texcoords = sets
@@ -164,11 +172,8 @@ fn triangles(mesh: &Mesh, targets: &[Moved<'_>], kind: &Kind, faces: &[usize]) -
     }
     let mut indices = Vec::new();
     for &face in faces {
-        let range = mesh.faces().corner_range(face);
-        let numbers: Vec<u32> = range.map(|corner| corners[&key(corner)].1).collect();
-        for pair in numbers[1..].windows(2) {
-            indices.extend([numbers[0], pair[0], pair[1]]);
-        }
+        let of_face = split[mesh.faces().triangle_range(face)].as_flattened();
+        indices.extend(of_face.iter().map(|&c| corners[&key(c as usize)].1));
     }
     let vertices = firsts.iter().map(|&corner| mesh.faces().corners()[corner]);
     let mut primitive = vertices_of(mesh, targets, vertices.clone());
@@ -242,7 +247,8 @@ fn vertices_of(
         .clone()
         .map(|vertex| place(vertex).map(|c| c as f32));
     let colours = mesh.colours().map(|colours| {
-        let colour = |vertex: u32| colours[vertex as usize].map(|c| c as f32);
+        // glTF has no colours brighter than white.
+        let colour = |vertex: u32| colours[vertex as usize].map(|c| c.clamp(0.0, 1.0) as f32);
         vertices.clone().map(colour).collect()
     });
     let targets = targets.iter().map(|target| {
