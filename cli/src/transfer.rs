@@ -114,7 +114,7 @@ impl TransferArguments {
                 let map = ga_files::read(path, |bytes| JointMap::decode(bytes, source, skeleton))?;
                 (map, MapOrigin::File)
             }
-            None => JointMap::found(source, skeleton),
+            None => JointMap::found(source, skeleton)?,
         };
         let pose = match &self.reference_pose {
             Some(path) => Some(motion_file::read(path, warnings)?),
@@ -153,8 +153,10 @@ impl TransferArguments {
 impl TransferArguments {
     /// Warnings of what is not clear, and of what a person does not do.
     fn doubts(&self, file: &Path, transfer: &Transfer) -> Vec<Warning> {
-        /// The least margin of a vertical that is clear, and the greatest cost of standing.
+        /// The least margin of a vertical that is clear, the least confidence in a map of joints,
+        /// and the greatest cost of standing.
         const CLEAR: f64 = 0.4;
+        const SURE: f64 = 0.7;
         const STANDS: f64 = 5.0;
         let mut warnings = Vec::new();
         if let Some(up) = transfer
@@ -166,6 +168,19 @@ impl TransferArguments {
                 up.axis
             );
             warnings.push(Warning::new("unclear_up", message).in_file(file));
+        }
+        let mapping = &transfer.mapping;
+        if mapping.confidence < SURE {
+            let missing = match mapping.parts_missing.as_slice() {
+                [] => String::new(),
+                parts => format!("; nothing moves {}", parts.join(", ")),
+            };
+            let message = format!(
+                "it is not clear which joints belong together, with a confidence of {:.2}{missing}; \
+                 --map gives them",
+                mapping.confidence
+            );
+            warnings.push(Warning::new("unclear_mapping", message).in_file(file));
         }
         let cost = transfer.least_cost_of_standing.unwrap_or(0.0);
         if transfer.reference == FoundReference::Motion && cost > STANDS {

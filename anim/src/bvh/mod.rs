@@ -17,8 +17,10 @@
 //!
 //! - Where only the sum of offset and position puts the body on the ground, they are added at the
 //!   root as well, with a [warning](Bvh::warnings). The description adds, and so does three.js;
-//!   assimp and Blender replace. Files that have both have the same numbers in both, so that adding
-//!   puts the body at twice its height.
+//!   assimp takes the positions as they are, and Blender moves each bone by their difference from
+//!   its place at rest, which is the same. MotionBuilder is not documented; the files that it and
+//!   its plug-ins write have the place of the first frame as offset and in the positions too, so
+//!   that adding would put the body at twice its height.
 //! - Where the positions of other joints are near their offsets, within a quarter of their lengths,
 //!   in most frames, they take the place of these.
 //!

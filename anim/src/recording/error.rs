@@ -2,6 +2,7 @@
 
 use crate::clip::ClipError;
 use crate::kinematics::KinematicsError;
+use crate::retarget::structure::BodyProblem;
 use crate::skeleton::SkeletonError;
 
 /// Joints and frames that do not form a recording, or a recording that cannot be blended, mirrored,
@@ -62,6 +63,14 @@ pub enum RecordingError {
         frame: usize,
         /// The number.
         value: f64,
+    },
+    /// What is to be matched by its structure is no person.
+    #[error("{body} cannot be matched by its structure: {problem}; a map of the joints is needed")]
+    NotAPerson {
+        /// Which of both.
+        body: String,
+        /// What it lacks.
+        problem: BodyProblem,
     },
     /// Neither a pose nor the motion says what the rotations of the joints mean.
     #[error(

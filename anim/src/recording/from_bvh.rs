@@ -8,7 +8,7 @@ use crate::transform::Transform;
 impl Recording {
     /// The recording in a BVH file, with lengths in metres where one unit of the file is
     /// `metres_per_unit` long. A joint's frame has the axes of the file at rest; End Sites are not
-    /// joints.
+    /// joints but [`ends`](Self::ends).
     ///
     /// # Errors
     ///
@@ -45,12 +45,18 @@ impl Recording {
         });
         let frames = (0..motion.frame_count()).filter_map(|frame| motion.own_motions(frame));
         let locals = frames.flatten().map(in_metres);
-        Self::new(
+        let recording = Self::new(
             joints.collect(),
             motion.frame_time(),
             locals.collect(),
             Vec::new(),
-        )
+        )?;
+        let ends = motion.joints().iter().map(|joint| joint.end_site);
+        let ends = ends.map(|end| Some(end?.map(|x| x * metres_per_unit)));
+        Ok(Self {
+            ends: ends.collect(),
+            ..recording
+        })
     }
 }
 

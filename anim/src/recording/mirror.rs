@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
-use ga_runtime::cga3::{DualPlane, Motor, Translator};
+use ga_runtime::cga3::{DualPlane, Motor, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 
+use super::mirror_axes::mirror_axes;
 use super::{RecordedJoint, Recording, ScalarTrack};
 use crate::clip::{other_side, reflected};
 use crate::recording::RecordingError;
@@ -15,14 +16,20 @@ impl Recording {
     ///
     /// Each joint moves as its counterpart on the other side does, seen in the mirror; joints whose
     /// names say neither left nor right are their own counterparts. Names tell the sides as in
-    /// [`Mirror::by_names`](crate::clip::Mirror::by_names). The joints at rest stay as they are,
-    /// with axes of any direction. With A the rotor of a joint's axes in model space at rest, A_p
-    /// that of its parent, B and B_p those of the counterpart, t and R the counterpart's
-    /// translation from its place at rest and its rotation, and the plane π,
+    /// [`Mirror::by_names`](crate::clip::Mirror::by_names). The joints at rest stay as they are.
+    /// With t and R the counterpart's translation from its place at rest and its rotation, the
+    /// plane π, and a rotor Q for each joint, Q_p for its parent,
     ///
     /// ```text
-    /// T' R' = ~A_p π B_p (T R) ~B π A.
+    /// T' R' = ~Q_p π (T R) π Q.
     /// ```
+    ///
+    /// π Q takes a vector in the axes of the joint to its mirror image in those of the counterpart.
+    /// It is found from the bones: it takes those that begin at the joint to those that begin at
+    /// the counterpart, so that every joint comes to lie at the reflected place, whatever the axes
+    /// of the joints and their pose at rest. What the bones leave open is π in model space at rest,
+    /// with axes A there, and B of the counterpart: `Q = π ~B π A`. Where the body at rest is not
+    /// nearly its own mirror image, the body in the mean over all frames takes the place of rest.
     ///
     /// To this the joint's own place at rest is added, so that bones keep their lengths where the
     /// skeleton is not its own mirror image. Joints without a parent are reflected as a whole. Even
@@ -62,7 +69,7 @@ impl Recording {
     pub fn mirrored(&self, normal: Vector<f64>) -> Result<Self, RecordingError> {
         let normal = normal.normalized().ok_or(RecordingError::MirrorPlane)?;
         let plane = DualPlane::new(normal.e1, normal.e2, normal.e3, 0.0);
-        let images = images(&self.joints)?;
+        let images = images(self, plane)?;
         let count = self.joints.len();
         let mut locals = Vec::with_capacity(self.locals.len());
         for (frame, before) in self.locals.chunks_exact(count).enumerate() {
@@ -87,10 +94,8 @@ impl Recording {
 struct Image {
     /// The counterpart.
     other: usize,
-    /// B_p and ~B.
-    to_model: [Motor<f64>; 2],
-    /// ~A_p and A.
-    from_model: [Motor<f64>; 2],
+    /// Q_p of the parent, reversed, and Q of the joint.
+    axes: [Rotor<f64>; 2],
     /// The places at rest of the counterpart and of the joint, relative to their parents.
     places: [Vector<f64>; 2],
     /// The length of the parent's unit beside that of the counterpart's parent.
@@ -107,9 +112,8 @@ impl Image {
         even_factor(quotient(other.scale, self.rest_scale))?;
         let moved = (other.translation() - self.places[0]) * self.factor;
         let there = translation(moved) * other.rotor();
-        let [before, after] = self.to_model;
-        let [back, axes] = self.from_model;
-        let image = back * reflected(plane, before * there * after) * axes;
+        let [back, axes] = self.axes;
+        let image = back * reflected(plane, there) * axes;
         let place = image.translator().displacement();
         Some(Transform::from_parts(
             Vector::from(place) + self.places[1],
@@ -119,35 +123,32 @@ impl Image {
     }
 }
 
-fn images(joints: &[RecordedJoint]) -> Result<Vec<Image>, RecordingError> {
+fn images(recording: &Recording, plane: DualPlane<f64>) -> Result<Vec<Image>, RecordingError> {
+    let joints = &recording.joints;
     let counterparts = counterparts(joints)?;
-    // The axes of each joint in model space at rest, and the length of its unit there.
-    let mut axes: Vec<(Motor<f64>, f64)> = Vec::with_capacity(joints.len());
-    let above = |axes: &[(Motor<f64>, f64)], parent: Option<usize>| {
-        parent.map_or((Motor::default(), 1.0), |parent| axes[parent])
-    };
+    // The length of the unit of each joint's axes.
+    let mut units: Vec<f64> = Vec::with_capacity(joints.len());
     for joint in joints {
         let factor = even_factor(joint.rest.scale).ok_or_else(|| RecordingError::MirrorScaled {
             name: joint.name.clone(),
             frame: None,
         })?;
-        let (rotation, unit) = above(&axes, joint.parent);
-        axes.push((rotation * joint.rest.rotor(), unit * factor));
+        units.push(joint.parent.map_or(1.0, |parent| units[parent]) * factor);
     }
+    let axes = mirror_axes(recording, &counterparts, plane);
     let image = |(joint, &other): (usize, &usize)| {
         let (own, counterpart) = (&joints[joint], &joints[other]);
-        let (own_above, own_unit) = above(&axes, own.parent);
-        let (other_above, other_unit) = above(&axes, counterpart.parent);
+        let unit = |parent: Option<usize>| parent.map_or(1.0, |parent| units[parent]);
         let place = |joint: &RecordedJoint| match joint.parent {
             Some(_) => joint.rest.translation(),
             None => Vector::default(),
         };
+        let above = own.parent.map_or(Rotor::default(), |parent| axes[parent]);
         Image {
             other,
-            to_model: [other_above, axes[other].0.reverse()],
-            from_model: [own_above.reverse(), axes[joint].0],
+            axes: [above.reverse(), axes[joint]],
             places: [place(counterpart), place(own)],
-            factor: other_unit / own_unit,
+            factor: unit(counterpart.parent) / unit(own.parent),
             scale: quotient(own.rest.scale, counterpart.rest.scale),
             rest_scale: counterpart.rest.scale,
         }

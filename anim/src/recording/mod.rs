@@ -26,6 +26,7 @@ mod from_bvh;
 mod from_compressed;
 mod from_gltf;
 mod mirror;
+mod mirror_axes;
 mod model_space;
 mod played;
 mod resample;
@@ -93,6 +94,8 @@ pub struct Recording {
     frame_time: f64,
     locals: Vec<Transform<f64>>,
     tracks: Vec<ScalarTrack>,
+    /// For each joint the end of its bone, see [`Recording::ends`].
+    ends: Vec<Option<[f64; 3]>>,
 }
 
 impl Recording {
@@ -126,6 +129,7 @@ impl Recording {
         check_tracks(&tracks, locals.len() / joints.len())?;
         Ok(Self {
             parents: joints.iter().map(|joint| joint.parent).collect(),
+            ends: vec![None; joints.len()],
             joints,
             frame_time,
             locals,
@@ -143,6 +147,13 @@ impl Recording {
     #[must_use]
     pub fn parents(&self) -> &[Option<usize>] {
         &self.parents
+    }
+
+    /// Where the bones of joints end on which no other joint hangs, as the End Sites of a BVH file
+    /// say it: relative to the joint, with the axes of model space at rest, in metres.
+    #[must_use]
+    pub fn ends(&self) -> &[Option<[f64; 3]>] {
+        &self.ends
     }
 
     /// The time from one frame to the next, in seconds.

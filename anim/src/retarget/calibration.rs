@@ -1,5 +1,6 @@
 //! How the axes of each joint stand in the body, found from what a motion does.
 
+use ga_numerics::order_statistics::Sorted;
 use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
 
@@ -10,6 +11,26 @@ use super::posture::{Observation, Posture};
 /// speed at which an ankle hardly belongs to a foot on the ground.
 const HEIGHT: f64 = 0.05;
 const SPEED: f64 = 0.25;
+/// The part of the moments in which at least one foot of a person who does not walk in place is
+/// slower than that.
+const STANDING: f64 = 0.1;
+/// In degrees, the greatest mean angles between the trunk and the way to the top of the head, and
+/// between it and the neck, in a body that stands.
+const TOP: f64 = 60.0;
+const NECK: f64 = 30.0;
+
+/// What is upright in a head.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum HeadAxis {
+    /// A direction in the axes of the head: that to its top.
+    Top(Vector<f64>),
+    /// From the lowest joint of the neck to the head.
+    Neck,
+    /// From the hips to the head.
+    Trunk,
+    /// The vertical.
+    Vertical,
+}
 
 /// A moment of a motion.
 pub(super) struct Moment {
@@ -17,8 +38,8 @@ pub(super) struct Moment {
     pub(super) motors: Vec<Motor<f64>>,
     /// Where the joints are.
     pub(super) places: Vec<Vector<f64>>,
-    /// How far each ankle moves in a second from here on.
-    pub(super) speeds: [f64; 2],
+    /// How each ankle moves in a second from here on.
+    pub(super) velocities: [Vector<f64>; 2],
 }
 
 impl Moment {
@@ -28,7 +49,7 @@ impl Moment {
         Self {
             places: motors.iter().map(place).collect(),
             motors,
-            speeds: [0.0; 2],
+            velocities: [Vector::default(); 2],
         }
     }
 }
@@ -37,6 +58,8 @@ impl Moment {
 pub(super) struct Calibration<'a> {
     human: &'a Human,
     moments: &'a [Moment],
+    /// What is upright in the head.
+    head: HeadAxis,
     standing: Vec<f64>,
     contact: Vec<[f64; 2]>,
     /// The least cost of standing of all moments, see [`Posture::cost_of_standing`].
@@ -60,11 +83,24 @@ impl<'a> Calibration<'a> {
             moments.iter().map(move |moment| moment.places[ankle].e2)
         };
         let lowest = [0, 1].map(|side| heights(side).fold(f64::INFINITY, f64::min));
+        // Where a person walks in place, the ground moves under the feet.
+        let slower = moments.iter().map(|moment| {
+            let [left, right] = moment.velocities.map(Vector::length);
+            left.min(right)
+        });
+        let mut slower: Vec<f64> = slower.collect();
+        let slow = Sorted::new(&mut slower).map_or(0.0, |slower| slower.quantile(STANDING));
+        let is_in_place = slow > SPEED * leg;
         let contact_costs = moments.iter().map(|moment| {
             [0, 1].map(|side| {
                 let height = moment.places[human.legs[side][2]].e2 - lowest[side];
                 let square = |value: f64, usual: f64| (value / (usual * leg)).powi(2);
-                square(height, HEIGHT) + square(moment.speeds[side], SPEED)
+                let velocity = moment.velocities[side];
+                let speed = match is_in_place {
+                    true => velocity.e2,
+                    false => velocity.length(),
+                };
+                square(height, HEIGHT) + square(speed, SPEED)
             })
         });
         let contact_costs: Vec<[f64; 2]> = contact_costs.collect();
@@ -73,6 +109,7 @@ impl<'a> Calibration<'a> {
         Self {
             human,
             moments,
+            head: HeadAxis::Trunk,
             standing: costs.iter().map(|cost| (least_cost - cost).exp()).collect(),
             contact: contact_costs
                 .iter()
@@ -80,6 +117,61 @@ impl<'a> Calibration<'a> {
                 .collect(),
             least_cost,
         }
+    }
+
+    /// Says what is upright in the heads of a source and of a target, for which `top` is where the
+    /// top of the head is in its axes: the way to the top where the source has it, otherwise the
+    /// neck where that is upright enough in both, otherwise the trunk. A target at rest whose top
+    /// is not known holds its head upright.
+    pub(super) fn set_heads(
+        source: &mut Self,
+        target: &mut Self,
+        tops: [Option<Vector<f64>>; 2],
+        is_at_rest: bool,
+    ) {
+        let is_within = |body: &Self, axis: HeadAxis, limit: f64| {
+            body.mean_tilt(axis).is_some_and(|tilt| tilt <= limit)
+        };
+        let [there, here] = tops;
+        let there = there.map(HeadAxis::Top);
+        let there = there.filter(|&top| is_within(source, top, TOP));
+        let here = here.map(HeadAxis::Top);
+        let here = here.filter(|&top| is_within(target, top, TOP));
+        let have_necks = source.human.neck.is_some()
+            && is_within(source, HeadAxis::Neck, NECK)
+            && is_within(target, HeadAxis::Neck, NECK);
+        [source.head, target.head] = match (there, here) {
+            (Some(there), Some(here)) => [there, here],
+            (Some(there), None) if is_at_rest => [there, HeadAxis::Vertical],
+            _ if have_necks => [HeadAxis::Neck; 2],
+            _ => [HeadAxis::Trunk; 2],
+        };
+    }
+
+    /// The direction that is upright in the head in a moment.
+    fn head_up(&self, axis: HeadAxis, moment: &Moment) -> Vector<f64> {
+        let human = self.human;
+        let from = |joint: usize| moment.places[human.head] - moment.places[joint];
+        match axis {
+            HeadAxis::Top(top) => {
+                let rotor = moment.motors[human.head].rotor();
+                rotor.transform(Direction::from(top)).into()
+            }
+            HeadAxis::Neck => from(human.neck.unwrap_or(human.hips)),
+            HeadAxis::Trunk => from(human.hips),
+            HeadAxis::Vertical => unit(1),
+        }
+    }
+
+    /// The mean angle in degrees between it and the trunk while the body stands.
+    fn mean_tilt(&self, axis: HeadAxis) -> Option<f64> {
+        let (mut sum, mut whole) = (0.0, 0.0);
+        for (moment, weight) in self.moments.iter().zip(&self.standing) {
+            let trunk = self.head_up(HeadAxis::Trunk, moment);
+            sum += self.head_up(axis, moment).angle(trunk)? * weight;
+            whole += weight;
+        }
+        (whole > 0.0).then(|| (sum / whole).to_degrees())
     }
 
     /// The moment at which the body stands most.
@@ -98,7 +190,8 @@ impl<'a> Calibration<'a> {
                 human: self.human,
                 places: &moment.places,
             };
-            let found = posture.observe(role, self.standing[number], self.contact[number]);
+            let up = self.head_up(self.head, moment);
+            let found = posture.observe(role, up, self.standing[number], self.contact[number]);
             let back = moment.motors[joint].rotor().reverse();
             for Observation {
                 axes,

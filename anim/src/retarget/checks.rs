@@ -7,20 +7,13 @@ use serde::Serialize;
 
 use super::Retarget;
 use super::bodies::Leg;
+use super::fault::{Fault, Place};
+use super::feet::Feet;
 use super::foot_locking::Contact;
 use super::human::Human;
 use crate::clip::Clip;
 use crate::pose::moved;
 use crate::skeleton::SkeletonError;
-
-/// Where something is largest.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Place {
-    /// The frame of the recording.
-    pub frame: usize,
-    /// The joint of the target.
-    pub joint: String,
-}
 
 /// Measures of a transferred motion, each the worst of all frames, and where it is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -56,95 +49,6 @@ pub struct Worst {
     pub largest_rotation_degrees_per_frame: Place,
 }
 
-/// Something that a person does not do and a body does not allow.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Fault {
-    /// The head is tilted too far against the trunk.
-    #[error("the head is {degrees:.0}° from the direction of the trunk in frame {}", .place.frame)]
-    Head {
-        /// By how much.
-        degrees: f64,
-        /// Where.
-        place: Place,
-    },
-    /// A bone is longer or shorter than at rest.
-    #[error(
-        "{} is {part:.1e} of its distance at rest nearer to or farther from the joint above in \
-         frame {}",
-        .place.joint,
-        .place.frame
-    )]
-    Stretch {
-        /// By which part of its length.
-        part: f64,
-        /// Where.
-        place: Place,
-    },
-    /// The feet are far above the ground or below it in the quarter of the frames in which they are
-    /// lowest.
-    #[error(
-        "the feet are {metres:.3} m or more above the ground in three quarters of the frames, and \
-         lowest in frame {}",
-        .place.frame
-    )]
-    Height {
-        /// How far above.
-        metres: f64,
-        /// Where they are lowest.
-        place: Place,
-    },
-    /// A knee bends backwards.
-    #[error(
-        "the knee {} bends backwards in {percent:.0} % of the frames, most in frame {}",
-        .place.joint,
-        .place.frame
-    )]
-    Knee {
-        /// In how many.
-        percent: f64,
-        /// Where it does most.
-        place: Place,
-    },
-    /// A joint rotates much faster than the one that moves it.
-    #[error(
-        "{} rotates by {degrees:.0}° more than the joint that moves it from frame {} to the next",
-        .place.joint,
-        .place.frame
-    )]
-    Rotation {
-        /// By how much more.
-        degrees: f64,
-        /// Where.
-        place: Place,
-    },
-}
-
-impl Fault {
-    /// What it is, as words for programs.
-    #[must_use]
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Head { .. } => "head_off_trunk",
-            Self::Stretch { .. } => "bone_stretched",
-            Self::Height { .. } => "feet_off_ground",
-            Self::Knee { .. } => "knee_backwards",
-            Self::Rotation { .. } => "rotation_too_fast",
-        }
-    }
-
-    /// Where it is worst.
-    #[must_use]
-    pub fn place(&self) -> &Place {
-        match self {
-            Self::Head { place, .. }
-            | Self::Stretch { place, .. }
-            | Self::Height { place, .. }
-            | Self::Knee { place, .. }
-            | Self::Rotation { place, .. } => place,
-        }
-    }
-}
-
 /// The limits: in degrees of the head against the trunk and of a rotation from one frame to the
 /// next, as parts of a bone's and of a leg's length, and of the frames.
 const HEAD: f64 = 60.0;
@@ -152,6 +56,9 @@ const ROTATION: f64 = 60.0;
 const STRETCH: f64 = 1e-6;
 const HEIGHT: f64 = 0.05;
 const BACKWARDS: f64 = 0.05;
+/// In degrees, of a sole from flat and of a foot from where the pelvis looks, while it stands.
+const SOLE: f64 = 15.0;
+const HEADING: f64 = 90.0;
 
 impl Retarget<'_> {
     /// Measures a clip that was transferred, of the frames of the recording from `first_frame` on,
@@ -185,6 +92,14 @@ impl Retarget<'_> {
             }
             before = Some(motions);
         }
+        for (side, foot) in measures.feet.sides.iter_mut().enumerate() {
+            let ankle = body.human.map(|human| human.legs[side][2]);
+            let own = contacts
+                .iter()
+                .filter(|contact| Some(contact.ankle) == ankle);
+            let frames: Vec<_> = own.map(|contact| contact.frames.clone()).collect();
+            foot.retain_standing(&frames, body.leg_length);
+        }
         for contact in contacts {
             let frame = *contact.frames.start();
             measures.slide.update(contact.slide, frame, contact.ankle);
@@ -210,7 +125,8 @@ impl Retarget<'_> {
     ) {
         let angle = |from: Motor<f64>, to: Motor<f64>| {
             let (_, angle) = (to.rotor() * from.rotor().reverse()).to_axis_angle();
-            angle.to_degrees()
+            // A rotor and its negative are one rotation.
+            angle.min(std::f64::consts::TAU - angle).to_degrees()
         };
         let source = [frame, frame + 1].map(|frame| self.source_frames(frame));
         for joint in 0..before.len() {
@@ -264,6 +180,22 @@ impl Retarget<'_> {
                     percent: 100.0 * part,
                     place: place(most),
                 });
+            }
+        }
+        for (side, foot) in measures.feet.sides.iter().enumerate() {
+            let Some(human) = body.human else { break };
+            let place = |frame: usize| Place {
+                frame,
+                joint: joints[human.legs[side][2]].name.clone(),
+            };
+            if let Some((degrees, frame)) = foot.tilt().filter(|&(degrees, _)| degrees > SOLE) {
+                let place = place(frame);
+                faults.push(Fault::Sole { degrees, place });
+            }
+            let heading = foot.heading();
+            if let Some((degrees, frame)) = heading.filter(|&(degrees, _)| degrees > HEADING) {
+                let place = place(frame);
+                faults.push(Fault::Heading { degrees, place });
             }
         }
         if measures.excess.value > ROTATION {
@@ -335,6 +267,7 @@ struct Measures {
     /// most.
     backwards: [usize; 2],
     knees: [Largest; 2],
+    feet: Feet,
 }
 
 /// What is known of the target.
@@ -436,6 +369,14 @@ impl<'a> Body<'a> {
             let (thigh, shin) = (place(knee) - place(hip), place(ankle) - place(knee));
             let bend = degrees(thigh, shin);
             let is_backwards = thigh.cross(shin).dot(rotated(hip, self.left)) < 0.0;
+            let looks = rotated(human.hips, self.left).cross(up);
+            let points = rotated(ankle, self.left.cross(up));
+            measures.feet.sides[side].add(
+                frame,
+                place(ankle).e2,
+                rotated(ankle, up),
+                [points, looks],
+            );
             if bend > BENT && is_backwards {
                 measures.backwards[side] += 1;
                 measures.knees[side].update(bend, frame, knee);

@@ -5,7 +5,8 @@ use ga_runtime::vga3::Vector;
 
 use super::bodies::{Bodies, Bone, Leg};
 use super::calibration::Calibration;
-use super::hierarchy::Hanging;
+use super::head_top::{top_joint, top_of_head};
+use super::hierarchy::{Hanging, is_below};
 use super::human::{Human, Role};
 use super::joint_map::parts_of_target;
 use super::reference::{self, FoundReference, Motion, Reference};
@@ -76,7 +77,7 @@ impl Correspondence {
             return Err(RecordingError::NoMatch);
         }
         let parts = parts_of_target(target);
-        let human = Human::new(&parts).and_then(|human| human.matched(&source_of));
+        let human = Human::new(&parts).and_then(|human| human.matched(&parts, &source_of));
         let (here, there) = (
             human.as_ref().map(|[here, _]| here),
             human.as_ref().map(|[_, there]| there),
@@ -95,11 +96,21 @@ impl Correspondence {
             .map(|joint| joint.head.into())
             .collect();
         let at_rest = [reference::at_rest(&rest, Rotor::default())];
-        let there = there.map(|there| Calibration::new(there, &motion.moments));
+        let mut there = there.map(|there| Calibration::new(there, &motion.moments));
         let own = target_motion
             .as_ref()
             .map_or(&at_rest[..], |own| &own.moments);
-        let own = here.map(|here| Calibration::new(here, own));
+        let mut own = here.map(|here| Calibration::new(here, own));
+        if let (Some(human), Some(there), Some(own)) = (&human, &mut there, &mut own) {
+            let [here, source_human] = human;
+            let of_source = top_of_head(source, source_human.head);
+            let of_target = match request.target_motion {
+                Some(own) => top_of_head(own, here.head),
+                None => top_joint(target, here.head),
+            };
+            let is_at_rest = target_motion.is_none();
+            Calibration::set_heads(there, own, [of_source, of_target], is_at_rest);
+        }
         // A target that has a motion of its own need not stand at rest.
         let stands_at_rest = match (here, &target_motion) {
             (Some(here), Some(_)) => {
@@ -135,6 +146,15 @@ impl Correspondence {
                 Soles::of_pose(target, &motions.collect::<Vec<_>>())
             }
             (None, None) => Soles::of_skeleton(target),
+        };
+        let soles = match here {
+            // A root on the ground or the hem of a dress is nothing to stand on.
+            Some(here) => soles.of_joints(|joint| {
+                here.legs
+                    .iter()
+                    .any(|&[_, _, ankle]| is_below(&hanging.parents, joint, ankle))
+            }),
+            None => soles,
         };
         let bodies = Bodies::new(target, &hanging, stands, &source_of, source_rest, &soles);
         let long_bones = bodies.long_bones(here);

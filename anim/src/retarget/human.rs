@@ -17,7 +17,7 @@ pub(super) struct Human {
     pub(super) toes: [Option<usize>; 2],
     /// Shoulder, elbow and wrist of the left and the right arm, where both are known.
     pub(super) arms: Option<[[usize; 3]; 2]>,
-    /// The joint below the head that is known as a neck.
+    /// The lowest joint below the head that is known as a neck.
     pub(super) neck: Option<usize>,
 }
 
@@ -50,7 +50,6 @@ impl Human {
     /// is something above the hips.
     pub(super) fn new(parts: &Parts) -> Option<Self> {
         let first = |part, side| parts.get(&(part, side))?.first().copied();
-        let last = |part| parts.get(&(part, None))?.last().copied();
         let limb = |kinds: [Part; 3], side: Side| {
             let [Some(a), Some(b), Some(c)] = kinds.map(|part| first(part, Some(side))) else {
                 return None;
@@ -66,20 +65,20 @@ impl Human {
             [Some(left), Some(right)] => Some([left, right]),
             _ => None,
         };
-        let upper = [Part::Head, Part::Neck, Part::Spine];
         Some(Self {
             hips: first(Part::Hips, None)?,
-            head: upper.into_iter().find_map(last)?,
+            head: uppermost(parts).next()?,
             legs: [left, right],
             toes: SIDES.map(|side| first(Part::Toes, Some(side))),
             arms,
-            neck: last(Part::Neck).filter(|_| parts.contains_key(&(Part::Head, None))),
+            neck: first(Part::Neck, None).filter(|_| parts.contains_key(&(Part::Head, None))),
         })
     }
 
-    /// The joints of another body that move these, and these without those that nothing moves;
-    /// `None` where legs, hips or head are missing.
-    pub(super) fn matched(&self, source_of: &[Option<usize>]) -> Option<[Self; 2]> {
+    /// The joints of another body that move these, which have these parts, and these without those
+    /// that nothing moves; `None` where legs, hips or all above them are missing. Where nothing
+    /// moves the head, the highest joint of neck and spine that is moved takes its place.
+    pub(super) fn matched(&self, parts: &Parts, source_of: &[Option<usize>]) -> Option<[Self; 2]> {
         let three = |joints: [usize; 3]| {
             let [Some(a), Some(b), Some(c)] = joints.map(|joint| source_of[joint]) else {
                 return None;
@@ -94,10 +93,12 @@ impl Human {
             [Some(left), Some(right)] => Some([left, right]),
             _ => None,
         });
-        let neck = self.neck.and_then(|neck| source_of[neck]);
+        let head = uppermost(parts).find(|&joint| source_of[joint].is_some())?;
+        let neck = self.neck.filter(|_| head == self.head);
+        let neck = neck.and_then(|neck| source_of[neck]);
         let there = Self {
             hips: source_of[self.hips]?,
-            head: source_of[self.head]?,
+            head: source_of[head]?,
             legs: [left, right],
             // One foot with toes and one without would be judged by two rules.
             toes: if toes.contains(&None) {
@@ -109,6 +110,7 @@ impl Human {
             neck,
         };
         let here = Self {
+            head,
             toes: if there.toes[0].is_some() {
                 self.toes
             } else {
@@ -166,4 +168,13 @@ impl Human {
         }
         roles
     }
+}
+
+/// The joints of the head, the neck and the spine, from above.
+fn uppermost(parts: &Parts) -> impl Iterator<Item = usize> + '_ {
+    let upper = [Part::Head, Part::Neck, Part::Spine];
+    let joints = upper
+        .into_iter()
+        .filter_map(|part| parts.get(&(part, None)));
+    joints.flat_map(|joints| joints.iter().rev().copied())
 }

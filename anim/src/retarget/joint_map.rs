@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::Source;
 use super::convention::{Part, Side, meaning};
-use super::structure::{Meaning, Parts, parts_by_structure};
+use super::structure::{BodyProblem, Meaning, Parts, parts_by_structure};
 use crate::recording::RecordingError;
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
@@ -65,8 +65,8 @@ impl JointMap {
     /// necks differ in their numbers of joints, they are matched evenly from first to last.
     #[must_use]
     pub fn by_names(source: &dyn Source, target: &Skeleton) -> Self {
-        let there = parts(source.names().into_iter());
-        let here = parts(names(target));
+        let there = parts_of_source(source);
+        let here = parts_by_names(target);
         Self::of_parts(source, target, &there, &here)
     }
 
@@ -76,7 +76,8 @@ impl JointMap {
     /// Left and right are told by the feet, which point forwards; feet without direction look along
     /// z. Digits are not matched. Names do not count.
     ///
-    /// Bodies stand upright, y up. No joint is matched where one of them does not have two legs.
+    /// Bodies stand upright, y up. No joint is matched where one of them does not have two legs,
+    /// stands on four, or lies.
     ///
     /// ```
     /// use ga_anim::retarget::JointMap;
@@ -107,41 +108,55 @@ impl JointMap {
         let mut map = Self {
             source_of: vec![None; target.len()],
         };
-        map.add(&there, &here);
+        map.add(&there.unwrap_or_default(), &here.unwrap_or_default());
         map
     }
 
     /// A map by names where both have names that mean something, and by structure otherwise: a body
     /// whose names do not tell both legs is described by its structure, the other one by its names.
-    #[must_use]
-    pub fn by_names_or_structure(source: &dyn Source, target: &Skeleton) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// [`RecordingError::NotAPerson`] where only the structure could tell and does not.
+    pub fn by_names_or_structure(
+        source: &dyn Source,
+        target: &Skeleton,
+    ) -> Result<Self, RecordingError> {
         let by_names = Self::by_names(source, target);
-        let there = parts(source.names().into_iter());
-        let here = parts(names(target));
+        let there = parts_of_source(source);
+        let here = parts_by_names(target);
         let matched: HashSet<usize> = by_names.source_of.iter().copied().flatten().collect();
         // Equal names need no meaning.
         let is_known = 2 * matched.len() >= target.len().min(source.names().len());
         if is_known || (has_legs(&there) && has_legs(&here)) {
-            return by_names;
+            return Ok(by_names);
         }
         let there = match has_legs(&there) {
-            true => there,
-            false => parts_by_structure(&source.parents(), &source.rest_positions()),
+            true => Ok(there),
+            false => parts_by_structure(&source.parents(), &source.rest_positions())
+                .map_err(|problem| ("the recording", problem)),
         };
         let here = match has_legs(&here) {
-            true => here,
-            false => parts_of_skeleton(target),
+            true => Ok(here),
+            false => parts_of_skeleton(target).map_err(|problem| ("the skeleton", problem)),
+        };
+        let (there, here) = match (there, here) {
+            (Ok(there), Ok(here)) => (there, here),
+            _ if !matched.is_empty() => return Ok(by_names),
+            (Err((body, problem)), _) | (_, Err((body, problem))) => {
+                let body = body.to_owned();
+                return Err(RecordingError::NotAPerson { body, problem });
+            }
         };
         let mut map = Self {
             source_of: vec![None; target.len()],
         };
         map.add(&there, &here);
         let count = |map: &Self| map.source_of.iter().flatten().count();
-        if count(&map) > count(&by_names) {
-            map
-        } else {
-            by_names
-        }
+        Ok(match count(&map) > count(&by_names) {
+            true => map,
+            false => by_names,
+        })
     }
 
     fn of_parts(source: &dyn Source, target: &Skeleton, there: &Parts, here: &Parts) -> Self {
@@ -184,14 +199,20 @@ impl JointMap {
 
     /// The map of [`by_names_or_structure`](Self::by_names_or_structure), and by which of both it
     /// is.
-    #[must_use]
-    pub fn found(source: &dyn Source, target: &Skeleton) -> (Self, MapOrigin) {
-        let map = Self::by_names_or_structure(source, target);
+    ///
+    /// # Errors
+    ///
+    /// Those of [`by_names_or_structure`](Self::by_names_or_structure).
+    pub fn found(
+        source: &dyn Source,
+        target: &Skeleton,
+    ) -> Result<(Self, MapOrigin), RecordingError> {
+        let map = Self::by_names_or_structure(source, target)?;
         let origin = match map == Self::by_names(source, target) {
             true => MapOrigin::Names,
             false => MapOrigin::Structure,
         };
-        (map, origin)
+        Ok((map, origin))
     }
 
     /// The map as JSON, in the form that [`JointMap::decode`] reads.
@@ -294,17 +315,25 @@ fn part_of(parts: &Parts, joint: usize) -> Option<Meaning> {
     found.map(|(&meaning, _)| meaning)
 }
 
-fn names(skeleton: &Skeleton) -> impl Iterator<Item = &str> {
-    skeleton.joints().iter().map(|joint| joint.name.as_str())
+/// The joints of each part of a recording by their names.
+fn parts_of_source(source: &dyn Source) -> Parts {
+    parts(source.names().into_iter(), &source.parents())
+}
+
+/// The joints of each part of a skeleton by their names.
+fn parts_by_names(skeleton: &Skeleton) -> Parts {
+    let joints = skeleton.joints().iter();
+    let parents: Vec<Option<usize>> = joints.clone().map(|joint| joint.parent).collect();
+    parts(joints.map(|joint| joint.name.as_str()), &parents)
 }
 
 /// The joints of each part of a skeleton: by their names, or where those do not tell both legs by
-/// its structure.
+/// its structure; none where that is not a person's.
 pub(super) fn parts_of_target(skeleton: &Skeleton) -> Parts {
-    let by_names = parts(names(skeleton));
+    let by_names = parts_by_names(skeleton);
     match has_legs(&by_names) {
         true => by_names,
-        false => parts_of_skeleton(skeleton),
+        false => parts_of_skeleton(skeleton).unwrap_or_default(),
     }
 }
 
@@ -323,15 +352,16 @@ pub(super) fn has_legs(parts: &Parts) -> bool {
         })
 }
 
-fn parts_of_skeleton(skeleton: &Skeleton) -> Parts {
+fn parts_of_skeleton(skeleton: &Skeleton) -> Result<Parts, BodyProblem> {
     let joints = skeleton.joints().iter();
     let (parents, places): (Vec<_>, Vec<_>) =
         joints.map(|joint| (joint.parent, joint.head)).unzip();
     parts_by_structure(&parents, &places)
 }
 
-/// The joints of each part by their names.
-fn parts<'a>(names: impl Iterator<Item = &'a str>) -> Parts {
+/// The joints of each part by their names and, where hips or head have no usual name, by where
+/// legs and arms begin.
+fn parts<'a>(names: impl Iterator<Item = &'a str>, parents: &[Option<usize>]) -> Parts {
     let mut parts: Parts = HashMap::new();
     for (index, name) in names.enumerate() {
         if let Some(meaning) = meaning(name) {
@@ -364,5 +394,46 @@ fn parts<'a>(names: impl Iterator<Item = &'a str>) -> Parts {
         // A joint beside the hips does not count where the thigh has a name of its own.
         parts.remove(&(Part::SideOfHips, side));
     }
+    divide_spine(&mut parts, parents);
     parts
+}
+
+/// Makes the joint of the spine from which the legs go the hips, and what is above the arms the
+/// neck and the head, where these have no names of their own: some rigs call all of them spine.
+fn divide_spine(parts: &mut Parts, parents: &[Option<usize>]) {
+    let way_up = |joint: usize| std::iter::successors(Some(joint), move |&joint| parents[joint]);
+    let meet = |parts: &Parts, part: Part| {
+        let [left, right] = [Side::Left, Side::Right].map(|side| {
+            let joints = parts.get(&(part, Some(side)))?;
+            joints.first().copied()
+        });
+        let right: Vec<usize> = way_up(right?).collect();
+        way_up(left?).find(|joint| right.contains(joint))
+    };
+    let [legs, arms] = [Part::UpperLeg, Part::UpperArm].map(|part| meet(parts, part));
+    let is_known = |parts: &Parts, part: Part| parts.contains_key(&(part, None));
+    let needs_hips = !is_known(parts, Part::Hips);
+    let needs_head = !is_known(parts, Part::Head) && !is_known(parts, Part::Neck);
+    let Some(spine) = parts.remove(&(Part::Spine, None)) else {
+        return;
+    };
+    let is_above = |joint: usize, arms: usize| joint != arms && way_up(joint).any(|up| up == arms);
+    let (mut rest, mut neck) = (Vec::new(), Vec::new());
+    for joint in spine {
+        if needs_hips && legs == Some(joint) {
+            parts.insert((Part::Hips, None), vec![joint]);
+        } else if needs_head && arms.is_some_and(|arms| is_above(joint, arms)) {
+            neck.push(joint);
+        } else {
+            rest.push(joint);
+        }
+    }
+    if let Some(head) = neck.pop() {
+        parts.insert((Part::Head, None), vec![head]);
+    }
+    for (part, joints) in [(Part::Neck, neck), (Part::Spine, rest)] {
+        if !joints.is_empty() {
+            parts.insert((part, None), joints);
+        }
+    }
 }

@@ -41,9 +41,12 @@
 //! - Thigh, shin, upper arm, forearm: exactly along the bone; left as near as can be along the axis
 //!   about which knee or elbow bends, where it is bent by over 15°.
 //! - Foot and toes: up exactly along the vertical, while the foot is on the ground; forward from
-//!   the ankle to the toes.
-//! - Head: left exactly along the line of the shoulders; up as near as can be from neck to head, in
-//!   frames in which the body stands.
+//!   the ankle to the toes. Where feet never stand still, the person walks in place, and a low ankle
+//!   that does not rise or sink is on the ground.
+//! - Head: left exactly along the line of the shoulders; up as near as can be, in frames in which
+//!   the body stands, to the top of the head, where an End Site or a joint says where that is,
+//!   within 60° of the trunk; otherwise from the lowest joint of the neck to the head, where that is
+//!   within 30° of the trunk in both bodies; otherwise along the trunk.
 //! - Others: as the joint above, in the mean.
 //!
 //! Source and target of a recording on a recording are both read by their motions, so that a
@@ -76,6 +79,8 @@
 //! frames. In most recordings the person stands in more frames than that, and the lowest values are
 //! noise. With [`Options::keeps_height`] the height is that of the source, scaled.
 //!
+//! Soles are those of the feet: a root on the ground is nothing to stand on.
+//!
 //! # Feet
 //!
 //! Legs of other proportions do not keep a standing foot in its place: see
@@ -88,17 +93,21 @@ mod calibration_frame;
 mod checks;
 pub(crate) mod convention;
 mod correspondence;
+mod fault;
+mod feet;
 mod foot_locking;
+mod head_top;
 mod hierarchy;
 mod human;
 mod joint_map;
+mod mapping;
 mod posture;
 mod reference;
 mod soles;
 mod source;
 mod standing;
 mod standing_pose;
-mod structure;
+pub(crate) mod structure;
 mod target;
 mod transfer;
 mod trunk;
@@ -117,14 +126,17 @@ use crate::skeleton::{Skeleton, SkeletonError};
 use correspondence::{Correspondence, Request};
 
 pub use calibration_frame::begins_with_calibration;
-pub use checks::{Checks, Fault, Place, Worst};
+pub use checks::{Checks, Worst};
 pub use correspondence::Alignment;
+pub use fault::{Fault, Place};
 pub use foot_locking::{Contact, FootLocking, LockedFeet};
 pub use joint_map::{JointMap, MapOrigin};
+pub use mapping::Mapping;
 pub use reference::{FoundReference, Reference};
 pub use soles::Soles;
 pub use source::Source;
 pub use standing::StandingFoot;
+pub use structure::BodyProblem;
 pub use target::Target;
 pub use transfer::{Transfer, TransferOptions};
 pub use up_axis::{FoundUpAxis, UpAxis};
@@ -165,7 +177,7 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RecordingError::NoMatch`], [`RecordingError::NoLegs`], [`RecordingError::NoMotion`],
+    /// [`RecordingError::NoMatch`], [`RecordingError::NotAPerson`], [`RecordingError::NoLegs`], [`RecordingError::NoMotion`],
     /// [`RecordingError::Overflow`], [`RecordingError::NoReference`],
     /// [`RecordingError::ReferenceJoint`], [`RecordingError::FrameRange`] for a frame of reference
     /// that does not exist, and [`RecordingError::Skeleton`] for soles, a map or a motion of
@@ -179,7 +191,7 @@ impl<'a> Retarget<'a> {
         let map = match options.map {
             Some(map) => map,
             None => {
-                found = JointMap::by_names_or_structure(source, target);
+                found = JointMap::by_names_or_structure(source, target)?;
                 &found
             }
         };

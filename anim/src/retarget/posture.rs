@@ -94,9 +94,16 @@ impl Posture<'_> {
         square(angle(self.trunk(), UP), 12.0) + legs / 2.0
     }
 
-    /// What the places say of a joint's rotation. `standing` and `contact` are how much the body
-    /// stands and how much each foot stands on the ground, from 0 to 1.
-    pub(super) fn observe(&self, role: Role, standing: f64, contact: [f64; 2]) -> Vec<Observation> {
+    /// What the places say of a joint's rotation. `head` is what is upright in the head, and
+    /// `standing` and `contact` are how much the body stands and how much each foot stands on the
+    /// ground, from 0 to 1.
+    pub(super) fn observe(
+        &self,
+        role: Role,
+        head: Vector<f64>,
+        standing: f64,
+        contact: [f64; 2],
+    ) -> Vec<Observation> {
         let single = |axes: Option<Axes>, weight: f64| {
             let observation = axes.map(|axes| Observation {
                 axes,
@@ -108,7 +115,7 @@ impl Posture<'_> {
         match role {
             Role::Trunk(part) => single(self.trunk_axes(part), standing),
             Role::Clavicle => single(self.trunk_axes(1.0), standing),
-            Role::Head => single(self.head_axes(), standing),
+            Role::Head => single(self.head_axes(head), standing),
             Role::Foot { side } => single(self.foot_axes(side), contact[side]),
             Role::Leg { side, bone } => {
                 let usual = self.hip_line();
@@ -133,12 +140,8 @@ impl Posture<'_> {
         from_left_and_up(left, self.trunk())
     }
 
-    /// Up along the neck where there is one.
-    fn head_axes(&self) -> Option<Axes> {
-        let up = match self.human.neck {
-            Some(neck) => self.between(neck, self.human.head),
-            None => self.trunk(),
-        };
+    /// Left exactly along the line of the shoulders.
+    fn head_axes(&self, up: Vector<f64>) -> Option<Axes> {
         from_left_and_up(self.shoulder_line()?, up)
     }
 

@@ -64,8 +64,8 @@ impl Motion {
         for (mut moment, pair) in motors {
             if let (Some(human), Some((before, after))) = (human, pair) {
                 let [before, after] = [Moment::new(before), Moment::new(after)];
-                moment.speeds = human.legs.map(|[_, _, ankle]| {
-                    before.places[ankle].distance(after.places[ankle]) / source.frame_time()
+                moment.velocities = human.legs.map(|[_, _, ankle]| {
+                    (after.places[ankle] - before.places[ankle]) / source.frame_time()
                 });
             }
             moments.push(moment);
@@ -77,9 +77,10 @@ impl Motion {
         if axis != UpAxis::Y {
             for moment in &mut moments {
                 let motors = moment.motors.iter().map(|&motor| upright * motor).collect();
-                let speeds = moment.speeds;
+                let rotated = |v| upright.transform(Direction::from(v)).into();
+                let velocities = moment.velocities.map(rotated);
                 *moment = Moment {
-                    speeds,
+                    velocities,
                     ..Moment::new(motors)
                 };
             }

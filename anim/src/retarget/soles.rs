@@ -84,6 +84,16 @@ impl Soles {
         }
     }
 
+    /// Those of some joints; all where these have none.
+    pub(super) fn of_joints(self, is_counted: impl Fn(usize) -> bool) -> Self {
+        let counted = self.points.iter().filter(|(joint, _)| is_counted(*joint));
+        let points: Vec<_> = counted.cloned().collect();
+        match points.is_empty() {
+            true => self,
+            false => Self { points, ..self },
+        }
+    }
+
     /// The joints that have a part of the sole.
     pub(super) fn joints(&self) -> impl Iterator<Item = usize> + '_ {
         self.points.iter().map(|&(joint, _)| joint)

@@ -21,6 +21,12 @@ pub trait Source: Debug {
     /// Where the joints are at rest.
     fn rest_positions(&self) -> Vec<[f64; 3]>;
 
+    /// Where the bones of joints end on which no other joint hangs, such as the top of the head at
+    /// an End Site: relative to the joint, at rest. All are unknown by default.
+    fn ends(&self) -> Vec<Option<[f64; 3]>> {
+        vec![None; self.parents().len()]
+    }
+
     /// How many frames there are.
     fn frame_count(&self) -> usize;
 
@@ -46,6 +52,10 @@ impl Source for Bvh {
 
     fn rest_positions(&self) -> Vec<[f64; 3]> {
         Bvh::rest_positions(self)
+    }
+
+    fn ends(&self) -> Vec<Option<[f64; 3]>> {
+        self.joints().iter().map(|joint| joint.end_site).collect()
     }
 
     fn frame_count(&self) -> usize {
@@ -81,6 +91,10 @@ impl Source for Recording {
             .iter()
             .map(|map| map.translation)
             .collect()
+    }
+
+    fn ends(&self) -> Vec<Option<[f64; 3]>> {
+        Recording::ends(self).to_vec()
     }
 
     fn frame_count(&self) -> usize {

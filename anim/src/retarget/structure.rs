@@ -12,6 +12,25 @@ pub(super) type Meaning = (Part, Option<Side>);
 /// The joints of each part of a body, from the root on.
 pub(super) type Parts = HashMap<Meaning, Vec<usize>>;
 
+/// Why a hierarchy is not that of a person.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BodyProblem {
+    /// There are no two chains to the ground with hips, knees and ankles.
+    #[error("it has no two legs with hips, knees and ankles that reach the ground at rest")]
+    NoLegs,
+    /// The trunk does not stand upright.
+    #[error("from the hips to the head it is {degrees:.0}° from the vertical at rest")]
+    Lying {
+        /// The angle.
+        degrees: f64,
+    },
+    /// What should be arms reaches the ground.
+    #[error("it stands on four legs at rest: what would be its hands is as low as its feet")]
+    FourLegs,
+}
+
+/// The greatest angle of a trunk that stands upright at rest, in degrees.
+const UPRIGHT: f64 = 45.0;
 /// As fractions of the body's height: how far above the lowest joint the end of a leg is at most;
 /// how far beside the middle a hand is at least; and a length that is none.
 const LOW: f64 = 0.2;
@@ -21,11 +40,19 @@ const TINY: f64 = 1e-3;
 /// The joints of each part of a body that stands upright at rest, y up, found by the shape of the
 /// hierarchy: two chains to the ground, above them a trunk, and two chains to its sides.
 ///
-/// Empty where there are no two legs. Digits are not told apart.
-pub(super) fn parts_by_structure(parents: &[Option<usize>], places: &[[f64; 3]]) -> Parts {
-    Body::new(parents, places)
-        .and_then(|body| body.parts())
-        .unwrap_or_default()
+/// Digits are not told apart.
+///
+/// # Errors
+///
+/// What makes it no person.
+pub(super) fn parts_by_structure(
+    parents: &[Option<usize>],
+    places: &[[f64; 3]],
+) -> Result<Parts, BodyProblem> {
+    let body = Body::new(parents, places).ok_or(BodyProblem::NoLegs)?;
+    let parts = body.parts().ok_or(BodyProblem::NoLegs)?;
+    body.check(&parts)?;
+    Ok(parts)
 }
 
 struct Body<'a> {
@@ -107,6 +134,34 @@ impl<'a> Body<'a> {
         }
         self.upper_body(hips, &legs, left, &mut parts);
         Some(parts)
+    }
+
+    /// Fails for a body that stands on four legs or does not stand at all.
+    fn check(&self, parts: &Parts) -> Result<(), BodyProblem> {
+        let place = |part, side| {
+            let joint = parts.get(&(part, side))?.last()?;
+            Some(self.places[*joint])
+        };
+        let sides = [Some(Side::Left), Some(Side::Right)];
+        let height = |part| {
+            let heights = sides.iter().filter_map(|&side| Some(place(part, side)?.e2));
+            heights.reduce(f64::max)
+        };
+        if let Some((hand, foot)) = height(Part::Hand).zip(height(Part::Foot))
+            && hand <= foot.max(self.low + LOW * self.height)
+        {
+            return Err(BodyProblem::FourLegs);
+        }
+        let upper = [Part::Head, Part::Neck, Part::Spine];
+        let head = upper.into_iter().find_map(|part| place(part, None));
+        if let Some((hips, head)) = place(Part::Hips, None).zip(head) {
+            let up = Vector::new(0.0, 1.0, 0.0);
+            let degrees = (head - hips).angle(up).map_or(0.0, f64::to_degrees);
+            if degrees > UPRIGHT {
+                return Err(BodyProblem::Lying { degrees });
+            }
+        }
+        Ok(())
     }
 
     /// The joints from a root to a joint.

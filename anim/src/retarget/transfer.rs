@@ -6,6 +6,7 @@ use serde_json::Value;
 use super::checks::Checks;
 use super::foot_locking::{Contact, FootLocking};
 use super::joint_map::{JointMap, MapOrigin};
+use super::mapping::Mapping;
 use super::reference::FoundReference;
 use super::source::Source;
 use super::standing::StandingFoot;
@@ -52,6 +53,8 @@ pub struct Transfer {
     pub map_by: MapOrigin,
     /// The map as [`JointMap::to_json`] gives it.
     pub map: Value,
+    /// How sure the map is.
+    pub mapping: Mapping,
     /// The joints of the target that move with their parents.
     pub joints_without_counterpart: Vec<String>,
     /// Whether standing feet stay in their places.
@@ -127,6 +130,12 @@ impl Transfer {
             target_metres_per_unit: options.target_metres_per_unit,
             map_by,
             map: map.to_json(source, skeleton),
+            mapping: Mapping::new(
+                map,
+                map_by,
+                skeleton,
+                options.retarget.target_motion.is_none(),
+            ),
             joints_without_counterpart: retarget.unmatched().map(ToOwned::to_owned).collect(),
             foot_locking: options.foot_locking,
             slide_metres: greatest(|foot| foot.slide_metres),

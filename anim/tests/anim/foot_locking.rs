@@ -463,7 +463,7 @@ fn real_feet_of_cesium_man_stand() {
     let source = bvh::read(path).unwrap();
     let document = ga_mesh::gltf::read(shared("data/anim/gltf/cesium_man.gltf").unwrap()).unwrap();
     let body = character(&document).unwrap();
-    let map = JointMap::by_names_or_structure(&source, &body.skeleton);
+    let map = JointMap::by_names_or_structure(&source, &body.skeleton).unwrap();
     let soles = Soles::of_mesh(body.mesh.positions(), &body.weights).unwrap();
     assert_real_feet_stand(&body.skeleton, &soles, &map, &source);
 }

@@ -23,6 +23,7 @@ mod recording;
 mod recording_edit;
 mod recording_gltf;
 mod retarget;
+mod retarget_pairs;
 mod retarget_real;
 mod retarget_reference;
 mod retarget_rigs;

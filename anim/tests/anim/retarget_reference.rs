@@ -8,7 +8,7 @@ use ga_anim::recording::{RecordedJoint, Recording};
 use ga_anim::retarget::{FoundReference, Options, Reference, Retarget, Source, UpAxis};
 use ga_anim::skeleton::Skeleton;
 use ga_anim::transform::Transform;
-use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
 use nullcone_shared_data::shared;
 
@@ -188,5 +188,113 @@ proptest::proptest! {
         let options = Options { reference: Reference::Frame(3), ..Options::default() };
         let found = difference([&a, &b], &target, &options);
         proptest::prop_assert!(found < 1e-9, "{found}");
+    }
+}
+
+/// Two files of one motion, of which one stands at rest and in the other all bones lie along one
+/// axis, have one mirror image.
+#[test]
+fn a_mirror_image_is_the_same_whatever_the_axes_of_the_joints() {
+    let Some((upright, along)) =
+        case("rest-not-upright/upright.bvh").zip(case("rest-not-upright/along_x.bvh"))
+    else {
+        return;
+    };
+    let x = Vector::new(1.0, 0.0, 0.0);
+    let [upright, along] =
+        [upright, along].map(|motion| Recording::from_bvh(&motion, 0.01).unwrap());
+    let [image, other] = [&upright, &along].map(|recording| recording.mirrored(x).unwrap());
+    let names = Source::names(&upright);
+    for frame in 0..upright.frame_count() {
+        let before = places(&upright, frame);
+        let [a, b] = [&image, &other].map(|recording| places(recording, frame));
+        for (joint, name) in names.iter().enumerate() {
+            let counterpart = match name.strip_prefix("Left") {
+                Some(rest) => format!("Right{rest}"),
+                None => name.replace("Right", "Left"),
+            };
+            let counterpart = names
+                .iter()
+                .position(|other| *other == counterpart)
+                .unwrap();
+            let truth = before[counterpart] - x * (2.0 * before[counterpart].e1);
+            assert!(a[joint].distance(truth) < 1e-12, "{name} in frame {frame}");
+            // The file has six digits.
+            assert!(b[joint].distance(truth) < 1e-5, "{name} in frame {frame}");
+        }
+    }
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(16))]
+    /// With random axes of all joints, every joint is where the reflected one is.
+    #[test]
+    fn random_axes_have_the_same_mirror_image(
+        angles in proptest::collection::vec(proptest::array::uniform3(-3.0..3.0f64), 64),
+    ) {
+        let Some(upright) = case("rest-not-upright/upright.bvh") else { return Ok(()) };
+        let recording = Recording::from_bvh(&upright, 0.01).unwrap();
+        let axes = angles.into_iter().map(|v| Rotor::from_rotation_vector(v).unwrap());
+        let other = with_axes(&recording, &axes.collect::<Vec<_>>());
+        let x = Vector::new(1.0, 0.0, 0.0);
+        let [image, found] = [&recording, &other].map(|recording| recording.mirrored(x).unwrap());
+        let back = found.mirrored(x).unwrap();
+        for frame in 0..recording.frame_count() {
+            let pairs = places(&image, frame).into_iter().zip(places(&found, frame));
+            for (truth, found) in pairs {
+                proptest::prop_assert!(found.distance(truth) < 1e-5, "{}", found.distance(truth));
+            }
+            let pairs = places(&other, frame).into_iter().zip(places(&back, frame));
+            for (truth, found) in pairs {
+                proptest::prop_assert!(found.distance(truth) < 1e-9);
+            }
+        }
+    }
+}
+
+/// In a recording whose zero pose is no person, the End Site says where the top of the head is: a
+/// head that is bent forwards by 29° is so on a body that holds it upright at rest.
+#[test]
+fn the_end_site_says_how_a_head_is_held() {
+    let Some(path) = shared("cases/motion/rest-not-upright/along_x.bvh") else {
+        return;
+    };
+    let Some(upright) = case("rest-not-upright/upright.bvh") else {
+        return;
+    };
+    let text = std::fs::read_to_string(path).unwrap();
+    let bent: f64 = 0.5;
+    // The bones of this file lie along x at rest, and the head's z axis points forwards.
+    let head = text.find("JOINT Head").unwrap();
+    let (before, after) = text.split_at(head);
+    let top = format!(
+        "OFFSET {} 0.000000 {}",
+        18.0 * bent.cos(),
+        18.0 * bent.sin()
+    );
+    let end = after.find("End Site").unwrap();
+    let after = format!(
+        "{}{}",
+        &after[..end],
+        after[end..].replacen("OFFSET 0.000000 0.000000 0.000000", &top, 1)
+    );
+    let motion = ga_anim::bvh::decode(format!("{before}{after}").as_bytes()).unwrap();
+    let target = upright.skeleton().unwrap();
+    let retarget = Retarget::new(&motion, &target, &Options::default()).unwrap();
+    assert_eq!(retarget.reference(), FoundReference::Motion);
+    let head = motion.index("Head").unwrap();
+    for frame in 0..motion.frame_count() {
+        let pose = retarget.pose(frame).unwrap().motions(&target).unwrap();
+        let ours = pose[target.index("Head").unwrap()].rotor();
+        let ours: Vector<f64> = ours
+            .transform(Direction::from(Vector::new(0.0, 1.0, 0.0)))
+            .into();
+        let there = motion.end_site_positions(frame).unwrap()[head].unwrap();
+        let there =
+            Vector::from(there) - Vector::from(motion.joint_positions(frame).unwrap()[head]);
+        let angle = ours.angle(there).unwrap().to_degrees();
+        // By the neck it would be 29°. One frame in four, in which the head looks to a side, says
+        // otherwise.
+        assert!(angle < 10.0, "frame {frame}: {angle}");
     }
 }

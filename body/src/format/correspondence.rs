@@ -62,7 +62,8 @@ pub fn correspondence(
     skeleton: &Skeleton,
 ) -> Result<Vec<Option<usize>>, BodyError> {
     let understood = Names(names.iter().map(|name| alias(name, skeleton)).collect());
-    let map = JointMap::by_names_or_structure(&understood, skeleton);
+    let map = JointMap::by_names_or_structure(&understood, skeleton)
+        .unwrap_or_else(|_| JointMap::by_names(&understood, skeleton));
     let mut joints = vec![None; names.len()];
     // Parents come first: of several joints with one meaning, such as those of a neck, the first.
     for (joint, source) in map.source_of().iter().enumerate().rev() {

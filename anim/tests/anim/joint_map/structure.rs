@@ -30,14 +30,16 @@ fn bodies_without_names_are_matched_by_their_structure() {
         expected
     );
     assert_eq!(
-        JointMap::by_names_or_structure(&motion, &target).source_of(),
+        JointMap::by_names_or_structure(&motion, &target)
+            .unwrap()
+            .source_of(),
         expected
     );
     // One of them has names.
     for (convention, known) in NAMES {
-        let map = JointMap::by_names_or_structure(&motion, &skeleton(&known));
+        let map = JointMap::by_names_or_structure(&motion, &skeleton(&known)).unwrap();
         assert_eq!(map.source_of(), expected, "{convention}");
-        let map = JointMap::by_names_or_structure(&recording(&known), &target);
+        let map = JointMap::by_names_or_structure(&recording(&known), &target).unwrap();
         assert_eq!(map.source_of(), expected, "{convention}");
     }
 }
@@ -65,7 +67,7 @@ fn structure_tells_bones_in_between_and_sides() {
             ..joint.clone()
         });
         let target = Skeleton::new(joints.collect()).unwrap();
-        let map = JointMap::by_names_or_structure(&motion, &target);
+        let map = JointMap::by_names_or_structure(&motion, &target).unwrap();
         for (joint, &(_, place)) in BODY.iter().enumerate() {
             let there = expected(&target, placed(place)).unwrap();
             assert_eq!(map.source_of()[there], Some(joint), "{}", NAMES[0].1[joint]);

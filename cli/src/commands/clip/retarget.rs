@@ -21,7 +21,9 @@ use crate::transfer::{Body, Motion, TransferArguments};
 /// Transfer a motion to another skeleton.
 ///
 /// Joints are matched by the usual names (Mixamo, MakeHuman, CMU, 3ds Max Biped, UpperLeg_L), by
-/// the shape of the hierarchy where the names say nothing, or by a file given with --map. Matched
+/// the shape of the hierarchy where the names say nothing, or by a file given with --map. By its
+/// shape, only a body that stands on two legs is taken for a person. "mapping" has a "confidence"
+/// from 0 to 1, with a warning below 0.7, and "parts_missing", such as "left hand". Matched
 /// bones become parallel to those of the motion and keep their lengths; other joints move with the
 /// ones above them. The scale is the ratio of the lengths of the legs, and the feet are put on the
 /// ground at y = 0, unless --keep-height is given.
@@ -36,8 +38,9 @@ use crate::transfer::{Body, Motion, TransferArguments};
 /// frame and the joint in "worst". Warnings name what a person does not do: a head more than 60°
 /// from the trunk, bones longer or shorter by 1e-6, feet that are more than 0.05 legs above the
 /// ground or below it in three quarters of the frames, a knee that bends backwards in more than 5 %
-/// of the frames, and a joint that rotates by over 60° more than the one that moves it from one
-/// frame to the next.
+/// of the frames, a standing foot whose sole is more than 15° from flat or that points more than 90°
+/// away from where the pelvis looks, in the median, and a joint that rotates by over 60° more than
+/// the one that moves it from one frame to the next.
 ///
 /// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one
 /// place, and only thighs and shins deviate for that. A leg that is too short is reported. Where
