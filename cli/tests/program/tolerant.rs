@@ -117,7 +117,17 @@ fn motions() {
     std::fs::write(folder.path().join("a.bvh"), motion).unwrap();
     for words in [
         &["clip", "sample", "a.bvh", "--times", "0"][..],
-        &["clip", "compress", "a.bvh", "--tolerance", "0.01", "--shell", "1", "--out", "a.clip"],
+        &[
+            "clip",
+            "compress",
+            "a.bvh",
+            "--tolerance",
+            "0.01",
+            "--shell",
+            "1",
+            "--out",
+            "a.clip",
+        ],
         &[
             "clip", "resample", "a.bvh", "--rate", "10", "--out", "b.clip",
         ],

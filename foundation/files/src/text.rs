@@ -53,8 +53,7 @@ pub struct NotText(pub usize);
 /// # Ok::<(), ga_files::text::NotText>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), NotText> {
-    let mark: &[u8] = b"\xef\xbb\xbf";
-    let text = bytes.strip_prefix(mark).unwrap_or(bytes);
+    let text = without_mark(bytes);
     let null = memchr::memchr(0, text);
     let utf8 = std::str::from_utf8(text);
     let place = match (utf8, null) {
@@ -71,6 +70,12 @@ pub fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), NotText> {
     }
     let (text, _) = WINDOWS_1252.decode_without_bom_handling(text);
     Ok((text, Encoding::Latin1))
+}
+
+/// A text without the byte order mark of UTF-8 at its beginning.
+#[must_use]
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 /// The text where it is Shift-JIS.

@@ -36,7 +36,7 @@ pub(super) fn statements(
             .tolerate_times(line, foreign.count, problem);
         tolerated.map_err(at(line))?;
     }
-    let mut lines = Lines::new(text.as_bytes());
+    let mut lines = Lines::new(&text);
     for (line, text) in lines.by_ref() {
         parser.statement(line, &text).map_err(at(line))?;
     }
@@ -45,7 +45,7 @@ pub(super) fn statements(
         let tolerated = parser.deviations.tolerate_times(line, count, problem);
         tolerated.map_err(at(line))?;
     }
-    parser.finish(text.as_bytes(), lines.taken().max(1))
+    parser.finish(&text, lines.taken().max(1))
 }
 
 /// How many faces the groups of a file of this size may have in all. A line may name many groups,

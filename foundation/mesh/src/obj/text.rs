@@ -7,9 +7,9 @@ use ga_files::text::{self, Encoding};
 use super::lines::Lines;
 use crate::words::Words;
 
-/// A text as UTF-8, and what is not UTF-8 in the file.
+/// A text that is UTF-8 outside of comments, and what is not UTF-8 there in the file.
 pub(super) struct Text<'a> {
-    pub(super) text: Cow<'a, str>,
+    pub(super) text: Cow<'a, [u8]>,
     pub(super) foreign: Option<Foreign>,
 }
 
@@ -34,5 +34,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Text<'_>, usize> {
             encoding,
         });
     }
+    let text = match (&foreign, text) {
+        (Some(_), Cow::Owned(text)) => Cow::Owned(text.into_bytes()),
+        // Names are UTF-8 although some comment is not.
+        _ => Cow::Borrowed(text::without_mark(bytes)),
+    };
     Ok(Text { text, foreign })
 }

@@ -32,7 +32,7 @@ pub(in crate::obj) fn library(bytes: &[u8], reading: Reading) -> Result<Library,
         let tolerated = deviations.tolerate_times(line, foreign.count, problem);
         tolerated.map_err(|problem| (line, problem))?;
     }
-    let mut lines = Lines::new(text.as_bytes());
+    let mut lines = Lines::new(&text);
     for (line, text) in lines.by_ref() {
         parser.remarks.line = line;
         parser.statement(&text).map_err(|problem| (line, problem))?;

@@ -302,7 +302,13 @@ fn names_in_other_encodings_are_read_and_said() {
         assert_eq!((warning.kind(), warning.to_string()), ("encoding", message));
         assert!(strict(&file(name)).is_err());
     }
-    // Comments may have any encoding.
+    // Comments may have any encoding, and names are UTF-8 nevertheless.
+    let text = [&b"# caf\xe9\n"[..], &file("Körper".as_bytes())].concat();
+    let (mesh, warnings) = tolerant(&text).unwrap();
+    assert_eq!(
+        (mesh.groups()[0].name.as_str(), warnings),
+        ("Körper", vec![])
+    );
     let text = [SQUARE.as_bytes(), b"f 1 2 3 # \xfc\n# \xe9\n"].concat();
     assert_eq!(tolerant(&text).unwrap().1, []);
 }
