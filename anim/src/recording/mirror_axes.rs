@@ -11,11 +11,12 @@ use crate::clip::reflected;
 /// The greatest mean angle, in degrees, between a bone at rest and the reflected one of the other
 /// side in a body that is nearly its own mirror image.
 const ALIKE: f64 = 20.0;
-/// The same of each bone of a joint in such a body, whose axes at rest are then taken as they are:
-/// both sides of a person who was measured differ by this much.
-const NEAR: f64 = 5.0;
-/// What is known without the bones weighs this part of a bone of the same length.
-const FAINT: f64 = 1e-6;
+/// What is known without the bones weighs this part of them, in so many rounds, each of which
+/// begins with the result of the one before, so that only what the bones leave open remains of it.
+const FAINT: f64 = 1e-3;
+const ROUNDS: usize = 16;
+
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A bone as the joint has it at which it begins, and its counterpart as that one's joint has it.
 type Bones = [Vector<f64>; 2];
@@ -36,10 +37,7 @@ pub(super) fn mirror_axes(
     let mut axes: Vec<Rotor<f64>> = Vec::with_capacity(bones.len());
     for (joint, bones) in bones.iter().enumerate() {
         let other = counterparts[joint];
-        let is_near = |bone: &Bones| angle(bone, at_rest[joint], plane) <= NEAR;
-        let next = if is_alike && bones.iter().all(is_near) {
-            at_rest[joint]
-        } else if other < joint {
+        let next = if other < joint {
             mirrored(plane, axes[other].reverse())
         } else {
             let known = match recording.joints[joint].parent {
@@ -134,12 +132,19 @@ fn fitted(bones: &[Bones], known: Rotor<f64>, plane: DualPlane<f64>) -> Rotor<f6
     if pairs.is_empty() {
         return known;
     }
-    for axis in 0..3 {
-        let own = Vector::from([0, 1, 2].map(|k| f64::from(u8::from(k == axis))));
-        let there = rotated(known, own);
-        pairs.push((FAINT * whole, own.coordinates(), there.coordinates()));
+    let mut found = known;
+    for _ in 0..ROUNDS {
+        let mut pairs = pairs.clone();
+        for own in AXES {
+            let there = rotated(found, own.into());
+            pairs.push((FAINT * whole, own, there.coordinates()));
+        }
+        match Rotor::from_weighted_direction_pairs(&pairs) {
+            Ok(fit) => found = fit.motion,
+            Err(_) => break,
+        }
     }
-    Rotor::from_weighted_direction_pairs(&pairs).map_or(known, |fit| fit.motion)
+    found
 }
 
 /// The mean of a joint's rotations relative to its parent over all frames.
@@ -147,13 +152,11 @@ fn mean_rotation(recording: &Recording, joint: usize) -> Rotor<f64> {
     let mut sums = [Vector::default(); 3];
     let count = recording.joints.len();
     for frame in recording.locals.chunks_exact(count) {
-        for (axis, sum) in sums.iter_mut().enumerate() {
-            let axis = Vector::from([0, 1, 2].map(|k| f64::from(u8::from(k == axis))));
-            *sum += rotated(frame[joint].rotor(), axis);
+        for (axis, sum) in AXES.into_iter().zip(&mut sums) {
+            *sum += rotated(frame[joint].rotor(), axis.into());
         }
     }
-    let pairs = sums.iter().enumerate().filter_map(|(axis, sum)| {
-        let axis = [0, 1, 2].map(|k| f64::from(u8::from(k == axis)));
+    let pairs = AXES.into_iter().zip(sums).filter_map(|(axis, sum)| {
         (sum.length() > 0.0).then(|| (sum.length(), axis, sum.coordinates()))
     });
     let fit = Rotor::from_weighted_direction_pairs(&pairs.collect::<Vec<_>>());

