@@ -212,14 +212,14 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
             character: Some(path),
             ..
         } => {
-            let figure = Figure::read_gltf(path, unit)?;
-            let document = figure.document.as_ref();
-            let document = document.map(|it| it.relocated(path, &arguments.output.model()));
-            let mut document = document.transpose()?;
-            if let Some(document) = document.as_mut().filter(|_| arguments.replace) {
-                document.animations.clear();
+            let mut figure = Figure::read_gltf(path, unit)?;
+            if let Some(document) = &mut figure.document {
+                *document = document.relocated(path, &arguments.output.model())?;
+                if arguments.replace {
+                    document.animations.clear();
+                }
             }
-            Figure { document, ..figure }
+            figure
         }
         Arguments {
             mesh: Some(mesh),
