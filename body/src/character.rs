@@ -277,8 +277,8 @@ impl<'a> CharacterFit<'a> {
 }
 
 impl FittedCharacter {
-    /// The character with its poses as the first animation, of this name, or one with a number where
-    /// another animation has it.
+    /// The character with its poses as the first animation, of this name, or one with a number
+    /// where another animation has it.
     ///
     /// # Errors
     /// [`MotionFileError`] where the document of the character cannot hold it.

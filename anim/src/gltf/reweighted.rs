@@ -12,8 +12,8 @@ use crate::weights::error::SkinError;
 
 /// The document with other weights of its skinned vertices, numbered as by
 /// [`character`](super::character) and for its joints. A vertex has weights for joints of its own
-/// skin alone; others are left out. A mesh that several skins move becomes one for each of them; the
-/// new meshes come last.
+/// skin alone; others are left out. A mesh that several skins move becomes one for each of them;
+/// the new meshes come last.
 ///
 /// # Errors
 ///

@@ -113,9 +113,10 @@ impl Rigged {
         &self.nodes
     }
 
-    /// The document with a clip as its first animation. Its own animations follow; where one of them
-    /// has the name already, the clip gets a number at the end of its name. With F₀ the frame of a node in the world at
-    /// rest, G the total motion of its joint, and the same of its parent, its rotation is that of
+    /// The document with a clip as its first animation. Its own animations follow; where one of
+    /// them has the name already, the clip gets a number at the end of its name. With F₀ the frame
+    /// of a node in the world at rest, G the total motion of its joint, and the same of its parent,
+    /// its rotation is that of
     ///
     /// ```text
     /// (G_parent F₀_parent)⁻¹ G F₀.

@@ -144,7 +144,13 @@ fn a_real_figure_plays_a_clip() {
     let poses = (0..5).map(|frame| pose(skeleton, &numbers(frame), [0.1 * frame as f64, 0.2, 0.0]));
     let clip = Clip::new(0.04, poses.collect()).unwrap();
     let played = rigged.with_clip("dance", &clip).unwrap();
-    assert_eq!(played.animations.len(), 1);
+    // Its own animation follows.
+    assert_eq!(played.animations[0].name.as_deref(), Some("dance"));
+    assert_eq!(played.animations[1..], document.animations);
+    let twice = Rigged::new(&played).unwrap().with_clip("dance", &clip);
+    let names = twice.unwrap().animations.into_iter().map(|it| it.name);
+    let names: Vec<_> = names.take(2).flatten().collect();
+    assert_eq!(names, ["dance 2", "dance"]);
     assert_eq!(
         (&played.meshes, &played.skins),
         (&document.meshes, &document.skins)

@@ -22,10 +22,10 @@ use crate::{mesh_file, motion_file};
 ///
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
 /// weights and the motion; of a --character all that its file has, with the motion as the first
-/// animation and those of the file behind it, unless --replace is given), sheet.png (key frames at four places of the range with three
-/// in-betweens after each, shaded and as depth) and report.json. Lengths are metres, y points up.
-/// --json prints what report.json holds, with the paths of the files as "written" and the time that
-/// it took as "seconds".
+/// animation and those of the file behind it, unless --replace is given), sheet.png (key frames at
+/// four places of the range with three in-betweens after each, shaded and as depth) and
+/// report.json. Lengths are metres, y points up. --json prints what report.json holds, with the
+/// paths of the files as "written" and the time that it took as "seconds".
 ///
 /// Motion and rig are matched as by `clip retarget`: by the names of their joints, by the shape of
 /// the hierarchy, or by a file with --map. They may differ in unit, in proportions, in the
@@ -236,14 +236,14 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
             character: Some(path),
             ..
         } => {
-            let figure = Figure::read_gltf(path, unit)?;
-            let document = figure.document.as_ref();
-            let document = document.map(|it| it.relocated(path, &arguments.output.model()));
-            let mut document = document.transpose()?;
-            if let Some(document) = document.as_mut().filter(|_| arguments.replace) {
-                document.animations.clear();
+            let mut figure = Figure::read_gltf(path, unit)?;
+            if let Some(document) = &mut figure.document {
+                *document = document.relocated(path, &arguments.output.model())?;
+                if arguments.replace {
+                    document.animations.clear();
+                }
             }
-            Figure { document, ..figure }
+            figure
         }
         Arguments {
             mesh: Some(mesh),

@@ -101,7 +101,11 @@ pub(crate) fn of_ply(mesh: &Mesh) -> Vec<Omission> {
     let points = if is_cloud { 0 } else { mesh.points().len() };
     [
         Omission::new("materials", "material", materials.len()),
-        Omission::new("textures of materials", "texture of a material", textures.count()),
+        Omission::new(
+            "textures of materials",
+            "texture of a material",
+            textures.count(),
+        ),
         Omission::new("groups", "group", mesh.groups().len()),
         Omission::new("objects", "object", mesh.objects().len()),
         further_sets(mesh),

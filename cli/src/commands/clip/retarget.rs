@@ -51,8 +51,8 @@ use crate::transfer::{Body, Motion, TransferArguments};
 ///   nullcone clip retarget 01_01.bvh --metres-per-unit 0.056444 --target hero.glb --foot-locking
 ///   --out hero-jumps.glb --json
 ///
-/// writes hero-jumps.glb, which is hero.glb with the motion as its first animation and those that it
-/// has behind that, unless --replace is given, and prints {"frames": 2752, "joints": …,
+/// writes hero-jumps.glb, which is hero.glb with the motion as its first animation and those that
+/// it has behind that, unless --replace is given, and prints {"frames": 2752, "joints": …,
 /// "map_by": "names", "map": {"LeftUpLeg": "thigh_l", …}, "slide_metres": …, "feet": […], …}. A map
 /// that is printed is of the form that --map reads: the joint of the motion first, and the joint of
 /// the target, or a list of them. slide_metres is how far apart two places of an ankle are at most
@@ -76,8 +76,8 @@ pub(crate) struct Arguments {
     /// The greatest error of a joint in a target of the kind .clip.
     #[arg(long, value_name = "METRES", default_value_t = 1e-4)]
     tolerance: f64,
-    /// The motion to be written. A .glb keeps all that a target of that kind has, with the motion as
-    /// the first animation, and a .bvh the channels of a target of that kind.
+    /// The motion to be written. A .glb keeps all that a target of that kind has, with the motion
+    /// as the first animation, and a .bvh the channels of a target of that kind.
     #[arg(long, value_name = "OUT.bvh|OUT.glb|OUT.clip")]
     out: PathBuf,
     /// Drop the animations that a target of the kind .glb has.

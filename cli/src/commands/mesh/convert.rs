@@ -17,11 +17,11 @@ use crate::mesh_file::{self, Written};
 ///
 /// What both formats have is kept: positions, polygons, normals, texture coordinates, colours of
 /// vertices, and, between formats that have them, groups, objects and materials. From glTF to glTF
-/// everything is kept: nodes, skins, animations, morph targets, cameras, lights, extras, extensions,
-/// and the types of numbers. Another format holds the shown scene as it stands. Warnings list what
-/// the format of the output cannot hold, one for each kind with its number: "what" and "count" in
-/// --json, as in {"kind": "omission", "what": "skins", "count": 1, "message": …}. Paths of pictures
-/// are written relative to the output.
+/// everything is kept: nodes, skins, animations, morph targets, cameras, lights, extras,
+/// extensions, and the types of numbers. Another format holds the shown scene as it stands.
+/// Warnings list what the format of the output cannot hold, one for each kind with its number:
+/// "what" and "count" in --json, as in {"kind": "omission", "what": "skins", "count": 1, "message":
+/// …}. Paths of pictures are written relative to the output.
 ///
 /// glTF that is compressed by KHR_draco_mesh_compression is read; to glTF it is written as it is.
 ///

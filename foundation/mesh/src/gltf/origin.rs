@@ -14,8 +14,9 @@ use super::json;
 /// know. Of an element that was changed, those extensions are kept.
 ///
 /// Elements are compared by their places in the lists of the document, so that new ones belong at
-/// the ends; animations may stand anywhere. A document that is made, not read, has the default, which is no file. All origins are
-/// equal, since they say where a document comes from and not what it is.
+/// the ends; animations may stand anywhere. A document that is made, not read, has the default,
+/// which is no file. All origins are equal, since they say where a document comes from and not what
+/// it is.
 ///
 /// # Examples
 ///

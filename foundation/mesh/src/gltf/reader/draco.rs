@@ -76,7 +76,10 @@ fn primitive(
         let width = usize::from(attribute.num_components());
         let rows = Shape::from_name(&json.shape).map_or(0, |shape| shape.rows());
         count("numbers of a vertex", rows as u64, width)?;
-        bytes.insert(index, encoded(json, numbers(attribute, mesh.num_points())?.into_iter())?);
+        bytes.insert(
+            index,
+            encoded(json, numbers(attribute, mesh.num_points())?.into_iter())?,
+        );
     }
     Ok(())
 }

@@ -77,7 +77,12 @@ impl Layout {
 }
 
 /// Replaces the items at `targets` by `values`; both are of one type.
-pub(super) fn replace(components: &mut Components, values: &Components, targets: &[usize], width: usize) {
+pub(super) fn replace(
+    components: &mut Components,
+    values: &Components,
+    targets: &[usize],
+    width: usize,
+) {
     fn copy<T: Copy>(numbers: &mut [T], values: &[T], targets: &[usize], width: usize) {
         for (value, &target) in values.chunks_exact(width).zip(targets) {
             numbers[target * width..][..width].copy_from_slice(value);

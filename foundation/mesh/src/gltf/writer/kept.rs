@@ -3,11 +3,11 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::super::{Animation, Document};
 use super::super::json::DRACO;
 use super::super::origin::File;
 use super::super::problem::{Element, Problem};
 use super::super::reader;
+use super::super::{Animation, Document};
 use crate::FormatError;
 
 /// The file that a document was read from, and the document as it was then.

@@ -311,8 +311,8 @@ fn with_properties(new: &Value, mut old: Value) -> Value {
     old
 }
 
-/// The buffers of a file joined to one, with their views, and the bytes of that one. Buffers without
-/// bytes stay behind it: those for which compressed ones stand.
+/// The buffers of a file joined to one, with their views, and the bytes of that one. Buffers
+/// without bytes stay behind it: those for which compressed ones stand.
 fn joined(kept: &Kept) -> (OldBuffers, Vec<u8>) {
     let list = |name: &str| {
         let list = kept.file.json.get(name).and_then(Value::as_array);

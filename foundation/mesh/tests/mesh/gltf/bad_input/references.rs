@@ -32,8 +32,8 @@ fn the_file_and_its_meshes() {
     );
     check(
         "/extensionsRequired",
-        json!(["KHR_mesh_quantization", "KHR_draco_mesh_compression"]),
-        "file: requires the extension KHR_draco_mesh_compression, which is not supported",
+        json!(["KHR_mesh_quantization", "KHR_xmp_json_ld"]),
+        "file: requires the extension KHR_xmp_json_ld, which is not supported",
     );
     check(
         "#/attributes/POSITION",
