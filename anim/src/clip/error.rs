@@ -131,7 +131,7 @@ pub enum ClipError {
     /// With the most bits a joint stays beyond its tolerance.
     #[error(
         "joint {joint:?} cannot be kept within {tolerance} m: with the most bits of the format its \
-         error is {error:.2e} m, since its motion is too large for that"
+         error is {error:.2e} m, since its places are too far apart or too far away for that"
     )]
     Bound {
         /// The joint.

@@ -14,14 +14,20 @@ use crate::retarget::body::Body;
 const LEAST_SWING: f64 = 0.1;
 /// As a part of the whole swing of a foot, by how much it swings back at least between two steps.
 const TURN: f64 = 0.25;
-/// As a part of the height to which an ankle is lifted in a step, how high above the ground it
-/// comes down.
-const DOWN: f64 = 0.05;
+/// As a part of the height to which an ankle is lifted in a step, how high above the ground it comes
+/// down at most, and as a part of the greatest speed at which it sinks, how fast at most.
+const DOWN: f64 = 0.15;
+const STILL: f64 = 0.2;
+/// Feet that come down within this time, in seconds, do so at once: nobody runs so fast.
+const AT_ONCE: f64 = 0.1;
+/// The time over which the speed of an ankle is measured, in seconds: a recording is noisy from
+/// frame to frame.
+const SPAN: f64 = 1.0 / 30.0;
 /// As a part of the leg's length, how high an ankle is lifted at least for that to say when it
 /// comes down.
 const LEAST_LIFT: f64 = 0.02;
 
-/// A foot.
+/// A foot, or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Foot {
@@ -29,6 +35,8 @@ pub enum Foot {
     Left,
     /// The right one.
     Right,
+    /// Both at once, as after a jump.
+    Both,
 }
 
 /// A foot comes down to the ground.
@@ -46,10 +54,12 @@ pub struct Footfall {
 /// G. Richards and J. S. Higginson, "Two simple methods for determining gait events during
 /// treadmill and overground walking using kinematic data", Gait & Posture 27, 2008); forwards is
 /// across the line of the hips. So every step has one greatest swing forwards, on a treadmill too.
-/// The foot comes down when the ankle, after it was lifted for that step, comes within a twentieth
-/// of the height of the lift to its lowest place until it swings forwards again.
+/// The foot comes down when the ankle, after it was lifted for that step, is near its lowest place
+/// until it swings forwards again and sinks at less than a fifth of the greatest speed at which it
+/// did.
 ///
-/// A foot that is on the ground from the first frame on has not come down.
+/// A foot that is on the ground from the first frame on has not come down. Feet that come down
+/// within a tenth of a second do so at once.
 ///
 /// # Errors
 ///
@@ -65,7 +75,23 @@ pub fn footfalls(recording: &Recording) -> Result<Vec<Footfall>, GaitProblem> {
         }));
     }
     footfalls.sort_by(|a, b| a.time_seconds.total_cmp(&b.time_seconds));
-    Ok(footfalls)
+    Ok(at_once(&footfalls))
+}
+
+/// The footfalls in rising time, in which those of two feet that are close together are one.
+fn at_once(footfalls: &[Footfall]) -> Vec<Footfall> {
+    let mut all: Vec<Footfall> = Vec::with_capacity(footfalls.len());
+    for &footfall in footfalls {
+        match all.last_mut() {
+            Some(last) if footfall.time_seconds - last.time_seconds < AT_ONCE => {
+                if last.foot != footfall.foot {
+                    last.foot = Foot::Both;
+                }
+            }
+            _ => all.push(footfall),
+        }
+    }
+    all
 }
 
 /// The vertical of a motion: the axis along which the head is above the feet, or y where no person
@@ -153,6 +179,12 @@ impl Paths {
         }
         let turns = turns(&swing, TURN * range);
         let height = |frame: usize| ankles[frame].e2;
+        let half = (0.5 * SPAN / self.frame_time).round().max(1.0) as usize;
+        let sinks = |frame: usize| {
+            let (begin, end) = (frame.saturating_sub(half), frame + half);
+            let end = end.min(ankles.len() - 1);
+            (height(begin) - height(end)) / (end - begin).max(1) as f64
+        };
         let lowest = |frames: std::ops::RangeInclusive<usize>| {
             frames.map(height).fold(f64::INFINITY, f64::min)
         };
@@ -176,11 +208,20 @@ impl Paths {
                 }
                 continue;
             }
-            let limit = ground + DOWN * lift;
-            let first = (top..after).find(|&frame| height(frame + 1) <= limit);
-            down.extend(first.map(|frame| {
-                let [above, below] = [height(frame), height(frame + 1)];
-                frame as f64 + ((above - limit) / (above - below)).clamp(0.0, 1.0)
+            let sinking: Vec<f64> = (top..=after).map(|frame| sinks(frame)).collect();
+            let fastest = sinking.iter().copied().fold(0.0, f64::max);
+            let slow = STILL * fastest;
+            let is_down = |&k: &usize| {
+                height(top + k) <= ground + DOWN * lift && sinking[k] <= slow
+            };
+            let first = (1..sinking.len()).find(is_down);
+            down.extend(first.map(|k| {
+                let [before, now] = [sinking[k - 1], sinking[k]];
+                let part = match before > slow {
+                    true => (before - slow) / (before - now),
+                    false => 1.0,
+                };
+                (top + k - 1) as f64 + part
             }));
         }
         down

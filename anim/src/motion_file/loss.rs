@@ -5,7 +5,10 @@
 #[non_exhaustive]
 pub enum Loss {
     /// What a document shows beside its motion.
-    #[error("{} not in the file", listed(&[(*.meshes, "mesh", "meshes"), (*.skins, "skin", "skins")]))]
+    #[error(
+        "not in the file: {}",
+        listed(&[(*.meshes, "mesh", "meshes"), (*.skins, "skin", "skins")])
+    )]
     Meshes {
         /// How many meshes there are.
         meshes: usize,
@@ -13,14 +16,17 @@ pub enum Loss {
         skins: usize,
     },
     /// The other animations of a document.
-    #[error("{} not in the file", listed(&[(*.animations, "other animation", "other animations")]))]
+    #[error(
+        "not in the file: {}",
+        listed(&[(*.animations, "other animation", "other animations")])
+    )]
     Animations {
         /// How many.
         animations: usize,
     },
     /// Scalar tracks, such as the weights of morph targets.
     #[error(
-        "{} not in the file: {}",
+        "not in the file: {}: {}",
         listed(&[(.tracks.len(), "scalar track", "scalar tracks")]),
         .tracks.join("; ")
     )]
@@ -30,7 +36,7 @@ pub enum Loss {
     },
     /// Joints are scaled.
     #[error(
-        "the factors of {} not in the file, as of {joint:?} in frame {frame}; joints are where \
+        "not in the file: the factors of {}, as of {joint:?} in frame {frame}; joints are where \
          these put them",
         listed(&[(*.joints, "scaled joint", "scaled joints")])
     )]
@@ -44,7 +50,7 @@ pub enum Loss {
     },
     /// Axes of joints at rest.
     #[error(
-        "the axes at rest of {} not in the file, as of {joint:?}: rotations are 0 at rest",
+        "not in the file: the axes at rest of {}, as of {joint:?}; rotations are 0 at rest",
         listed(&[(*.joints, "joint", "joints")])
     )]
     JointAxes {
@@ -54,7 +60,7 @@ pub enum Loss {
         joint: String,
     },
     /// Ends of bones.
-    #[error("{} not in the file", listed(&[(*.joints, "End Site", "End Sites")]))]
+    #[error("not in the file: {}", listed(&[(*.joints, "End Site", "End Sites")]))]
     EndSites {
         /// How many joints have one.
         joints: usize,
@@ -120,14 +126,12 @@ impl Loss {
     }
 }
 
-/// Counts with their nouns, but for those of 0, and the verb, as in `1 mesh and 2 skins are`.
+/// Counts with their nouns, but for those of 0, as in `1 mesh and 2 skins`.
 fn listed(counts: &[(usize, &str, &str)]) -> String {
-    let there: Vec<&(usize, &str, &str)> = counts.iter().filter(|(n, ..)| *n > 0).collect();
-    let words = there.iter().map(|(count, one, several)| match count {
+    let there = counts.iter().filter(|(count, ..)| *count > 0);
+    let words = there.map(|(count, one, several)| match count {
         1 => format!("1 {one}"),
         count => format!("{count} {several}"),
     });
-    let all: usize = there.iter().map(|(count, ..)| count).sum();
-    let verb = if all == 1 { "is" } else { "are" };
-    format!("{} {verb}", words.collect::<Vec<_>>().join(" and "))
+    words.collect::<Vec<_>>().join(" and ")
 }

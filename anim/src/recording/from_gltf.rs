@@ -338,8 +338,10 @@ impl Grid {
             steps,
         };
         // One key in each frame, however much the shortest interval is rounded in a long motion.
-        let whole = of_steps(times().skip(1).filter(|&key| key > 0.0).count() as f64);
-        if keys.iter().all(|&key| whole.meets(key)) {
+        let later = || keys.iter().copied().filter(|&key| key > 0.0);
+        let whole = of_steps(later().count() as f64);
+        let is_next = |(k, key): (usize, f64)| (key / whole.step).round() == (k + 1) as f64;
+        if later().all(|key| whole.meets(key)) && later().enumerate().all(is_next) {
             return whole;
         }
         let uniform = of_steps((last / shortest).round());

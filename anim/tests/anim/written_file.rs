@@ -130,14 +130,6 @@ fn real_motion_capture_comes_back_and_keeps_its_form() {
     for (before, after) in before.joints().iter().zip(after.joints()) {
         assert_eq!(before, after);
     }
-    for frame in [0, 1000, 2751] {
-        let numbers = before.frame(frame).unwrap().iter();
-        for (before, after) in numbers.zip(after.frame(frame).unwrap()) {
-            // Angles have other forms where the middle one is a right angle.
-            let turns = (before - after) / 360.0;
-            assert!((turns - turns.round()).abs() < 1e-9, "{before} {after}");
-        }
-    }
     let (in_gltf, written) = again(&recording, Format::Gltf, Some(&file));
     assert!(
         matches!(written.losses[..], [Loss::EndSites { joints: 7 }]),
