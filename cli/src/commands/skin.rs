@@ -77,7 +77,9 @@ impl Command for Arguments {
             arguments.time
         );
         let (model, out) = (&arguments.model, &arguments.out);
-        let formats = mesh_file::formats(|_| true);
+        let mut formats = mesh_file::formats(|_| true);
+        // Standard output takes the first.
+        formats.sort_by_key(|format| *format != Format::Mesh(format::Format::Obj));
         let format = context.files([model])?.write("--out", out, &formats)?;
         let document = gltf::read(model)?;
         let named = || model.display().to_string();

@@ -8,7 +8,7 @@ use crate::common::{assert_failure, assert_success, names, nullcone, text};
 
 /// Commands whose inputs do not exist, the option of an output, the endings that fit, and one
 /// whose format the command does not write.
-const OUTPUTS: [(&str, &str, &str, &str); 41] = [
+const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     ("curve none.csv", "--out", ".csv", "json"),
     ("curve none.csv", "--plot", ".svg", "png"),
     ("draw none.json", "--out", ".svg, .html or .htm", "pdf"),
@@ -19,8 +19,12 @@ const OUTPUTS: [(&str, &str, &str, &str); 41] = [
         ".json",
         "yml",
     ),
-    ("skin none.glb --time 0", "--out", ".obj", "glb"),
-    ("skin none.glb --time 0", "--out", ".obj", "ply"),
+    (
+        "skin none.glb --time 0",
+        "--out",
+        ".obj, .glb, .gltf or .ply",
+        "stl",
+    ),
     (
         "texture none.obj --views v.json",
         "--out",

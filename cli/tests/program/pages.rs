@@ -90,7 +90,12 @@ fn animation() {
 fn meshes() {
     page(
         "meshes.md",
-        &["picture.png", "walk.y4m", "baked/normal.png", "textured.glb"],
+        &[
+            "picture.png",
+            "walk.y4m",
+            "baked/normal.png",
+            "textured.glb",
+        ],
     );
 }
 

@@ -321,7 +321,10 @@ fn painted(folder: &Path) {
         node: 0,
         times: vec![0.0, 2.0],
         interpolation: Interpolation::Linear,
-        keys: Keys::Rotation(vec![[0.0, 0.0, 0.0, 1.0], [0.5f32.sqrt(), 0.0, 0.0, 0.5f32.sqrt()]]),
+        keys: Keys::Rotation(vec![
+            [0.0, 0.0, 0.0, 1.0],
+            [0.5f32.sqrt(), 0.0, 0.0, 0.5f32.sqrt()],
+        ]),
         extras: None,
     };
     let document = Document {
@@ -372,14 +375,20 @@ fn what_the_model_has_is_written_in_every_format() {
         let (mesh, warnings) = ga_mesh::format::read(folder.join(out)).unwrap();
         assert_eq!(warnings, [""; 0]);
         let place = |vertex: usize| mesh.positions()[vertex].coordinates();
-        let top = (0..3).map(place).find(|place| place[0] < 0.5 && place[2] > 0.5);
+        let top = (0..3)
+            .map(place)
+            .find(|place| place[0] < 0.5 && place[2] > 0.5);
         assert_near(top.unwrap(), &json!([0, 0, 1]), 1e-6);
         let normal = mesh.normals().unwrap().get(0).unwrap();
         assert_near(normal.coordinates(), &json!([0, -1, 0]), 1e-6);
         let coordinates = mesh.texture_coordinates().unwrap();
         let mut heights: Vec<f64> = coordinates.values.iter().map(|place| place[1]).collect();
         heights.sort_by(f64::total_cmp);
-        assert_eq!((heights[0], heights[heights.len() - 1]), (0.75, 1.0), "{out}");
+        assert_eq!(
+            (heights[0], heights[heights.len() - 1]),
+            (0.75, 1.0),
+            "{out}"
+        );
         assert!(mesh.colours().is_some(), "{out}");
         if out != "frame.ply" {
             let [material] = mesh.materials() else {
@@ -391,7 +400,10 @@ fn what_the_model_has_is_written_in_every_format() {
     }
     let obj = std::fs::read_to_string(folder.join("frame.obj")).unwrap();
     let lines = |start: &str| obj.lines().filter(|line| line.starts_with(start)).count();
-    assert_eq!((lines("vt "), lines("vn "), lines("usemtl paint")), (3, 3, 1));
+    assert_eq!(
+        (lines("vt "), lines("vn "), lines("usemtl paint")),
+        (3, 3, 1)
+    );
     let files = crate::common::names(folder);
     assert!(files.contains(&"frame.mtl".into()) && files.contains(&"frame-1.png".into()));
 }
