@@ -65,7 +65,10 @@ impl Format {
                 name: "PLY",
                 endings: &["ply"],
                 keeps_materials: false,
-                read: |path| Ok((ply::read(path)?, Vec::new())),
+                read: |path| {
+                    let (mesh, warnings) = ply::read_with_warnings(path)?;
+                    Ok((mesh, warnings.iter().map(ToString::to_string).collect()))
+                },
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
                 omissions: |_| Vec::new(),
             },

@@ -25,6 +25,9 @@
 //! everything else is UTF-8.
 //!
 //! Colours of vertices are taken as sRGB, as most programs write them, and become linear light.
+//! Their numbers are from 0 to 1. Where one is above 1 and all of the file are whole numbers from 0
+//! to 255, they are divided by 255, with a [`Warning`]; the same holds for opacities. Other numbers
+//! are an error.
 //! Where some vertices have a colour, those without are white. `usemtl` without a name or with the
 //! name `(null)` stands for no material.
 //!

@@ -8,6 +8,7 @@ use super::ObjProblem;
 use super::check::check_indices;
 use super::lines::Lines;
 use super::statements::{List, Statements};
+use crate::colour_range::BRIGHTEST;
 use crate::lists::Lists;
 use crate::words::{Words, integer, numbers, text};
 use crate::{Faces, FormatError, Group};
@@ -75,7 +76,7 @@ impl Parser {
             };
         };
         match keyword {
-            b"v" => self.vertex(&mut words),
+            b"v" => self.vertex(line, &mut words),
             b"f" => self.face(words),
             b"vt" => {
                 let ([u, v, _], count) = numbers::<3>(&mut words)?;
@@ -163,17 +164,23 @@ impl Parser {
         }
     }
 
-    fn vertex(&mut self, words: &mut Words<'_>) -> Result<(), ObjProblem> {
+    fn vertex(&mut self, line: usize, words: &mut Words<'_>) -> Result<(), ObjProblem> {
         let ([x, y, z, red, green, blue, alpha], count) = numbers::<7>(words)?;
         expect_count("v", "3, 4, 6 or 7", count, matches!(count, 3 | 4 | 6 | 7))?;
         let colours = &mut self.read.colours;
         if count >= 6 {
             // Vertices before the first one with a colour are white, as are those without.
-            colours.resize(self.read.positions.len(), [1.0; 4]);
-            let alpha = if count == 7 { alpha } else { 1.0 };
+            colours.resize(self.read.positions.len(), [BRIGHTEST; 4]);
+            self.read.colour_range.see(&[red, green, blue], &line);
+            let alpha = if count == 7 {
+                self.read.alpha_range.see(&[alpha], &line);
+                alpha
+            } else {
+                BRIGHTEST
+            };
             colours.push([red, green, blue, alpha]);
         } else if !colours.is_empty() {
-            colours.push([1.0; 4]);
+            colours.push([BRIGHTEST; 4]);
         }
         self.read.positions.push([x, y, z]);
         Ok(())
