@@ -17,3 +17,4 @@ mod query;
 mod report;
 mod tangents;
 mod topology;
+mod triangulation;

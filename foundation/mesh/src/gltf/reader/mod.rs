@@ -96,7 +96,13 @@ fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
     } else {
         (file, None)
     };
-    let root: json::Root = serde_json::from_slice(text)
+    // Some programs begin text with a byte order mark, and fill chunks with zeros.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let end = text
+        .iter()
+        .rposition(|&byte| byte != 0)
+        .map_or(0, |last| last + 1);
+    let root: json::Root = serde_json::from_slice(&text[..end])
         .map_err(|error| FormatError::gltf(Element::Json, Problem::Json(error.to_string())))?;
     check_version(&root.asset)?;
     let unknown = |name: &&String| !SUPPORTED_EXTENSIONS.contains(&name.as_str());
