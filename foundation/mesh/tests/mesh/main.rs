@@ -12,6 +12,7 @@ mod materials;
 mod normals;
 mod obj;
 mod ply;
+mod ply_strips;
 mod polygons;
 mod query;
 mod report;
