@@ -113,9 +113,9 @@ impl<T> CornerAttribute<T> {
 }
 
 impl CornerAttribute<Vector<f64>> {
-    /// Directions of vertices, such as [`vertex_normals`](crate::normals::vertex_normals), which all
-    /// corners at that vertex have. The zero vector, as of a vertex that no face uses, stands for
-    /// none.
+    /// Directions of vertices, such as [`vertex_normals`](crate::normals::vertex_normals), which
+    /// all corners at that vertex have. The zero vector, as of a vertex that no face uses, stands
+    /// for none.
     #[must_use]
     pub fn of_directions(of_vertices: &[Vector<f64>], faces: &Faces) -> Self {
         let mut values = Vec::with_capacity(of_vertices.len());

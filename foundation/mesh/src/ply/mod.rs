@@ -15,8 +15,8 @@
 //! Where one of them is above 1 and all are whole numbers from 0 to 255, they are divided by 255,
 //! with a [`Warning`]; the same holds for opacities. Other numbers are an error.
 //!
-//! Other elements and properties are read over and dropped: materials and pictures (`comment
-//! TextureFile` included), colours of faces, confidence and quality. A file may have vertices
+//! Other elements and properties are read over and dropped: materials and pictures
+//! (`comment TextureFile` included), colours of faces, confidence and quality. A file may have vertices
 //! alone, as scans do: they are then the points of the mesh. Every number must be finite and every
 //! index in range. Before anything is read, the counts in the header are compared with the length
 //! of the file, so that a false one costs no memory; elements without properties take no space, so

@@ -7,8 +7,8 @@ use crate::colour_range::BYTE_COLOURS;
 /// What a reader of PLY has decided where the file is not clear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warning {
-    /// The colours of the vertices, or their opacities, are `float` or `double` and whole numbers up
-    /// to 255. They are divided by 255.
+    /// The colours of the vertices, or their opacities, are `float` or `double` and whole numbers
+    /// up to 255. They are divided by 255.
     ByteColours,
 }
 

@@ -82,7 +82,8 @@ fn any_byte_may_be_wrong() {
     }
 }
 
-/// A byte order mark, zeros behind a chunk of JSON, and a URI in capital letters (RFC 3986 and 2397).
+/// A byte order mark, zeros behind a chunk of JSON, and a URI in capital letters (RFC 3986 and
+/// RFC 2397).
 #[test]
 fn marks_zeros_and_capital_letters_are_read() {
     let [glb, json, _] = examples().try_into().unwrap();
