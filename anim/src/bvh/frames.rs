@@ -15,9 +15,9 @@ struct Row {
 /// The numbers of all frames up to the end of the text.
 ///
 /// A line is a frame. In a tolerant reading a frame may also fill several lines, and a line may
-/// have several frames; frames begin and end anywhere in lines only where all numbers together are
-/// just those of the frames that are announced, since otherwise a number that is missing would
-/// shift all that follow.
+/// have several frames; frames begin and end anywhere in lines only where all lines are filled
+/// alike and have together just the numbers of the frames that are announced, since otherwise a
+/// number that is missing would shift all that follow.
 pub(super) fn frames(
     words: &mut Words,
     channels: usize,
@@ -91,6 +91,18 @@ fn length(channels: usize, row: &Row) -> MotionFileError {
     }
 }
 
+/// Whether lines are filled regardless of where frames begin: all have as many numbers as the
+/// first, only the last may have fewer, and together they have those of the announced frames.
+fn is_stream(rows: &[Row], channels: usize, announced: usize) -> bool {
+    let Some((last, others)) = rows.split_last() else {
+        return false;
+    };
+    let width = others.first().unwrap_or(last).numbers;
+    let is_even = last.numbers <= width && others.iter().all(|row| row.numbers == width);
+    let total: usize = rows.iter().map(|row| row.numbers).sum();
+    is_even && Some(total) == channels.checked_mul(announced)
+}
+
 /// Adds a warning where lines are not frames. The error is the first line that does not fit.
 fn wrapped(
     words: &mut Words,
@@ -103,9 +115,7 @@ fn wrapped(
         return Ok(());
     };
     let count = 1 + others.count();
-    let total: usize = rows.iter().map(|row| row.numbers).sum();
-    let is_stream = 2 * count > rows.len() && Some(total) == channels.checked_mul(announced);
-    if !is_stream {
+    if !is_stream(rows, channels, announced) {
         // The lines of a frame that fills several, and how many numbers they have.
         let (mut begin, mut filled) = (0, 0);
         for (index, row) in rows.iter().enumerate() {

@@ -48,8 +48,9 @@
 //! | lines that end in CR alone | lines | assimp |
 //! | names that are not UTF-8 | see [`ga_files::text::decode`] | |
 //!
-//! Frames begin and end anywhere in lines only where all numbers together are just those of the
-//! frames that are announced; otherwise each line or each group of lines is a frame.
+//! Frames begin and end anywhere in lines only where all lines have the same number of numbers, the
+//! last perhaps fewer, and together just those of the frames that are announced; otherwise a line
+//! or a group of lines is a frame.
 //!
 //! A number that is missing from a frame, text among the frames, NaN and infinity are errors in
 //! either reading. Keywords may be in small letters, with any white space between them.

@@ -92,17 +92,18 @@ where
         + into * (cube - square)
 }
 
-/// Slerp by the shorter arc, up to a factor, with the keys as they are in the file: the angle
-/// between them is arccos |a · b| although rounding has left them with a length near 1.
+/// Slerp by the shorter arc, up to a factor, with the keys as they are in the file, whose lengths
+/// are near 1. The angle between a and b is 2 atan2(|a − b|, |a + b|); arccos (a · b) would lose
+/// the angles of keys nearer than the rounding of their numbers.
 ///
 /// [`Rotor::interpolate`] takes rotors, so the keys would have to be normalised first. The result
 /// would then differ from what every player shows by as much as the keys do from unit length, which
 /// is 1e-4 in files with three digits.
 fn slerp(a: Quaternion<f64>, b: Quaternion<f64>, part: f64) -> Quaternion<f64> {
+    let length = |q: Quaternion<f64>| q.scalar.hypot(q.e12).hypot(q.e13).hypot(q.e23);
     let cosine = a.scalar * b.scalar + a.e12 * b.e12 + a.e13 * b.e13 + a.e23 * b.e23;
     let b = if cosine < 0.0 { b * -1.0 } else { b };
-    let angle = cosine.abs().min(1.0).acos();
-    // Keys this close differ by less than the rounding of their numbers.
+    let angle = 2.0 * length(a - b).atan2(length(a + b));
     if angle == 0.0 {
         return a;
     }

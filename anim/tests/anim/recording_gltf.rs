@@ -85,7 +85,7 @@ fn maps(recording: &Recording, frame: usize) -> Vec<Affine<f64>> {
 /// Joints of the samples at any time, and those of the frames at keys.
 #[test]
 fn joints_of_the_samples_are_where_the_oracle_has_them() {
-    let Some(truth) = shared("oracle/anim/skin.json") else {
+    let Some(truth) = shared("cases/motion/slerp-close-keys/skin.json") else {
         return;
     };
     let truth: Value = serde_json::from_slice(&std::fs::read(truth).unwrap()).unwrap();

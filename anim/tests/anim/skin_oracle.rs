@@ -56,7 +56,10 @@ fn compare<S: SkinScalar>(moved: &[Point<S>], case: &Value, known: &Value, name:
 }
 
 fn check_models<S: SkinScalar>(bound: f64) {
-    let (Some(truth), Some(models)) = (shared("oracle/anim/skin.json"), shared("data/anim")) else {
+    let (Some(truth), Some(models)) = (
+        shared("cases/motion/slerp-close-keys/skin.json"),
+        shared("data/anim"),
+    ) else {
         return;
     };
     let truth: Value = serde_json::from_slice(&std::fs::read(truth).unwrap()).unwrap();

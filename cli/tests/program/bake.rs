@@ -256,3 +256,21 @@ fn the_library_of_the_coarse_mesh_stays() {
     assert_eq!(std::fs::read(&library).unwrap(), b"newmtl paint\n");
     assert_eq!(names(&folder.path().join("out")), ["coarse.mtl", "low.obj"]);
 }
+
+/// Scans and exports often have vertices that no face uses.
+#[test]
+fn a_vertex_without_a_face_does_not_matter() {
+    let folder = folder();
+    for name in ["coarse.obj", "own.obj", "fine.obj"] {
+        let path = folder.path().join(name);
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, text + "v 9 9 9\n").unwrap();
+    }
+    for coarse in ["coarse.obj", "own.obj"] {
+        let output = bake(
+            &folder,
+            &["--coarse", coarse, "--size", "16", "--maps", "normal"],
+        );
+        assert_success(&output);
+    }
+}

@@ -91,14 +91,13 @@ fn the_simple_skin_is_where_the_oracle_has_it() {
 
 #[test]
 fn the_samples_are_where_the_oracle_has_them() {
-    let Some(truth) = shared("oracle/anim/skin.json") else {
+    let Some(truth) = shared("cases/motion/slerp-close-keys/skin.json") else {
         return;
     };
     let truth: Value = serde_json::from_slice(&std::fs::read(truth).unwrap()).unwrap();
     for (file, cases) in truth["files"].as_object().unwrap() {
         let path = shared(&format!("data/anim/{file}")).unwrap();
-        // Keys nearer than their rounding: the oracle keeps the first, slerp does not.
-        check(&path, cases, 1e-5);
+        check(&path, cases, 1e-12);
     }
 }
 

@@ -112,6 +112,28 @@ impl<T> CornerAttribute<T> {
     }
 }
 
+impl CornerAttribute<Vector<f64>> {
+    /// Directions of vertices, such as [`vertex_normals`](crate::normals::vertex_normals), which
+    /// all corners at that vertex have. The zero vector, as of a vertex that no face uses, stands
+    /// for none.
+    #[must_use]
+    pub fn of_directions(of_vertices: &[Vector<f64>], faces: &Faces) -> Self {
+        let mut values = Vec::with_capacity(of_vertices.len());
+        let numbers: Vec<Option<u32>> = of_vertices
+            .iter()
+            .map(|&direction| {
+                (direction != Vector::default()).then(|| {
+                    values.push(direction);
+                    values.len() as u32 - 1
+                })
+            })
+            .collect();
+        let number = |&vertex: &u32| numbers.get(vertex as usize).copied().flatten();
+        let corners = faces.corners().iter().map(number).collect();
+        Self { values, corners }
+    }
+}
+
 /// Checks that all numbers of the value at `index` are finite.
 pub(crate) fn check_finite(
     attribute: &'static str,

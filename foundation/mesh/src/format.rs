@@ -74,7 +74,10 @@ impl Format {
                 endings: &["ply"],
                 keeps_materials: false,
                 keeps_animations: false,
-                read: |path, _| Ok((ply::read(path)?, Vec::new())),
+                read: |path, _| {
+                    let (mesh, warnings) = ply::read_with_warnings(path)?;
+                    Ok((mesh, warnings.iter().map(Warning::from).collect()))
+                },
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),
                 libraries: |_, _| Ok(Vec::new()),
                 omissions: omission::of_ply,

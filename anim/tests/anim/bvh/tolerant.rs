@@ -237,6 +237,18 @@ fn what_has_no_meaning_stays_an_error() {
             message
         );
     }
+    // What one frame lacks and another has too much would shift those between.
+    let shifted = with(" 1 2 3\n", " 1 2\n").replace(" 3 4 5\n", " 3 4 5 6\n");
+    let two = shifted
+        .replace(ROWS[1], "")
+        .replace("Frames: 3", "Frames: 2");
+    for text in [shifted, two] {
+        let message = bvh::decode(text.as_bytes()).unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "line 24: a frame has 12 numbers, but this one has 11"
+        );
+    }
     let none = valid();
     let none = &none[..none.find(ROWS[0]).unwrap()];
     let message = bvh::decode(none.as_bytes()).unwrap_err().to_string();

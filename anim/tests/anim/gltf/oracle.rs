@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use ga_anim::gltf::{LocalFrame, Placement, Player};
 use ga_anim::skin::Method;
-use ga_mesh::gltf::{Document, Keys, read};
+use ga_mesh::gltf::{Animation, Channel, Document, Interpolation, Keys, Node, read};
+use glam::DQuat;
 use nullcone_shared_data::shared;
 use serde_json::Value;
 
@@ -128,7 +129,7 @@ fn vertices_of_the_simple_skin() {
 
 #[test]
 fn channels_of_all_samples() {
-    let Some(truth) = json("oracle/anim/samplers.json") else {
+    let Some(truth) = json("cases/motion/slerp-close-keys/samplers.json") else {
         return;
     };
     let mut count = 0;
@@ -146,11 +147,55 @@ fn channels_of_all_samples() {
 
 #[test]
 fn vertices_of_all_samples() {
-    let Some(truth) = json("oracle/anim/skin.json") else {
+    let Some(truth) = json("cases/motion/slerp-close-keys/skin.json") else {
         return;
     };
     for (file, cases) in truth["files"].as_object().unwrap() {
         let path = shared(&format!("data/anim/{file}")).unwrap();
         check_vertices(&read(path).unwrap(), cases);
+    }
+}
+
+/// Two keys whose numbers have a scalar product of 1 or more, 0.0405° apart.
+#[test]
+fn near_keys_are_interpolated() {
+    let keys = [
+        [0xbdf7_1714, 0x3e29_2ee1, 0xbf16_3822, 0x3f48_9141],
+        [0xbdf7_333f, 0x3e29_422a, 0xbf16_4942, 0x3f48_82dd],
+    ];
+    let keys = keys.map(|key: [u32; 4]| key.map(f32::from_bits));
+    let document = Document {
+        nodes: vec![Node::default()],
+        animations: vec![Animation {
+            channels: vec![Channel {
+                node: 0,
+                times: vec![0.0, 1.0],
+                interpolation: Interpolation::Linear,
+                keys: Keys::Rotation(keys.to_vec()),
+                extras: None,
+            }],
+            ..Animation::default()
+        }],
+        ..Document::default()
+    };
+    let player = Player::new(&document).unwrap();
+    let rotation = |time: f64| {
+        let pose = player.pose(Some(0), time).unwrap();
+        let LocalFrame::Parts(parts) = pose.locals[0] else {
+            panic!("a node that moves has parts");
+        };
+        let ([x, y, z], w) = parts.rotor().to_quaternion();
+        DQuat::from_xyzw(x, y, z, w)
+    };
+    // By the vector part of the rotation between, which has no cosine.
+    let angle = |a: DQuat, b: DQuat| {
+        let between = a.conjugate() * b;
+        2.0 * between.xyz().length().atan2(between.w.abs()).to_degrees()
+    };
+    for (time, expected) in [(0.0, 0.0), (0.25, 0.0101), (0.5, 0.0202), (0.75, 0.0304)] {
+        let found = angle(rotation(0.0), rotation(time));
+        assert!((found - expected).abs() < 6e-5, "{found} at {time}");
+        let part = time * angle(rotation(0.0), rotation(1.0));
+        assert!((found - part).abs() < 1e-9, "{found} instead of {part}");
     }
 }

@@ -21,8 +21,8 @@ use crate::mesh_file;
 /// characteristic counts only vertices that faces use. An edge belongs to the boundary when one
 /// face has it, and is not manifold when more than two have it. Degenerate faces name a vertex
 /// twice or have no area; concave faces have an angle of more than 180 degrees inside; the corners
-/// of non-planar faces do not lie in a plane. Duplicate vertices lie at the very place of an earlier
-/// one.
+/// of non-planar faces do not lie in a plane. Duplicate vertices lie at the very place of an
+/// earlier one.
 ///
 /// The verdict is good where the mesh is manifold and oriented, without degenerate faces, its file
 /// keeps to the format, and nothing that the file refers to is missing; else it is doubtful, and

@@ -25,7 +25,10 @@ pub(super) enum Uri {
 /// What a URI names; `None` for an absolute path, for a scheme other than `data:` and for data that
 /// cannot be decoded.
 pub(super) fn parse(uri: &str) -> Option<Uri> {
-    if let Some(data) = uri.strip_prefix("data:") {
+    // Schemes and the names of parameters may be in small or capital letters (RFC 3986, RFC 2397).
+    if let Some((scheme, data)) = uri.split_at_checked("data:".len())
+        && scheme.eq_ignore_ascii_case("data:")
+    {
         return parse_data(data);
     }
     let path = urlencoding::decode(uri).ok()?;
@@ -37,8 +40,10 @@ pub(super) fn parse(uri: &str) -> Option<Uri> {
 
 fn parse_data(data: &str) -> Option<Uri> {
     let (head, body) = data.split_once(',')?;
-    let (media_type, bytes) = match head.strip_suffix(";base64") {
-        Some(media_type) => (media_type, BASE64.decode(body).ok()?),
+    let last = head.rsplit_once(';');
+    let in_base64 = last.filter(|(_, word)| word.eq_ignore_ascii_case("base64"));
+    let (media_type, bytes) = match in_base64 {
+        Some((media_type, _)) => (media_type, BASE64.decode(body).ok()?),
         None => (
             head,
             urlencoding::decode_binary(body.as_bytes()).into_owned(),

@@ -49,6 +49,9 @@
 //! vertex with fewer than three numbers are errors in either reading.
 //!
 //! Colours of vertices are taken as sRGB, as most programs write them, and become linear light.
+//! Their numbers are from 0 to 1. Where one is above 1 and all of the file are whole numbers from 0
+//! to 255, they are divided by 255, with a [`Warning`]; the same holds for opacities. Other numbers
+//! are an error.
 //! Where some vertices have a colour, those without are white. `usemtl` without a name or with the
 //! name `(null)` stands for no material.
 //!

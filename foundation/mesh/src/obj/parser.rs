@@ -11,6 +11,7 @@ use super::corner::{Element, corner, lone_vertex, short_corner};
 use super::lines::Lines;
 use super::statements::{List, Statements};
 use super::text::{self, Text};
+use crate::colour_range::BRIGHTEST;
 use crate::lists::Lists;
 use crate::words::{Words, numbers, text};
 use crate::{Faces, FormatError, Group};
@@ -186,11 +187,17 @@ impl Parser {
         let colours = &mut self.read.colours;
         if count >= 6 {
             // Vertices before the first one with a colour are white, as are those without.
-            colours.resize(self.read.positions.len(), [1.0; 4]);
-            let alpha = if count == 7 { alpha } else { 1.0 };
+            colours.resize(self.read.positions.len(), [BRIGHTEST; 4]);
+            self.read.colour_range.see(&[red, green, blue], &line);
+            let alpha = if count == 7 {
+                self.read.alpha_range.see(&[alpha], &line);
+                alpha
+            } else {
+                BRIGHTEST
+            };
             colours.push([red, green, blue, alpha]);
         } else if !colours.is_empty() {
-            colours.push([1.0; 4]);
+            colours.push([BRIGHTEST; 4]);
         }
         self.read.positions.push([x, y, z]);
         Ok(())

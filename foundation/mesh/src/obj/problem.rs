@@ -103,6 +103,15 @@ pub enum ObjProblem {
     /// There is no `f`, `l` or `p` line.
     #[error("the file ends without a face, a line or a point")]
     NoFaces,
+    /// The colour of a vertex is out of range.
+    #[error(
+        "{value} is no part of a colour, which is from 0 to 1, or a whole number up to 255 where all \
+         in the file are"
+    )]
+    ColourOutOfRange {
+        /// The red, green, blue or alpha of the line.
+        value: f64,
+    },
     /// The mesh is too large.
     #[error(transparent)]
     Mesh(MeshError),

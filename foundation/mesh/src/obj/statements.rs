@@ -3,14 +3,18 @@
 use ga_runtime::vga3::Vector;
 
 use super::ObjProblem;
+use crate::colour_range::ColourRange;
 use crate::{Faces, Group, Polylines};
 
 /// What an OBJ file says, indices checked and counted from 0.
 #[derive(Default)]
 pub(super) struct Statements {
     pub(super) positions: Vec<[f64; 3]>,
-    /// Empty, or one for each position; the colour in the file's colour space.
+    /// Empty, or one for each position; the colour in the file's colour space and range.
     pub(super) colours: Vec<[f64; 4]>,
+    /// The ranges of red, green and blue, and of alpha, by lines.
+    pub(super) colour_range: ColourRange<usize>,
+    pub(super) alpha_range: ColourRange<usize>,
     pub(super) texture: Vec<[f64; 2]>,
     pub(super) normals: Vec<Vector<f64>>,
     pub(super) faces: Faces,

@@ -75,7 +75,7 @@ impl<'a> Body<'a> {
         Ok(())
     }
 
-    fn place(&self, element: &Element) -> Place {
+    pub(super) fn place(&self, element: &Element) -> Place {
         match self.encoding {
             Encoding::Ascii => Place::Line(self.lines),
             _ => Place::Element {

@@ -4,18 +4,23 @@
 //! | --- | --- | --- |
 //! | `vertex` | `x y z` | the position, required |
 //! | | `nx ny nz` | the normal, made a unit vector; a zero vector stands for none |
-//! | | `red green blue alpha` | the colour in sRGB; integers are parts of their greatest value |
+//! | | `red green blue alpha` | the colour in sRGB; see below |
 //! | | `s t`, `u v`, `texture_u texture_v` | the texture coordinate |
 //! | `face` | list `vertex_indices` or `vertex_index` | the polygon |
 //! | | list `texcoord` | a texture coordinate for each corner, or nothing |
+//! | `tristrips` | list `vertex_indices` or `vertex_index` | triangles in strips, which −1 ends |
 //! | `edge` | `vertex1 vertex2` | a polyline of two vertices |
 //!
+//! Colours of integer types are parts of the greatest value of the type; others are from 0 to 1.
+//! Where one of them is above 1 and all are whole numbers from 0 to 255, they are divided by 255,
+//! with a [`Warning`]; the same holds for opacities. Other numbers are an error.
+//!
 //! Other elements and properties are read over and dropped: materials and pictures
-//! (`comment TextureFile` included), colours of faces, confidence and quality. Triangle strips are
-//! an error. A file may have vertices alone, as scans do: they are then the points of the mesh.
-//! Every number must be finite and every index in range. Before anything is read, the counts in the
-//! header are compared with the length of the file, so that a false one costs no memory; elements
-//! without properties take no space, so that any count of them is skipped.
+//! (`comment TextureFile` included), colours of faces, confidence and quality. A file may have vertices
+//! alone, as scans do: they are then the points of the mesh. Every number must be finite and every
+//! index in range. Before anything is read, the counts in the header are compared with the length
+//! of the file, so that a false one costs no memory; elements without properties take no space, so
+//! that any count of them is skipped.
 //!
 //! What PLY has no place for is left out when a mesh is written: groups, objects, materials,
 //! tangents, points, further sets of texture coordinates, and normals that differ between the faces
@@ -33,6 +38,7 @@ mod body;
 mod header;
 mod problem;
 mod read;
+mod warning;
 mod write;
 
 use std::path::Path;
@@ -43,6 +49,7 @@ use crate::{FormatError, Mesh};
 
 pub use header::Encoding;
 pub use problem::{Place, PlyProblem};
+pub use warning::Warning;
 pub use write::encode;
 
 /// Reads the mesh in a file.
@@ -52,6 +59,17 @@ pub use write::encode;
 /// [`ReadError::Io`], or [`ReadError::Contents`] as [`decode`] gives.
 pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
     ga_files::read(path, decode)
+}
+
+/// Reads the mesh in a file as [`read`] does, and says what was decided where it is not clear.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_with_warnings(
+    path: impl AsRef<Path>,
+) -> Result<(Mesh, Vec<Warning>), ReadError<FormatError>> {
+    ga_files::read(path, read::mesh)
 }
 
 /// Reads a mesh from the bytes of a file.
@@ -71,7 +89,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
-    read::mesh(bytes)
+    read::mesh(bytes).map(|(mesh, _)| mesh)
 }
 
 /// Writes a mesh to a file, whole or not at all.

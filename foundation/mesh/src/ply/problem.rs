@@ -89,9 +89,15 @@ pub enum PlyProblem {
         /// The property.
         property: &'static str,
     },
-    /// The file has triangle strips.
-    #[error("triangle strips are not supported")]
-    TriangleStrips,
+    /// The colour of a vertex is out of range.
+    #[error(
+        "{value} is no part of a colour, which is from 0 to 1, or a whole number up to 255 where all \
+         in the file are"
+    )]
+    ColourOutOfRange {
+        /// The red, green, blue or alpha of the vertex.
+        value: f64,
+    },
     /// The file ends within an element.
     #[error("the file ends within the element")]
     EndOfFile,

@@ -4,11 +4,13 @@ use ga_runtime::vga3::Vector;
 
 use super::body::Body;
 use super::header::{Element, Property, Scalar, header};
-use super::{Place, PlyProblem};
+use super::problem::{Place, PlyProblem};
+use super::warning::Warning;
+use crate::colour_range::{ColourOutOfRange, ColourRange, part};
 use crate::colour_space::linear_from_srgb;
-use crate::{CornerAttribute, Faces, FormatError, Mesh, MeshError, Polylines, Rgba};
+use crate::{CornerAttribute, Faces, FormatError, Mesh, MeshError, Normals, Polylines, Rgba};
 
-pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, FormatError> {
+pub(super) fn mesh(bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), FormatError> {
     let header = header(bytes)?;
     let mut body = Body::new(&header, bytes);
     let mut read = Elements::default();
@@ -17,9 +19,7 @@ pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, FormatError> {
             "vertex" => read.vertices = Some(vertices(element, &mut body)?),
             "face" => read.read_faces(element, &mut body)?,
             "edge" => read.read_edges(element, &mut body)?,
-            "tristrips" => {
-                return Err(at(element)(PlyProblem::TriangleStrips));
-            }
+            "tristrips" => read.read_strips(element, &mut body)?,
             // Elements without properties take no space in any encoding, so that a file of a few
             // bytes may declare any number of them.
             _ if element.properties.is_empty() => {}
@@ -37,8 +37,10 @@ pub(super) fn mesh(bytes: &[u8]) -> Result<Mesh, FormatError> {
     };
     let vertices = read.vertices.take().ok_or(PlyProblem::NoVertices);
     let vertices = vertices.map_err(in_file)?;
-    read.into_mesh(vertices)
-        .map_err(|error| in_file(PlyProblem::Mesh(error)))
+    let warnings = vertices.has_bytes.then_some(Warning::ByteColours);
+    let mesh = read.into_mesh(vertices);
+    let mesh = mesh.map_err(|error| in_file(PlyProblem::Mesh(error)))?;
+    Ok((mesh, warnings.into_iter().collect()))
 }
 
 fn at(element: &Element) -> impl Fn(PlyProblem) -> FormatError {
@@ -65,6 +67,8 @@ struct Vertices {
     positions: Vec<[f64; 3]>,
     normals: Vec<Vector<f64>>,
     colours: Vec<Rgba>,
+    /// Whether colours without a full scale of their own were bytes.
+    has_bytes: bool,
     texture: Vec<[f64; 2]>,
 }
 
@@ -106,6 +110,7 @@ fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatEr
     let (has_normal, has_texture) = ((3..6).all(has), (10..12).all(has));
     let has_colour = (6..9).all(has);
     let count = body.check_count(element)?;
+    let (mut colour_range, mut alpha_range) = (ColourRange::default(), ColourRange::default());
     let mut vertices = Vertices {
         positions: Vec::with_capacity(count),
         ..Vertices::default()
@@ -131,7 +136,9 @@ fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatEr
             vertices.normals.push(Vector::new(nx, ny, nz));
         }
         if has_colour {
-            let [red, green, blue] = [red, green, blue].map(linear_from_srgb);
+            let place = body.place(element);
+            colour_range.see(&[red, green, blue], &place);
+            alpha_range.see(&[alpha], &place);
             vertices.colours.push([red, green, blue, alpha]);
         }
         if has_texture {
@@ -139,6 +146,20 @@ fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatEr
         }
         Ok(())
     })?;
+    let out_of_range = |ColourOutOfRange { place, value }| FormatError::Ply {
+        place,
+        problem: PlyProblem::ColourOutOfRange { value },
+    };
+    let ranges = [colour_range, alpha_range];
+    let [of_colour, of_alpha] = ranges.map(|range| range.full_scale().map_err(out_of_range));
+    let (of_colour, of_alpha) = (of_colour?, of_alpha?);
+    vertices.has_bytes = of_colour.max(of_alpha) > 1.0;
+    for [red, green, blue, alpha] in &mut vertices.colours {
+        for number in [red, green, blue] {
+            *number = linear_from_srgb(part(*number, of_colour));
+        }
+        *alpha = part(*alpha, of_alpha);
+    }
     Ok(vertices)
 }
 
@@ -194,6 +215,48 @@ impl Elements {
             })?;
             if has_texture {
                 self.add_texture(polygon.len(), &texture)?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Triangles in strips, as Stanford's scans have them: each vertex of a strip makes a triangle
+    /// with the two before it, in which the first two of every other triangle change places. A
+    /// negative index ends a strip.
+    fn read_strips(&mut self, element: &Element, body: &mut Body<'_>) -> Result<(), FormatError> {
+        let is_strip = |property: &Property| {
+            let name = property.name.as_str();
+            property.length.is_some() && matches!(name, "vertex_indices" | "vertex_index")
+        };
+        if !element.properties.iter().any(is_strip) {
+            return Err(at(element)(PlyProblem::MissingProperty {
+                element: "tristrips",
+                property: "vertex_indices",
+            }));
+        }
+        let mut strip = Vec::new();
+        body.each(element, |body| {
+            for property in &element.properties {
+                if is_strip(property) {
+                    read_list(property, body, &mut strip, Ok)?;
+                } else {
+                    skip(property, body)?;
+                }
+            }
+            for strip in strip.split(|&index| index < 0.0) {
+                let vertices = strip.iter().map(|&number| index(number));
+                let vertices = vertices.collect::<Result<Vec<u32>, _>>()?;
+                for (number, &[a, b, c]) in vertices.array_windows().enumerate() {
+                    let triangle = if number % 2 == 0 {
+                        [a, b, c]
+                    } else {
+                        [b, a, c]
+                    };
+                    // Vertices are repeated where a strip changes its direction.
+                    if a != b && b != c && c != a {
+                        self.faces.push(&triangle).map_err(PlyProblem::Mesh)?;
+                    }
+                }
             }
             Ok(())
         })
@@ -255,7 +318,7 @@ impl Elements {
             mesh = mesh.with_colours(vertices.colours)?;
         }
         if !vertices.normals.is_empty() {
-            let normals = normals(&vertices.normals, mesh.faces());
+            let normals = Normals::of_directions(&vertices.normals, mesh.faces());
             mesh = mesh.with_normals(normals)?;
         }
         if !self.texture_corners.is_empty() {
@@ -284,23 +347,4 @@ fn read_list<T>(
         list.push(convert(body.number(property.scalar)?)?);
     }
     Ok(())
-}
-
-/// The normals of the vertices at the corners; none where that of the vertex is zero.
-fn normals(of_vertices: &[Vector<f64>], faces: &Faces) -> CornerAttribute<Vector<f64>> {
-    let mut values = Vec::with_capacity(of_vertices.len());
-    let numbers: Vec<Option<u32>> = of_vertices
-        .iter()
-        .map(|&normal| {
-            (normal != Vector::default()).then(|| {
-                values.push(normal);
-                values.len() as u32 - 1
-            })
-        })
-        .collect();
-    let corners = faces.corners().iter();
-    CornerAttribute {
-        values,
-        corners: corners.map(|&vertex| numbers[vertex as usize]).collect(),
-    }
 }

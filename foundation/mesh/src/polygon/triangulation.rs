@@ -47,16 +47,18 @@ impl Triangulation {
             return push([0, 1, 2]);
         }
         self.plane.set(polygon);
-        let first = fan(count, 0);
-        let least = self.least_area(first.clone());
+        let fan = (1..count - 1).map(|i| [0, i, i + 1]);
+        let least = self.least_area(fan.clone());
+        let push_one = |triangle: [usize; 3]| push(triangle.map(|corner| corner as u32));
         if self.plane.is_degenerate() || least > SLIVER * self.plane.doubled_area_of_all() {
-            return first.for_each(|t| push(t.map(|corner| corner as u32)));
+            return fan.for_each(push_one);
         }
         if count == 4 {
-            let second = fan(count, 1);
-            let is_better = self.least_area(second.clone()) > least;
-            let chosen = if is_better { second } else { first };
-            return chosen.for_each(|t| push(t.map(|corner| corner as u32)));
+            let other = [[0, 1, 3], [1, 2, 3]];
+            return match self.least_area(other.into_iter()) > least {
+                true => other.into_iter().for_each(push_one),
+                false => fan.for_each(push_one),
+            };
         }
         self.ears
             .earcut(self.plane.projected(), &[], &mut self.clipped);
@@ -69,13 +71,4 @@ impl Triangulation {
         let areas = triangles.map(|triangle| self.plane.doubled_area(triangle));
         areas.fold(f64::INFINITY, f64::min)
     }
-}
-
-/// The triangles of a polygon of so many corners that have one of these in common.
-fn fan(count: usize, apex: usize) -> impl Iterator<Item = [usize; 3]> + Clone {
-    (1..count - 1).map(move |i| {
-        let mut triangle = [0, i, i + 1].map(|corner| (apex + corner) % count);
-        triangle.sort_unstable();
-        triangle
-    })
 }

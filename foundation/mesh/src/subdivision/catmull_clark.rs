@@ -113,7 +113,7 @@ impl Rows<'_> {
                 self.sharpness.of_new_vertex(edge)
             };
             let sides = edges.sides(edge);
-            if crease >= 1.0 {
+            if crease == 1.0 {
                 self.builder.shared_array(middle, [a, b]);
             } else if crease <= 0.0
                 && let &[one, other] = sides

@@ -45,7 +45,7 @@ pub(super) fn stencils(cage: &Cage, sharpness: &Sharpness<'_>) -> Stencils {
         let (c, d) = (c.min(d), c.max(d));
         if crease <= 0.0 {
             rows.shared_array(smooth, [a, b, c, d]);
-        } else if crease >= 1.0 {
+        } else if crease == 1.0 {
             rows.shared_array(middle, [a, b]);
         } else {
             let (end, far) = (0.375 + 0.125 * crease, 0.125 * (1.0 - crease));

@@ -21,7 +21,8 @@
 //! an edge's new vertex and the rule of a vertex:
 //!
 //! - A smooth edge has the rule of its [`Scheme`]; on a crease the new vertex is the midpoint. A
-//!   crease of sharpness s < 1 has s times the second and 1 − s times the first.
+//!   crease of sharpness s < 1 has s times the second and 1 − s times the first, and so has one of
+//!   s > 1 whose halves become smooth at once, as Chaikin's method can make them.
 //! - A vertex with no sharp edge or one (a *dart*) has the smooth rule of the scheme.
 //! - A vertex with two sharp edges, to a and b, goes to 3/4 v + 1/8 (a + b). Along a crease the
 //!   vertices so converge to a uniform cubic B-spline curve.

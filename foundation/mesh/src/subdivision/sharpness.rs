@@ -94,14 +94,15 @@ impl<'a> Sharpness<'a> {
     }
 
     /// How much of the rule of a crease the new vertex on an edge gets; the rest is of the smooth
-    /// rule.
+    /// rule. By Chaikin's method both halves of an edge sharper than 1 may become smooth at once;
+    /// OpenSubdiv then extrapolates with the sharpness, and so a share may be more than 1.
     #[inline]
     pub(super) fn of_new_vertex(&self, edge: u32) -> f64 {
         if self.of_edges.is_empty() && self.edges.sides(edge).len() == 2 {
             return 0.0;
         }
         let sharpness = self.edge(edge);
-        if sharpness >= 1.0 || sharpness <= 0.0 || self.method() == CreaseMethod::Normal {
+        if sharpness <= 0.0 || self.method() == CreaseMethod::Normal {
             return sharpness.clamp(0.0, 1.0);
         }
         let ends = self.edges.ends(edge);

@@ -166,8 +166,8 @@ fn every_fault_is_named_with_its_place() {
             "line 3: element face has no property vertex_indices of the right kind",
         ),
         (
-            header("element tristrips 1\nproperty list int int vertex_indices\nend_header\n1 1\n"),
-            "line 3: triangle strips are not supported",
+            header("element tristrips 1\nproperty list int int strip\nend_header\n1 1\n"),
+            "line 3: element tristrips has no property vertex_indices of the right kind",
         ),
         (header("end_header\n"), "the header declares no vertices"),
         (

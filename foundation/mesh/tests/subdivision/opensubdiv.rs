@@ -3,9 +3,10 @@
 //! The baselines are OBJ files with nine digits, in another order of vertices. Level 0 is already
 //! refined at least once.
 
-use ga_mesh::subdivision::{Boundary, Corner, Rules, Tags};
+use ga_mesh::subdivision::{Boundary, Corner, CreaseMethod, Rules, Scheme, Tags};
 use ga_mesh::{Mesh, obj};
 use nullcone_shared_data::shared;
+use serde_json::Value;
 
 use crate::shapes::{Shape, corner, crease, distance, refine};
 
@@ -21,8 +22,8 @@ fn baseline(name: &str, level: usize) -> Option<Mesh> {
 
 /// The points agree as sets: to each belongs one of the others.
 #[track_caller]
-fn assert_same(found: &[[f64; 3]], expected: &Mesh, tolerance: f64) {
-    let mut expected: Vec<[f64; 3]> = expected.coordinates().collect();
+fn assert_same(found: &[[f64; 3]], expected: impl Iterator<Item = [f64; 3]>, tolerance: f64) {
+    let mut expected: Vec<[f64; 3]> = expected.collect();
     assert_eq!(found.len(), expected.len());
     expected.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut taken = vec![false; expected.len()];
@@ -88,7 +89,7 @@ fn smooth_meshes_and_boundaries_agree() {
         }
         for level in 1..=3 {
             let (_, points) = refine(&shape, rules, &tags, level);
-            assert_same(&points, &baseline(name, level).unwrap(), 1e-6);
+            assert_same(&points, baseline(name, level).unwrap().coordinates(), 1e-6);
         }
     }
 }
@@ -193,6 +194,36 @@ fn compare(name: &str, shape: &Shape, tags: &Tags) {
             return;
         };
         let (_, points) = refine(shape, Rules::LOOP, tags, level + 1);
-        assert_same(&points, &expected, 1e-6);
+        assert_same(&points, expected.coordinates(), 1e-6);
+    }
+}
+
+/// Creases of fractional sharpness by Chaikin's method, several of which end in the same step, some
+/// of them above 1.
+#[test]
+fn creases_by_chaikins_method_agree() {
+    let truth: Value = serde_json::from_str(include_str!("../data/chaikin.json")).unwrap();
+    let read = |value: &Value| -> Vec<[f64; 3]> { serde_json::from_value(value.clone()).unwrap() };
+    for case in truth["cases"].as_array().unwrap() {
+        let faces: Vec<Vec<u32>> = serde_json::from_value(case["faces"].clone()).unwrap();
+        let creases: Vec<(u32, u32, f64)> =
+            serde_json::from_value(case["creases"].clone()).unwrap();
+        let corners: Vec<(u32, f64)> = serde_json::from_value(case["corners"].clone()).unwrap();
+        let tags = Tags {
+            creases: creases.iter().map(|&(a, b, s)| crease(a, b, s)).collect(),
+            corners: corners.iter().map(|&(v, s)| corner(v, s)).collect(),
+        };
+        let scheme = match case["scheme"].as_str() {
+            Some("loop") => Scheme::Loop,
+            _ => Scheme::CatmullClark,
+        };
+        let rules = Rules {
+            creases: CreaseMethod::Chaikin,
+            ..Rules::new(scheme)
+        };
+        let shape = Shape::new(&read(&case["positions"]), &faces);
+        let levels = case["levels"].as_u64().unwrap() as usize;
+        let (_, points) = refine(&shape, rules, &tags, levels);
+        assert_same(&points, read(&case["points"]).into_iter(), 1e-6);
     }
 }

@@ -7,7 +7,7 @@ use ga_image::png;
 use ga_mesh::bake::{Bake, Coarse, Fine, OcclusionOptions, Options};
 use ga_mesh::gltf::{self, Document};
 use ga_mesh::normals::vertex_normals;
-use ga_mesh::{CornerAttribute, Image, Material, Mesh, MeshAtlas, Texture, atlas, obj, tangents};
+use ga_mesh::{Image, Material, Mesh, MeshAtlas, Normals, Texture, atlas, bounds, obj, tangents};
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
@@ -248,16 +248,18 @@ fn with_tangents(mut mesh: Mesh) -> Result<Mesh, MapsError> {
     if mesh.normals().is_none() {
         let positions: Vec<[f64; 3]> = mesh.coordinates().collect();
         let normals = vertex_normals(&positions, &mesh.triangles());
-        let normals = normals.into_iter().map(Into::into).collect();
-        let normals = CornerAttribute::of_vertices(normals, mesh.faces());
+        let normals: Vec<Vector<f64>> = normals.into_iter().map(Into::into).collect();
+        let normals = Normals::of_directions(&normals, mesh.faces());
         mesh = mesh.with_normals(normals)?;
     }
     let tangents = tangents::mikktspace(&mesh, 0)?;
     Ok(mesh.with_tangents(tangents)?)
 }
 
-/// The diagonal of the bounding box.
+/// The diagonal of the bounding box of the faces.
 fn diagonal(mesh: &Mesh) -> f64 {
-    let [low, high] = mesh.bounds().unwrap_or_default().map(Vector::from);
-    (high - low).length()
+    let corners = mesh.faces().corners().iter();
+    let [low, high] =
+        bounds(corners.map(|&v| mesh.positions()[v as usize].into())).unwrap_or_default();
+    low.distance(high)
 }

@@ -2,7 +2,7 @@
 
 use ga_mesh::gltf::{Animation, Channel, Document, Interpolation, Keys, Node, Target};
 use ga_mesh::normals::vertex_normals;
-use ga_mesh::{CornerAttribute, Mesh};
+use ga_mesh::{Mesh, Normals};
 use ga_runtime::cga3::Motor;
 use ga_runtime::vga3::Vector;
 
@@ -22,9 +22,8 @@ impl HeadSurface {
         }
         let places: Vec<_> = mesh.coordinates().collect();
         let normals = vertex_normals(&places, &mesh.triangles()).into_iter();
-        // Vertices without a face have no normal, and none is drawn.
-        let normals = normals.map(|n| Vector::from(n).normalized().unwrap_or(Vector::Z));
-        let normals = CornerAttribute::of_vertices(normals.collect(), mesh.faces());
+        let normals: Vec<Vector<f64>> = normals.map(Vector::from).collect();
+        let normals = Normals::of_directions(&normals, mesh.faces());
         Ok(mesh.clone().with_normals(normals)?)
     }
 

@@ -14,7 +14,7 @@ mod primitive;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use ga_files::ReadError;
+use ga_files::{ReadError, text};
 use serde_json::{Map, Value};
 
 use super::origin::{File, Origin};
@@ -103,6 +103,10 @@ fn document(file: &[u8], files: &mut Files) -> Result<Document, FormatError> {
     } else {
         (file, None)
     };
+    // Some programs begin text with a byte order mark, and fill chunks with zeros.
+    let text = text::without_mark(text);
+    let last = text.iter().rposition(|&byte| byte != 0);
+    let text = &text[..last.map_or(0, |last| last + 1)];
     let root: json::Root = serde_json::from_slice(text).map_err(not_json)?;
     check_version(&root.asset)?;
     let unknown = |name: &&String| !SUPPORTED_EXTENSIONS.contains(&name.as_str());

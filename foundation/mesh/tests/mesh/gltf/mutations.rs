@@ -81,3 +81,22 @@ fn any_byte_may_be_wrong() {
         }
     }
 }
+
+/// A byte order mark, zeros behind a chunk of JSON, and a URI in capital letters (RFC 3986 and
+/// RFC 2397).
+#[test]
+fn marks_zeros_and_capital_letters_are_read() {
+    let [glb, json, _] = examples().try_into().unwrap();
+    let marked = [b"\xef\xbb\xbf", &json[..]].concat();
+    assert_eq!(decode(&marked).unwrap(), decode(&json).unwrap());
+    let text = String::from_utf8(json.clone()).unwrap();
+    let capitals = text.replace("data:;base64,", "DATA:;BASE64,");
+    assert_ne!(capitals, text);
+    assert_eq!(decode(capitals.as_bytes()).unwrap(), decode(&json).unwrap());
+
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap());
+    let end = 20 + length as usize;
+    let mut padded = [&glb[..end], &[0; 4], &glb[end..]].concat();
+    padded[12..16].copy_from_slice(&(length + 4).to_le_bytes());
+    assert_eq!(decode(&with_length(padded)).unwrap(), decode(&glb).unwrap());
+}

@@ -270,3 +270,44 @@ fn groups_take_memory_in_proportion_to_the_file() {
     assert_eq!(mesh.groups().len(), 1);
     assert_eq!(mesh.groups()[0].faces, [0]);
 }
+
+/// A colour beyond 1 is a byte where all may be; opacities are judged alone.
+#[test]
+fn colours_up_to_255_are_bytes() {
+    let file = |colours: [&str; 3]| {
+        let [a, b, c] = colours;
+        format!("v 0 0 0 {a}\nv 1 0 0 {b}\nv 0 1 0 {c}\nf 1 2 3\n")
+    };
+    let read = |colours| {
+        obj::decode_with_libraries(file(colours).as_bytes(), |_| {
+            Err(std::io::ErrorKind::NotFound.into())
+        })
+    };
+    let grey = 0.215_860_500;
+    let bytes = [obj::Warning::ByteColours];
+    for (colours, alpha, expected) in [
+        (["255 128 0", "1 1 1", ""], 1.0, &bytes[..]),
+        (["255 128.0 0 0.5", "1 1 1 1", ""], 0.5, &bytes),
+        (["1 0.50196078 0 51", "1 1 1 255", ""], 0.2, &bytes),
+        (["1.000001 0.50196078 0", "", ""], 1.0, &[]),
+    ] {
+        let (mesh, warnings) = read(colours).unwrap();
+        assert_eq!(warnings, expected, "{colours:?}");
+        let [red, green, blue, opacity] = mesh.colours().unwrap()[0];
+        assert_eq!([red, blue, opacity], [1.0, 0.0, alpha]);
+        assert!((green - grey).abs() < 1e-7);
+        assert_eq!(mesh.colours().unwrap()[2], [1.0; 4]);
+    }
+    for (colours, start) in [
+        (
+            ["255 128 0", "0.5 0 0", ""],
+            "line 1: 255 is no part of a colour",
+        ),
+        (["1 0.5 0", "0 1.5 0", ""], "line 2: 1.5 is no"),
+        (["255 0 0", "0 0 0", "0 300 0"], "line 3: 300 is no"),
+        (["1 0 0", "0 0 -1", ""], "line 2: -1 is no"),
+    ] {
+        let error = read(colours).unwrap_err().to_string();
+        assert!(error.starts_with(start), "{error}");
+    }
+}
