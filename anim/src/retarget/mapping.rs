@@ -3,6 +3,7 @@
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
+use super::Source;
 use super::convention::{Part, Side};
 use super::joint_map::{JointMap, MapOrigin, parts_of_target};
 use super::structure::Parts;
@@ -15,6 +16,8 @@ pub struct Mapping {
     /// thigh, shin, foot, upper arm, forearm and hand, times the cosine of the angle between the
     /// vertical and the way from the hips to the head of a target at rest, and by structure times
     /// the likeness of left and right: the mean ratio of the shorter to the longer of two bones.
+    /// Where at least half of all joints have the names of those that move them, it is not less
+    /// than their part.
     pub confidence: f64,
     /// The parts that are not matched, such as `"left hand"`.
     pub parts_missing: Vec<String>,
@@ -34,8 +37,8 @@ const SIDES: [(Side, &str); 2] = [(Side::Left, "left"), (Side::Right, "right")];
 impl Mapping {
     /// What is to be said of a map to a skeleton, which stands as a person at rest or need not.
     pub(super) fn new(
-        map: &JointMap,
-        map_by: MapOrigin,
+        source: &dyn Source,
+        (map, map_by): (&JointMap, MapOrigin),
         skeleton: &Skeleton,
         stands_at_rest: bool,
     ) -> Self {
@@ -55,13 +58,18 @@ impl Mapping {
         let all: Vec<(bool, String)> = middle.into_iter().chain(limbs).collect();
         let count = all.len() as f64;
         let missing = all.into_iter().filter(|(is_there, _)| !is_there);
-        let parts_missing: Vec<String> = missing.map(|(_, name)| name).collect();
+        let mut parts_missing: Vec<String> = missing.map(|(_, name)| name).collect();
         let mut confidence = 1.0 - parts_missing.len() as f64 / count;
         if stands_at_rest {
             confidence *= upright(&parts, skeleton);
         }
         if map_by == MapOrigin::Structure {
             confidence *= likeness(&parts, skeleton);
+        }
+        let same = same_names(source, map, skeleton);
+        if same >= 0.5 && same > confidence {
+            confidence = same;
+            parts_missing.clear();
         }
         if map_by == MapOrigin::File {
             confidence = 1.0;
@@ -71,6 +79,14 @@ impl Mapping {
             parts_missing,
         }
     }
+}
+
+/// The part of the joints that have the names of those that move them.
+fn same_names(source: &dyn Source, map: &JointMap, skeleton: &Skeleton) -> f64 {
+    let names = source.names();
+    let pairs = skeleton.joints().iter().zip(map.source_of());
+    let same = pairs.filter(|(joint, there)| there.is_some_and(|there| names[there] == joint.name));
+    same.count() as f64 / skeleton.len() as f64
 }
 
 fn place(

@@ -131,8 +131,8 @@ impl Transfer {
             map_by,
             map: map.to_json(source, skeleton),
             mapping: Mapping::new(
-                map,
-                map_by,
+                source,
+                (map, map_by),
                 skeleton,
                 options.retarget.target_motion.is_none(),
             ),

