@@ -4,7 +4,7 @@ use clap::Command;
 
 /// How commands are called, after the name of the program. The example of a command with others
 /// below it is the first of theirs.
-const EXAMPLES: [&str; 41] = [
+const EXAMPLES: [&str; 42] = [
     "demo --bones --trails LeftFoot,RightHand --film walk.png",
     "animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
     "body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
@@ -14,10 +14,11 @@ const EXAMPLES: [&str; 41] = [
     "clip compress walk.bvh --tolerance 0.0001 --out walk.clip",
     "clip info walk.clip --json",
     "clip sample walk.clip --times 0,0.25,1.5 --json",
+    "clip convert walk.clip --out walk.bvh",
     "clip resample walk.clip --rate 30 --out walk-30.clip",
     "clip retarget walk.bvh --target hero.glb --foot-locking --out hero-walks.glb",
     "clip mirror walk.clip --out walk-mirrored.clip",
-    "clip blend walk.clip run.clip --weights 0.7,0.3 --out jog.clip",
+    "clip blend walk.clip run.clip --weights 0.7,0.3 --align-phases --loop --out jog.clip",
     "contour coins.png --out coins.svg --json",
     "curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg",
     "draw scene.json --out scene.html",

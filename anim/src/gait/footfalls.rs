@@ -208,12 +208,11 @@ impl Paths {
                 }
                 continue;
             }
-            let sinking: Vec<f64> = (top..=after).map(|frame| sinks(frame)).collect();
+            let sinking: Vec<f64> = (top..=after).map(sinks).collect();
             let fastest = sinking.iter().copied().fold(0.0, f64::max);
             let slow = STILL * fastest;
-            let is_down = |&k: &usize| {
-                height(top + k) <= ground + DOWN * lift && sinking[k] <= slow
-            };
+            let is_down =
+                |&k: &usize| height(top + k) <= ground + DOWN * lift && sinking[k] <= slow;
             let first = (1..sinking.len()).find(is_down);
             down.extend(first.map(|k| {
                 let [before, now] = [sinking[k - 1], sinking[k]];

@@ -42,7 +42,20 @@ impl Recording {
         let mut keys = NodeKeys::new(self);
         for joint in 0..self.joints.len() {
             let locals = self.locals.iter().skip(joint).step_by(self.joints.len());
+            let before = keys.channels.len();
             keys.add(&mut document, joint, joint, locals.copied());
+            // Readers know the joints of a document without skins by what an animation moves.
+            if keys.channels.len() == before
+                && let NodeTransform::Decomposed { rotation, .. } = document.nodes[joint].transform
+            {
+                keys.channels.push(Channel {
+                    node: joint,
+                    times: vec![0.0],
+                    interpolation: Interpolation::Linear,
+                    keys: Keys::Rotation(vec![rotation]),
+                    extras: None,
+                });
+            }
         }
         let mut losses = keys.losses(self);
         if !self.tracks.is_empty() {

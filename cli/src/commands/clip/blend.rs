@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::error::ErrorKind;
-use ga_anim::gait::{Aligned, Footfall, vertical};
+use ga_anim::gait::{Aligned, vertical};
 use ga_anim::motion_file::Format;
 use ga_anim::recording::{Cycle, Played, Recording, Seam, blend, blend_played};
-use serde::Serialize;
 
 use super::input::{Input, MotionArguments};
+use super::phases::{Phase, Phases};
 use super::target::{Output, Report, TargetArguments};
 use crate::files::expanded;
 use crate::frame::{Command, Context, Warning};
@@ -259,24 +259,6 @@ fn jump(file: &Path, recording: &Recording, seam: &Seam, what: &str) -> Warning 
         joint,
         ..Warning::new("not_cyclic", message).in_file(file)
     }
-}
-
-/// When feet come down in motions that are in step.
-#[derive(Debug, Serialize)]
-pub(super) struct Phases {
-    /// In the result.
-    footfalls: Vec<Footfall>,
-    phases: Vec<Phase>,
-}
-
-/// A motion that is in step with others.
-#[derive(Debug, Serialize)]
-struct Phase {
-    file: String,
-    /// What of it is in the result.
-    begin_seconds: f64,
-    end_seconds: f64,
-    footfalls: Vec<Footfall>,
 }
 
 /// One value for each motion, where there is one for all or one for each.

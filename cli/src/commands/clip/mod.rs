@@ -6,6 +6,7 @@ mod convert;
 mod info;
 mod input;
 mod mirror;
+mod phases;
 mod resample;
 mod retarget;
 mod sample;

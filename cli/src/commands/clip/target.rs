@@ -9,9 +9,9 @@ use ga_anim::recording::Recording;
 use ga_mesh::gltf;
 use serde::Serialize;
 
-use super::blend::Phases;
 use super::info::lines_of;
 use super::input::{Input, MotionArguments, checked_unit, short};
+use super::phases::Phases;
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
 use crate::output;
