@@ -16,11 +16,11 @@
 //! with a [`Warning`]; the same holds for opacities. Other numbers are an error.
 //!
 //! Other elements and properties are read over and dropped: materials and pictures
-//! (`comment TextureFile` included), colours of faces, confidence and quality. A file may have vertices
-//! alone, as scans do: they are then the points of the mesh. Every number must be finite and every
-//! index in range. Before anything is read, the counts in the header are compared with the length
-//! of the file, so that a false one costs no memory; elements without properties take no space, so
-//! that any count of them is skipped.
+//! (`comment TextureFile` included), colours of faces, confidence and quality. A file may have
+//! vertices alone, as scans do: they are then the points of the mesh. Every number must be finite
+//! and every index in range. Before anything is read, the counts in the header are compared with
+//! the length of the file, so that a false one costs no memory; elements without properties take no
+//! space, so that any count of them is skipped.
 //!
 //! What PLY has no place for is left out when a mesh is written: groups, objects, materials,
 //! tangents, points, further sets of texture coordinates, and normals that differ between the faces

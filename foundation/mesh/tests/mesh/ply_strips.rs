@@ -17,7 +17,7 @@ fn strips_become_triangles() {
             "4 0 1 2 6",
             "face 1 refers to vertex 6, but there are 6 vertices",
         ),
-        ("3 0 1.5 2", "line 17: 1.5 is not the index of a vertex"),
+        ("3 0 1.5 2", "line 16: 1.5 is not the index of a vertex"),
     ] {
         let text = text.replace("11 0 1 2 3 3 5 -1 2 3 4 5", strips);
         let error = ply::decode(text.as_bytes()).unwrap_err();
