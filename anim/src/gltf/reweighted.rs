@@ -43,7 +43,7 @@ use crate::weights::error::SkinError;
 ///     skins: vec![Skin { joints: vec![1, 2], ..Skin::default() }],
 ///     ..Document::default()
 /// };
-/// let weights = SkinWeights::new(2, [[(0, 0.25), (1, 0.75)]])?;
+/// let weights = SkinWeights::new(2, [[(1, 0.75), (0, 0.25)]])?;
 /// let changed = with_weights(&document, &weights)?;
 /// assert_eq!(changed.meshes[0].primitives[0].joints[0][0], [1, 0, 0, 0]);
 /// assert_eq!(character(&changed)?.weights, weights);

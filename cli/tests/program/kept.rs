@@ -164,10 +164,7 @@ fn other_formats_list_what_they_cannot_hold() {
     }
     let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 5 5\ng a\nf 1 2 3 4\n";
     std::fs::write(path.join("square.obj"), square).unwrap();
-    let said = report(
-        path,
-        &["mesh", "convert", "square.obj", "square.glb", "--json"],
-    );
+    let said = report(path, &["mesh", "convert", "square.obj", "square.glb"]);
     let expected = [
         ("polygons with more than three corners", 1),
         ("groups", 1),
