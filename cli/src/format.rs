@@ -16,7 +16,6 @@ pub(crate) enum Format {
     Json,
     /// Any format of meshes.
     Mesh(ga_mesh::format::Format),
-    Obj,
     Pfm,
     Png,
     Svg,
@@ -38,7 +37,6 @@ impl Format {
             Self::Html => &["html", "htm"],
             Self::Json => &["json"],
             Self::Mesh(format) => format.endings(),
-            Self::Obj => &["obj"],
             Self::Pfm => &["pfm"],
             Self::Png => &["png"],
             Self::Svg => &["svg"],

@@ -60,8 +60,8 @@
 
 mod channels;
 mod conversion;
-mod from_recording;
 mod frames;
+mod from_recording;
 mod joint;
 mod kinematics;
 mod motion;

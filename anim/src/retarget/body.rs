@@ -63,7 +63,7 @@ impl Body {
         let mut all = axes.flat_map(|up| {
             let (parents, upright) = (&parents, &upright);
             let parts = move |pose: &Vec<_>| parts_by_structure(parents, &upright(up, pose));
-            poses.iter().map(parts).collect::<Vec<_>>()
+            poses.iter().filter_map(parts).collect::<Vec<_>>()
         });
         all.find(has_legs)
     }

@@ -342,7 +342,7 @@ pub(super) fn parts_of_target(skeleton: &Skeleton) -> Parts {
 
 /// The joints of each part of the body of a motion by their names.
 pub(super) fn parts_of_names(source: &dyn Source) -> Parts {
-    parts(source.names().into_iter())
+    parts(source.names().into_iter(), &source.parents())
 }
 
 /// Whether thighs, shins and feet of both sides are known.

@@ -371,8 +371,8 @@ fn what_the_model_has_is_written_in_every_format() {
         let arguments = ["skin", "painted.glb", "--time", "2", "--out", out];
         let report = crate::common::json(folder, &arguments);
         assert_eq!(report["files"][0], out);
-        let (mesh, warnings) = ga_mesh::format::read(folder.join(out)).unwrap();
-        assert_eq!(warnings, [""; 0]);
+        let (mesh, warnings) = ga_mesh::format::read(folder.join(out), Default::default()).unwrap();
+        assert_eq!(warnings, []);
         let place = |vertex: usize| mesh.positions()[vertex].coordinates();
         let top = (0..3)
             .map(place)

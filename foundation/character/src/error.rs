@@ -88,7 +88,7 @@ pub enum CharacterError {
         /// What is wrong.
         source: PictureFormatError,
     },
-    /// An animated document cannot be evaluated.
+    /// A glTF document cannot be evaluated, or cannot hold a motion or weights.
     #[error(transparent)]
     Document(Box<MotionFileError>),
     /// The picture of a material cannot be read.
@@ -120,9 +120,6 @@ pub enum CharacterError {
     /// The model has no form as glTF.
     #[error("the model cannot be written as glTF: {0}")]
     Gltf(#[from] FormatError),
-    /// The document of the figure cannot hold its motion or weights.
-    #[error("the character cannot be written: {0}")]
-    Document(Box<MotionFileError>),
     /// There is no place from which two cameras see the figure.
     #[error("no place was found from which two cameras see the figure")]
     NoPlace,

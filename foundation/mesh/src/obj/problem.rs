@@ -163,6 +163,7 @@ impl Tolerated for ObjProblem {
             Self::IndexOutOfRange { .. } => "index_out_of_range",
             Self::NoFaces => "points_alone",
             Self::NoVertices => "no_vertices",
+            Self::ColourOutOfRange { .. } => "colour_range",
             Self::TooManyGroups | Self::Mesh(_) => "too_large",
             Self::LibraryUnreadable { .. } | Self::Library { .. } => "library",
         }
