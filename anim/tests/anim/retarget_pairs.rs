@@ -455,7 +455,7 @@ fn every_recording_moves_every_character_as_recorded() {
     );
     let mut beyond = Vec::new();
     for (recording, source) in &recordings {
-        let unit = likely_unit(source).unwrap().metres;
+        let unit = likely_unit(source).metres;
         for character in &characters {
             let Some(f) = measure(source, unit, character) else {
                 continue;

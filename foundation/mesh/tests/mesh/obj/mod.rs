@@ -279,9 +279,11 @@ fn colours_up_to_255_are_bytes() {
         format!("v 0 0 0 {a}\nv 1 0 0 {b}\nv 0 1 0 {c}\nf 1 2 3\n")
     };
     let read = |colours| {
-        obj::decode_with_libraries(file(colours).as_bytes(), |_| {
-            Err(std::io::ErrorKind::NotFound.into())
-        })
+        obj::decode_with_libraries(
+            file(colours).as_bytes(),
+            ga_files::Reading::Tolerant,
+            |_| Err(std::io::ErrorKind::NotFound.into()),
+        )
     };
     let grey = 0.215_860_500;
     let bytes = [obj::Warning::ByteColours];
