@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 use clap::ValueEnum;
+use ga_anim::recording::RecordingError;
 use ga_anim::retarget::{
     Alignment, FoundReference, JointMap, MapOrigin, Options, Reference, Soles, Source,
     StandingFoot, Transfer, TransferOptions, UpAxis,
@@ -34,7 +35,7 @@ pub(crate) struct TransferArguments {
     #[arg(long, value_name = "FILE.bvh")]
     reference_pose: Option<PathBuf>,
     /// The axis of the motion that points up [default: found from the motion].
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, allow_hyphen_values = true)]
     up: Option<Up>,
     /// Which bones become parallel to those of the motion.
     #[arg(long, value_enum, default_value_t = Bones::Limbs)]
@@ -143,7 +144,13 @@ impl TransferArguments {
             target_metres_per_unit: body.metres_per_unit,
             frames: motion.frames,
         };
-        let transfer = Transfer::new(source, skeleton, (&map, map_by), &options)?;
+        let transfer = Transfer::new(source, skeleton, (&map, map_by), &options);
+        let transfer = transfer.map_err(|error| match (&error, &self.reference_pose) {
+            (RecordingError::ReferenceJoint { .. }, Some(path)) => {
+                Error::new(error).context(format!("--reference-pose {}", path.display()))
+            }
+            _ => error.into(),
+        })?;
         warnings.extend(transfer.feet.iter().filter_map(too_short));
         warnings.extend(self.doubts(motion.file, &transfer));
         Ok(transfer)
@@ -153,15 +160,13 @@ impl TransferArguments {
 impl TransferArguments {
     /// Warnings of what is not clear, and of what a person does not do.
     fn doubts(&self, file: &Path, transfer: &Transfer) -> Vec<Warning> {
-        /// The least margin of a vertical that is clear, the least confidence in a map of joints,
-        /// and the greatest cost of standing.
-        const CLEAR: f64 = 0.4;
+        /// The least confidence in a map of joints, and the greatest cost of standing.
         const SURE: f64 = 0.7;
         const STANDS: f64 = 5.0;
         let mut warnings = Vec::new();
         if let Some(up) = transfer
             .up
-            .filter(|up| self.up.is_none() && up.margin < CLEAR)
+            .filter(|up| self.up.is_none() && !up.is_clear())
         {
             let message = format!(
                 "the vertical of the motion is not clear: {} is taken; --up gives it",

@@ -78,6 +78,14 @@ pub enum RecordingError {
          says what their rotations mean: give a pose of reference"
     )]
     NoReference,
+    /// The frame of reference is not in the motion.
+    #[error("the motion has no frame {frame} for reference: it has {frames}, counted from 0")]
+    ReferenceFrame {
+        /// The frame.
+        frame: usize,
+        /// How many frames there are.
+        frames: usize,
+    },
     /// A joint that the pose of reference does not have.
     #[error("the pose of reference has no joint {name:?}")]
     ReferenceJoint {

@@ -252,7 +252,7 @@ impl<'a> Bodies<'a> {
     /// beside the trunk the one that the joint's own bone points to.
     pub(super) fn all_bones(&self) -> Vec<Option<Bone>> {
         let mut bones: Vec<Option<Bone>> = vec![None; self.target.len()];
-        for joint in (0..self.target.len()).rev() {
+        for &joint in self.hanging.order.iter().rev() {
             let Some(from) = self.source_of[joint] else {
                 continue;
             };

@@ -29,7 +29,7 @@ pub struct Checks {
     pub longest_stretch: f64,
     /// Joints that nothing moves.
     pub joints_left_out: Vec<String>,
-    /// The greatest rotation of a joint relative to its parent from one frame to the next.
+    /// The greatest rotation of a joint in space from one frame to the next; 0 for one frame.
     pub largest_rotation_degrees_per_frame: f64,
     /// Where each of these is worst, by its name.
     pub worst: Worst,
@@ -38,15 +38,16 @@ pub struct Checks {
     pub faults: Vec<Fault>,
 }
 
-/// Where each measure is worst.
+/// Where each measure is worst; nowhere where there is nothing to measure, as no rotation in one
+/// frame.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[allow(missing_docs, reason = "the names are those of the measures")]
 pub struct Worst {
-    pub trunk_from_upright_degrees: Place,
-    pub lowest_foot_metres: Place,
-    pub stance_slide_metres: Place,
-    pub longest_stretch: Place,
-    pub largest_rotation_degrees_per_frame: Place,
+    pub trunk_from_upright_degrees: Option<Place>,
+    pub lowest_foot_metres: Option<Place>,
+    pub stance_slide_metres: Option<Place>,
+    pub longest_stretch: Option<Place>,
+    pub largest_rotation_degrees_per_frame: Option<Place>,
 }
 
 /// The limits: in degrees of the head against the trunk and of a rotation from one frame to the
@@ -154,6 +155,7 @@ impl Retarget<'_> {
             frame: largest.frame,
             joint: joints[largest.joint].name.clone(),
         };
+        let found = |largest: &Largest| largest.value.is_finite().then(|| place(largest));
         let mut faults = Vec::new();
         if measures.head.value > HEAD {
             faults.push(Fault::Head {
@@ -208,15 +210,15 @@ impl Retarget<'_> {
             trunk_from_upright_degrees: measures.trunk.value,
             lowest_foot_metres: -measures.lowest.value * metres_per_unit,
             stance_slide_metres: measures.slide.value.max(0.0) * metres_per_unit,
-            longest_stretch: measures.stretch.value,
+            longest_stretch: measures.stretch.value.max(0.0),
             joints_left_out: self.unmatched().map(ToOwned::to_owned).collect(),
-            largest_rotation_degrees_per_frame: measures.rotation.value,
+            largest_rotation_degrees_per_frame: measures.rotation.value.max(0.0),
             worst: Worst {
-                trunk_from_upright_degrees: place(&measures.trunk),
-                lowest_foot_metres: place(&measures.lowest),
-                stance_slide_metres: place(&measures.slide),
-                longest_stretch: place(&measures.stretch),
-                largest_rotation_degrees_per_frame: place(&measures.rotation),
+                trunk_from_upright_degrees: found(&measures.trunk),
+                lowest_foot_metres: found(&measures.lowest),
+                stance_slide_metres: found(&measures.slide),
+                longest_stretch: found(&measures.stretch),
+                largest_rotation_degrees_per_frame: found(&measures.rotation),
             },
             faults,
         }

@@ -159,16 +159,22 @@ impl Correspondence {
         let bodies = Bodies::new(target, &hanging, stands, &source_of, source_rest, &soles);
         let long_bones = bodies.long_bones(here);
 
-        let by_pose = pose.as_ref().filter(|_| stands_at_rest).map(|pose| {
+        let is_given = !matches!(request.reference, Reference::Found);
+        // A pose that is given is also that of a target which stands so in its motion alone.
+        let stood = standing.filter(|_| is_given);
+        let has_pose = stands_at_rest || stood.is_some();
+        let by_pose = pose.as_ref().filter(|_| has_pose).map(|pose| {
             let aligned = bodies.aligned(&long_bones);
-            let rotors = aligned.into_iter().zip(&source_of);
-            let rotors = rotors.map(|(aligned, source)| match source {
-                Some(there) => pose.motors[*there].rotor().reverse() * aligned,
-                None => aligned,
+            let rotors = aligned.into_iter().zip(&source_of).enumerate();
+            let rotors = rotors.map(|(joint, (aligned, source))| {
+                let stood = stood.map_or(Rotor::default(), |moment| moment.motors[joint].rotor());
+                match source {
+                    Some(there) => pose.motors[*there].rotor().reverse() * aligned * stood,
+                    None => aligned * stood,
+                }
             });
             rotors.collect::<Vec<_>>()
         });
-        let is_given = !matches!(request.reference, Reference::Found);
         let by_motion = match (&there, &own, here) {
             (Some(there), Some(own), Some(here)) if !is_given => {
                 let mut roles = here.roles(&parts, target.len());

@@ -38,12 +38,14 @@ pub enum Fault {
     /// The feet are far above the ground or below it in the quarter of the frames in which they are
     /// lowest.
     #[error(
-        "the feet are {metres:.3} m or more above the ground in three quarters of the frames, and \
-         lowest in frame {}",
+        "the feet are {:.3} m or more {} the ground in {} of the frames, and lowest in frame {}",
+        metres.abs(),
+        if *metres > 0.0 { "above" } else { "below" },
+        if *metres > 0.0 { "three quarters" } else { "a quarter" },
         .place.frame
     )]
     Height {
-        /// How far above.
+        /// How far above, negative below.
         metres: f64,
         /// Where they are lowest.
         place: Place,

@@ -177,11 +177,10 @@ impl<'a> Retarget<'a> {
     ///
     /// # Errors
     ///
-    /// [`RecordingError::NoMatch`], [`RecordingError::NotAPerson`], [`RecordingError::NoLegs`], [`RecordingError::NoMotion`],
-    /// [`RecordingError::Overflow`], [`RecordingError::NoReference`],
-    /// [`RecordingError::ReferenceJoint`], [`RecordingError::FrameRange`] for a frame of reference
-    /// that does not exist, and [`RecordingError::Skeleton`] for soles, a map or a motion of
-    /// another skeleton.
+    /// [`RecordingError::NoMatch`], [`RecordingError::NotAPerson`], [`RecordingError::NoLegs`],
+    /// [`RecordingError::NoMotion`], [`RecordingError::Overflow`], [`RecordingError::NoReference`],
+    /// [`RecordingError::ReferenceJoint`], [`RecordingError::ReferenceFrame`], and
+    /// [`RecordingError::Skeleton`] for soles, a map or a motion of another skeleton.
     pub fn new(
         source: &'a dyn Source,
         target: &'a Skeleton,

@@ -117,11 +117,7 @@ pub(super) fn pose(
         Reference::Frame(frame) => {
             let frames = source.frame_count();
             let motors = source.frames_of_joints(frame);
-            let motors = motors.ok_or(RecordingError::FrameRange {
-                from: frame,
-                to: frame,
-                frames,
-            })?;
+            let motors = motors.ok_or(RecordingError::ReferenceFrame { frame, frames })?;
             Ok(Some(upright(motors)))
         }
         Reference::Pose(other) => {
@@ -144,7 +140,7 @@ pub(super) fn pose(
         Reference::Found => {
             let places = rest_places(source);
             let Some(human) = human else {
-                return Ok(Some(at_rest(&places, Rotor::default())));
+                return Ok(Some(at_rest(&places, motion.upright)));
             };
             let stands = standing_orientation(human, &places);
             Ok(stands.map(|rotor| at_rest(&places, rotor)))

@@ -49,6 +49,18 @@ pub struct FoundUpAxis {
     pub margin: f64,
 }
 
+/// The least margin of a vertical that is clear: of 311 windows of a second, the one that was wrong
+/// had 0.08.
+const CLEAR: f64 = 0.4;
+
+impl FoundUpAxis {
+    /// Whether another axis is much less likely.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        self.margin >= CLEAR
+    }
+}
+
 impl UpAxis {
     /// The direction of the axis.
     #[must_use]
@@ -97,6 +109,11 @@ pub(super) fn find<'a>(
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| medians[b].abs().total_cmp(&medians[a].abs()));
     let [first, next] = [order[0], order[1]].map(|axis| medians[axis].abs());
+    let margin = 1.0 - next / first;
+    // Most files have y up, which counts where another axis is hardly more likely.
+    if margin < CLEAR && order[1] == 1 && medians[1] > 0.0 {
+        order.swap(0, 1);
+    }
     let axis = match (order[0], medians[order[0]] < 0.0) {
         (0, false) => UpAxis::X,
         (0, true) => UpAxis::NegativeX,
@@ -105,8 +122,5 @@ pub(super) fn find<'a>(
         (_, false) => UpAxis::Z,
         (_, true) => UpAxis::NegativeZ,
     };
-    (first > 0.0).then(|| FoundUpAxis {
-        axis,
-        margin: 1.0 - next / first,
-    })
+    (first > 0.0).then_some(FoundUpAxis { axis, margin })
 }

@@ -184,7 +184,10 @@ proptest! {
         let retarget = Retarget::new(&source, &target, &upright()).unwrap();
         for frame in 0..frames.len() {
             let mut pairs = both(&retarget, &source, &target, frame);
-            pairs.truncate(if top == 3 { pairs.len() } else { limb.end - 1 });
+            // The toes lie flat, whatever the direction of the leg at rest.
+            if top != 3 {
+                pairs.remove(limb.end - 1);
+            }
             same_places(&pairs)?;
         }
     }

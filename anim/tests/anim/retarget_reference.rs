@@ -298,3 +298,32 @@ fn the_end_site_says_how_a_head_is_held() {
         assert!(angle < 10.0, "frame {frame}: {angle}");
     }
 }
+
+/// A target that stands upright in its motion alone takes a given frame of the source: the source
+/// moves as itself where that is the frame of the same pose.
+#[test]
+fn a_given_frame_is_the_pose_of_a_target_that_does_not_stand_at_rest() {
+    let Some((upright, along)) =
+        case("rest-not-upright/upright.bvh").zip(case("rest-not-upright/along_x.bvh"))
+    else {
+        return;
+    };
+    let target = along.skeleton().unwrap();
+    let deviation = |reference| {
+        let options = Options {
+            target_motion: Some(&along),
+            reference: Reference::Frame(reference),
+            keeps_height: true,
+            ..Options::default()
+        };
+        let retarget = Retarget::new(&upright, &target, &options).unwrap();
+        let frames = (0..upright.frame_count()).flat_map(|frame| {
+            let found = heads(&retarget, &target, frame);
+            found.into_iter().zip(places(&upright, frame))
+        });
+        frames.map(|(found, wanted)| found.distance(wanted)).fold(0.0, f64::max)
+    };
+    let least = (0..upright.frame_count()).map(deviation).fold(f64::INFINITY, f64::min);
+    // The file has six digits.
+    assert!(least < 1e-3, "{least}");
+}
