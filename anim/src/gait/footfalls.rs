@@ -14,8 +14,8 @@ use crate::retarget::body::Body;
 const LEAST_SWING: f64 = 0.1;
 /// As a part of the whole swing of a foot, by how much it swings back at least between two steps.
 const TURN: f64 = 0.25;
-/// As a part of the height to which an ankle is lifted in a step, how high above the ground it comes
-/// down at most, and as a part of the greatest speed at which it sinks, how fast at most.
+/// As a part of the height to which an ankle is lifted in a step, how high above the ground it
+/// comes down at most, and as a part of the greatest speed at which it sinks, how fast at most.
 const DOWN: f64 = 0.15;
 const STILL: f64 = 0.2;
 /// Feet that come down within this time, in seconds, do so at once: nobody runs so fast.

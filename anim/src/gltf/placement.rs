@@ -211,9 +211,9 @@ impl<'a> Placement<'a> {
     }
 
     /// The placed vertices of the parts of some nodes as a mesh with all that their primitives
-    /// have: faces, lines and points, normals, tangents, colours, texture coordinates and materials.
-    /// Each node is an object of its name. Vertices keep their order; those of all nodes keep their
-    /// number.
+    /// have: faces, lines and points, normals, tangents, colours, texture coordinates and
+    /// materials. Each node is an object of its name. Vertices keep their order; those of all nodes
+    /// keep their number.
     ///
     /// # Errors
     ///

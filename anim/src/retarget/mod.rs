@@ -41,12 +41,12 @@
 //! - Thigh, shin, upper arm, forearm: exactly along the bone; left as near as can be along the axis
 //!   about which knee or elbow bends, where it is bent by over 15°.
 //! - Foot and toes: up exactly along the vertical, while the foot is on the ground; forward from
-//!   the ankle to the toes. Where feet never stand still, the person walks in place, and a low ankle
-//!   that does not rise or sink is on the ground.
+//!   the ankle to the toes. Where feet never stand still, the person walks in place, and a low
+//!   ankle that does not rise or sink is on the ground.
 //! - Head: left exactly along the line of the shoulders; up as near as can be, in frames in which
 //!   the body stands, to the top of the head, where an End Site or a joint says where that is,
-//!   within 60° of the trunk; otherwise from the lowest joint of the neck to the head, where that is
-//!   within 30° of the trunk in both bodies; otherwise along the trunk.
+//!   within 60° of the trunk; otherwise from the lowest joint of the neck to the head, where that
+//!   is within 30° of the trunk in both bodies; otherwise along the trunk.
 //! - Others: as the joint above, in the mean.
 //!
 //! Source and target of a recording on a recording are both read by their motions, so that a

@@ -262,8 +262,8 @@ fn a_walk_is_mirrored_as_a_clip_of_it_is() {
         let place = |motor: &Motor<f64>| DVec3::from(motor.translator().displacement());
         let [before, found, truth] = &motors;
         for (found, truth) in found.iter().zip(truth) {
-            // There both sides have the axes at rest, here those of their bones, which were measured
-            // and differ a little.
+            // There both sides have the axes at rest, here those of their bones, which were
+            // measured and differ a little.
             let [a, b] = [found, truth].map(place);
             assert!(a.distance(b) < 0.05, "{a} {b}");
         }

@@ -33,8 +33,8 @@ struct Person {
 }
 
 /// The names of hips, head, thigh, shin, foot, upper arm, forearm and hand; `#` is `Left` or
-/// `Right`, and `*` is `L` or `R`, both in small letters too. The numbers are those of nodes without
-/// names.
+/// `Right`, and `*` is `L` or `R`, both in small letters too. The numbers are those of nodes
+/// without names.
 const NAMES: [[[&str; 8]; 2]; 9] = [
     both([
         "Hips", "Head", "#UpLeg", "#Leg", "#Foot", "#Arm", "#ForeArm", "#Hand",

@@ -19,11 +19,11 @@ use crate::mesh_file;
 ///
 /// The mesh has the normals, texture coordinates, colours and materials of the model, as far as the
 /// format of the output has them: Wavefront OBJ with its materials (.mtl) and pictures, PLY, or
-/// glTF. Paths of pictures are written relative to the output. OBJ has the vertices of each node that has a mesh, in rising index of the nodes, each
-/// primitive in order and all vertices of its POSITION, so that they are numbered as in the file.
-/// Morph targets displace them first; then the joints of the skin move them, or the node where it
-/// has no skin. Its coordinates are written with as many digits as read back exactly. In other
-/// formats vertices may be numbered otherwise.
+/// glTF. Paths of pictures are written relative to the output. OBJ has the vertices of each node
+/// that has a mesh, in rising index of the nodes, each primitive in order and all vertices of its
+/// POSITION, so that they are numbered as in the file. Morph targets displace them first; then the
+/// joints of the skin move them, or the node where it has no skin. Its coordinates are written with
+/// as many digits as read back exactly. In other formats vertices may be numbered otherwise.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

@@ -28,8 +28,8 @@ pub struct LensTerms {
     is_free: [bool; TERMS.len()],
 }
 
-/// The coefficients of [`LensModel::RadialTangential`] that a calibration may determine. The tilt of the
-/// sensor is not among them: beside the principal point it is not determined.
+/// The coefficients of [`LensModel::RadialTangential`] that a calibration may determine. The tilt
+/// of the sensor is not among them: beside the principal point it is not determined.
 const TERMS: [&str; 12] = [
     "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
 ];

@@ -249,8 +249,8 @@ proptest! {
         }
     }
 
-    /// The mesh of placed vertices is that which ga-mesh makes of the document on a path of its own,
-    /// by matrices, with normals and tangents.
+    /// The mesh of placed vertices is that which ga-mesh makes of the document on a path of its
+    /// own, by matrices, with normals and tangents.
     #[test]
     fn normals_and_tangents_are_those_of_the_document_as_a_mesh(numbers in numbers()) {
         let mut document = document(numbers);

@@ -38,9 +38,9 @@ use crate::transfer::{Body, Motion, TransferArguments};
 /// frame and the joint in "worst". Warnings name what a person does not do: a head more than 60°
 /// from the trunk, bones longer or shorter by 1e-6, feet that are more than 0.05 legs above the
 /// ground or below it in three quarters of the frames, a knee that bends backwards in more than 5 %
-/// of the frames, a standing foot whose sole is more than 15° from flat or that points more than 90°
-/// away from where the pelvis looks, in the median, and a joint that rotates by over 60° more than
-/// the one that moves it from one frame to the next.
+/// of the frames, a standing foot whose sole is more than 15° from flat or that points more than
+/// 90° away from where the pelvis looks, in the median, and a joint that rotates by over 60° more
+/// than the one that moves it from one frame to the next.
 ///
 /// With --foot-locking, a foot whose ankle is slower than 0.05 m/s in the motion stays in one
 /// place, and only thighs and shins deviate for that. A leg that is too short is reported. Where
