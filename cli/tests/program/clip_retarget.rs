@@ -361,3 +361,35 @@ fn real_feet_stand_in_what_is_written() {
     ];
     assert_success(&nullcone(path, skin));
 }
+
+#[test]
+fn a_reference_and_a_vertical_are_given_by_options() {
+    let folder = folder();
+    let before = names(folder.path());
+    let retarget = |more: &[&str]| {
+        let words = [
+            "clip", "retarget", "cmu.bvh", "--target", "biped.bvh", "--out", "o.bvh",
+        ];
+        nullcone(folder.path(), [&words, more].concat())
+    };
+    assert_failure(
+        &retarget(&["--reference-frame", "4000"]),
+        &["cmu.bvh", "the motion has no frame 4000 for reference"],
+    );
+    assert_failure(
+        &retarget(&["--reference-pose", "biped.bvh"]),
+        &["--reference-pose biped.bvh", "has no joint"],
+    );
+    assert_eq!(names(folder.path()), before);
+    let written = |more: &[&str]| {
+        assert_success(&retarget(more));
+        std::fs::read(folder.path().join("o.bvh")).unwrap()
+    };
+    // The motion has y up, and its first frame stands as the same file's.
+    let found = written(&[]);
+    assert!(written(&["--up", "y"]) == found);
+    assert!(written(&["--up", "-z"]) != found);
+    assert!(
+        written(&["--reference-frame", "0"]) == written(&["--reference-pose", "cmu.bvh"])
+    );
+}
