@@ -156,9 +156,8 @@ fn mean_rotation(recording: &Recording, joint: usize) -> Rotor<f64> {
             *sum += rotated(frame[joint].rotor(), axis.into());
         }
     }
-    let pairs = AXES.into_iter().zip(sums).filter_map(|(axis, sum)| {
-        (sum.length() > 0.0).then(|| (sum.length(), axis, sum.coordinates()))
-    });
+    let pairs = AXES.into_iter().zip(sums);
+    let pairs = pairs.map(|(axis, sum)| (sum.length(), axis, sum.coordinates()));
     let fit = Rotor::from_weighted_direction_pairs(&pairs.collect::<Vec<_>>());
     fit.map_or_else(|_| recording.joints[joint].rest.rotor(), |fit| fit.motion)
 }

@@ -41,10 +41,7 @@ const TINY: f64 = 1e-3;
 /// hierarchy: two chains to the ground, above them a trunk, and two chains to its sides.
 ///
 /// Digits are not told apart. `None` where there are no two legs.
-pub(super) fn parts_by_structure(
-    parents: &[Option<usize>],
-    places: &[[f64; 3]],
-) -> Option<Parts> {
+pub(super) fn parts_by_structure(parents: &[Option<usize>], places: &[[f64; 3]]) -> Option<Parts> {
     Body::new(parents, places)?.parts()
 }
 
