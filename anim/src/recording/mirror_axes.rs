@@ -157,7 +157,6 @@ fn mean_rotation(recording: &Recording, joint: usize) -> Rotor<f64> {
         }
     }
     let pairs = AXES.into_iter().zip(sums);
-    let pairs = pairs.filter(|(_, sum)| sum.length() > 0.0);
     let pairs = pairs.map(|(axis, sum)| (sum.length(), axis, sum.coordinates()));
     let fit = Rotor::from_weighted_direction_pairs(&pairs.collect::<Vec<_>>());
     fit.map_or_else(|_| recording.joints[joint].rest.rotor(), |fit| fit.motion)
