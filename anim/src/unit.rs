@@ -121,9 +121,9 @@ mod tests {
 
     #[test]
     fn legs_unlike_an_adults_and_none_at_all_are_said() {
-        let giant = of_leg(Some(5.0));
+        let giant = of_leg(Some(1.5));
         assert_eq!(giant.metres, 1.0);
-        assert!(giant.doubt().unwrap().contains("5.00 m long"));
+        assert!(giant.doubt().unwrap().contains("1.50 m long"));
         let none = of_leg(None);
         assert_eq!(none.metres, 1.0);
         assert!(none.doubt().unwrap().contains("no legs"));

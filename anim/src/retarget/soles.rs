@@ -49,7 +49,8 @@ impl Soles {
     }
 
     /// The soles of a skeleton without a mesh: points on the ground below the ends of those bones
-    /// that lie within 1/16 of its height above its lowest point.
+    /// that lie within 1/16 of its height above its lowest point, or of those ends where no bone
+    /// lies there.
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
         Self::of_pose(skeleton, &vec![Motor::default(); skeleton.len()])
@@ -64,11 +65,15 @@ impl Soles {
         let ends = || bones.iter().flatten().copied();
         let limit = limit(ends(), BONE);
         let ground = ends().map(|end| end[1]).fold(f64::INFINITY, f64::min);
-        let bones = bones.iter().enumerate();
-        let lies_low = bones.filter(|(_, bone)| bone.iter().all(|end| end[1] <= limit));
-        let points = lies_low.flat_map(|(index, bone)| {
-            let back = motions[index].reverse();
-            bone.map(|[x, _, z]| (index, moved(back, [x, ground, z])))
+        let is_low = |end: &[f64; 3]| end[1] <= limit;
+        let any_lies_low = bones.iter().any(|bone| bone.iter().all(is_low));
+        let low_ends = bones.iter().enumerate().flat_map(|(index, bone)| {
+            let counts = !any_lies_low || bone.iter().all(is_low);
+            let ends = bone.iter().filter(move |end| counts && is_low(end));
+            ends.map(move |&end| (index, end))
+        });
+        let points = low_ends.map(|(index, [x, _, z])| {
+            (index, moved(motions[index].reverse(), [x, ground, z]))
         });
         Self::new(skeleton.len(), points)
     }

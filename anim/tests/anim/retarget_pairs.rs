@@ -436,7 +436,8 @@ fn every_recording_moves_every_character_as_recorded() {
     let more = std::env::var_os("NULLCONE_PAIRS").map(PathBuf::from);
     let folders: Vec<PathBuf> = [data, cases].into_iter().chain(more).collect();
     let (recordings, characters) = (recordings(&folders), characters(&folders));
-    assert!(recordings.len() >= 9 && characters.len() >= 7);
+    let counts = [recordings.len(), characters.len()];
+    assert!(counts[0] >= 9 && counts[1] >= 7, "{counts:?}");
     println!(
         "{:16} {:16} {:>7} {:>8} {:>6} {:>6} {:>6} {:>8} {:>7} {:>7} {:>7} {:>6} {:>7}",
         "recording",

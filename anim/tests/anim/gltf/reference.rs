@@ -187,10 +187,14 @@ fn at(
     match interpolation {
         Interpolation::Step => from,
         Interpolation::Linear if is_rotation => {
-            let dot = from.dot(to);
-            let angle = dot.abs().acos();
-            let weights = [((1.0 - t) * angle).sin(), (t * angle).sin() * dot.signum()];
-            (from * weights[0] + to * weights[1]) / angle.sin()
+            // The arc cosine of a dot product would not tell near keys apart.
+            let to = to * from.dot(to).signum();
+            let angle = 2.0 * (from - to).length().atan2((from + to).length());
+            let weights = match angle > 0.0 {
+                true => [(1.0 - t) * angle, t * angle].map(|part| part.sin() / angle.sin()),
+                false => [1.0 - t, t],
+            };
+            from * weights[0] + to * weights[1]
         }
         Interpolation::Linear => from * (1.0 - t) + to * t,
         Interpolation::CubicSpline => {
