@@ -148,12 +148,17 @@ impl Correspondence {
             (None, None) => Soles::of_skeleton(target),
         };
         let soles = match here {
-            // A root on the ground or the hem of a dress is nothing to stand on.
-            Some(here) => soles.of_joints(|joint| {
-                here.legs
-                    .iter()
-                    .any(|&[_, _, ankle]| is_below(&hanging.parents, joint, ankle))
-            }),
+            // A root on the ground or the hem of a dress is nothing to stand on, nor is what hangs
+            // on the head of a body whose feet have no mesh.
+            Some(here) => {
+                let is_foot = |joint| {
+                    let mut ankles = here.legs.iter().map(|leg| leg[2]);
+                    ankles.any(|ankle| is_below(&hanging.parents, joint, ankle))
+                };
+                let of_feet = soles.of_joints(is_foot);
+                let of_skeleton = || Soles::of_skeleton(target).of_joints(is_foot);
+                of_feet.or_else(of_skeleton).unwrap_or(soles)
+            }
             None => soles,
         };
         let bodies = Bodies::new(target, &hanging, stands, &source_of, source_rest, &soles);

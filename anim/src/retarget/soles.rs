@@ -89,14 +89,15 @@ impl Soles {
         }
     }
 
-    /// Those of some joints; all where these have none.
-    pub(super) fn of_joints(self, is_counted: impl Fn(usize) -> bool) -> Self {
+    /// Those of some joints; `None` where these have none.
+    pub(super) fn of_joints(&self, is_counted: impl Fn(usize) -> bool) -> Option<Self> {
         let counted = self.points.iter().filter(|(joint, _)| is_counted(*joint));
         let points: Vec<_> = counted.cloned().collect();
-        match points.is_empty() {
-            true => self,
-            false => Self { points, ..self },
-        }
+        let joint_count = self.joint_count;
+        (!points.is_empty()).then_some(Self {
+            joint_count,
+            points,
+        })
     }
 
     /// The joints that have a part of the sole.

@@ -172,7 +172,7 @@ fn motions() {
     fails(
         &[("motion.bvh", stranger.as_bytes())],
         &[],
-        &["motion.bvh cannot move rig.json", "no joint of the motion"],
+        &["motion.bvh cannot move rig.json", "no two legs"],
     );
 }
 

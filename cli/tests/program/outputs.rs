@@ -176,7 +176,7 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "animate --character none.glb --motion none.bvh",
         "--film",
-        ".png",
+        ".png or .y4m",
         "gif",
     ),
 ];

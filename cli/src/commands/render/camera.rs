@@ -7,7 +7,7 @@ use ga_character::animated_scene::camera_of;
 use ga_mesh::gltf::{Document, Projection};
 use ga_render::{Viewpoint, ViewpointError, view_file};
 
-use super::Arguments;
+use super::arguments::Arguments;
 use crate::camera_file;
 use crate::format::Format;
 

@@ -11,7 +11,7 @@ use ga_render::model::{self, Model};
 use ga_render::view_file::{self, ViewFiles};
 use ga_render::{Buffers, Ground, Style, View, buffer_files, render};
 
-use super::Arguments;
+use super::arguments::Arguments;
 use crate::film_file;
 use crate::format::Format;
 use crate::frame::Progress;
