@@ -151,7 +151,7 @@ fn a_map_names_the_joints_that_belong_together() {
     assert_success(&animate(folder.path(), &[]));
     let unmapped = report(&folder.path().join("out"));
     // By structure another joint of the trunk is left out.
-    let left_out = |report: &Value| report["input"]["motion"]["joints_without_counterpart"].clone();
+    let left_out = |report: &serde_json::Value| report["input"]["motion"]["joints_without_counterpart"].clone();
     assert_ne!(left_out(&mapped), left_out(&unmapped));
 
     std::fs::write(folder.path().join("map.json"), r#"{"q0": "tail"}"#).unwrap();
