@@ -164,10 +164,7 @@ impl TransferArguments {
         const SURE: f64 = 0.7;
         const STANDS: f64 = 5.0;
         let mut warnings = Vec::new();
-        if let Some(up) = transfer
-            .up
-            .filter(|up| self.up.is_none() && !up.is_clear())
-        {
+        if let Some(up) = transfer.up.filter(|up| self.up.is_none() && !up.is_clear()) {
             let message = format!(
                 "the vertical of the motion is not clear: {} is taken; --up gives it",
                 up.axis

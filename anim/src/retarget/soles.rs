@@ -72,9 +72,8 @@ impl Soles {
             let ends = bone.iter().filter(move |end| counts && is_low(end));
             ends.map(move |&end| (index, end))
         });
-        let points = low_ends.map(|(index, [x, _, z])| {
-            (index, moved(motions[index].reverse(), [x, ground, z]))
-        });
+        let points = low_ends
+            .map(|(index, [x, _, z])| (index, moved(motions[index].reverse(), [x, ground, z])));
         Self::new(skeleton.len(), points)
     }
 

@@ -321,9 +321,13 @@ fn a_given_frame_is_the_pose_of_a_target_that_does_not_stand_at_rest() {
             let found = heads(&retarget, &target, frame);
             found.into_iter().zip(places(&upright, frame))
         });
-        frames.map(|(found, wanted)| found.distance(wanted)).fold(0.0, f64::max)
+        frames
+            .map(|(found, wanted)| found.distance(wanted))
+            .fold(0.0, f64::max)
     };
-    let least = (0..upright.frame_count()).map(deviation).fold(f64::INFINITY, f64::min);
+    let least = (0..upright.frame_count())
+        .map(deviation)
+        .fold(f64::INFINITY, f64::min);
     // The file has six digits.
     assert!(least < 1e-3, "{least}");
 }

@@ -151,7 +151,9 @@ fn a_map_names_the_joints_that_belong_together() {
     assert_success(&animate(folder.path(), &[]));
     let unmapped = report(&folder.path().join("out"));
     // By structure another joint of the trunk is left out.
-    let left_out = |report: &serde_json::Value| report["input"]["motion"]["joints_without_counterpart"].clone();
+    let left_out = |report: &serde_json::Value| {
+        report["input"]["motion"]["joints_without_counterpart"].clone()
+    };
     assert_ne!(left_out(&mapped), left_out(&unmapped));
 
     std::fs::write(folder.path().join("map.json"), r#"{"q0": "tail"}"#).unwrap();
@@ -197,7 +199,10 @@ fn frames_rate_group_and_unit_are_chosen() {
     let expected = 5.0 * STEP * 2.0 / UNITS;
     assert!((f64::from(places[0][2]) - expected).abs() < 1e-6);
     // On the triangle, the hips would be about as deep below the ground as they are above it.
-    assert!((places[0][1] - with_guide[0][1]).abs() < 0.2, "{places:?} {with_guide:?}");
+    assert!(
+        (places[0][1] - with_guide[0][1]).abs() < 0.2,
+        "{places:?} {with_guide:?}"
+    );
 }
 
 #[test]

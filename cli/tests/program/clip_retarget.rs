@@ -369,7 +369,13 @@ fn a_reference_and_a_vertical_are_given_by_options() {
     let before = names(folder.path());
     let retarget = |more: &[&str]| {
         let words = [
-            "clip", "retarget", "cmu.bvh", "--target", "biped.bvh", "--out", "o.bvh",
+            "clip",
+            "retarget",
+            "cmu.bvh",
+            "--target",
+            "biped.bvh",
+            "--out",
+            "o.bvh",
         ];
         nullcone(folder.path(), [&words, more].concat())
     };
@@ -390,7 +396,5 @@ fn a_reference_and_a_vertical_are_given_by_options() {
     let found = written(&[]);
     assert!(written(&["--up", "y"]) == found);
     assert!(written(&["--up", "-z"]) != found);
-    assert!(
-        written(&["--reference-frame", "0"]) == written(&["--reference-pose", "cmu.bvh"])
-    );
+    assert!(written(&["--reference-frame", "0"]) == written(&["--reference-pose", "cmu.bvh"]));
 }
