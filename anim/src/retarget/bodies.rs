@@ -216,13 +216,15 @@ impl<'a> Bodies<'a> {
         bones
     }
 
-    /// For each joint of the target the rotor A between both poses at rest.
+    /// For each joint of the target the rotor A from the pose in which it stands to that of the
+    /// source.
     pub(super) fn aligned(&self, long_bones: &[Option<(Bone, usize)>]) -> Vec<Rotor<f64>> {
         let mut rotors: Vec<Rotor<f64>> = vec![Rotor::default(); self.target.len()];
         for &joint in &self.hanging.order {
             let above = self.hanging.parents[joint].map_or(self.facing, |parent| rotors[parent]);
-            let correction = long_bones[joint].as_ref().and_then(|(bone, _)| {
-                let inherited: Vector<f64> = above.transform(Direction::from(bone.target)).into();
+            let correction = long_bones[joint].as_ref().and_then(|(bone, below)| {
+                let stands = self.stands[*below] - self.stands[joint];
+                let inherited: Vector<f64> = above.transform(Direction::from(stands)).into();
                 Rotor::between(inherited.coordinates(), bone.source.coordinates())
             });
             rotors[joint] = correction.map_or(above, |correction| correction * above);
