@@ -55,7 +55,7 @@ impl ChosenAnimation {
             false => format!(": {}", list.join(", ")),
         };
         let count = animations.len();
-        bail!("there is no animation {text}: the file has {count}{list}")
+        bail!("--animation {text}: there is no animation {text}: the file has {count}{list}")
     }
 }
 

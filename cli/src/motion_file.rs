@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Result;
 use ga_anim::bvh::{self, Bvh, BvhWarning};
-use ga_anim::motion_file::{MotionFile, Options};
+use ga_anim::motion_file::{Loss, MotionFile, Options};
 use ga_anim::unit::LikelyUnit;
 
 use crate::frame::{Warning, keep_for_failure};
@@ -45,6 +45,15 @@ pub(crate) fn warn_of_unit(
     if let Some(doubt) = unit.doubt() {
         let message = format!("{doubt}; {option} gives it");
         warnings.push(Warning::new("unclear_unit", message).in_file(path));
+    }
+}
+
+/// The warning of what is not in a file that is written.
+pub(crate) fn lost(loss: &Loss, out: &Path) -> Warning {
+    Warning {
+        joint: loss.joint().map(ToOwned::to_owned),
+        frame: loss.frame(),
+        ..Warning::new(loss.kind(), loss).in_file(out)
     }
 }
 

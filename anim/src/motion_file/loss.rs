@@ -1,5 +1,7 @@
 //! What of a motion a format does not hold.
 
+use ga_mesh::gltf::Document;
+
 /// Something of a motion or of its file that is not in the file that was written.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -89,6 +91,17 @@ pub enum Loss {
 }
 
 impl Loss {
+    /// What a document has beside its joints that a file of another format has not. `moving` of its
+    /// animations are in that file.
+    #[must_use]
+    pub fn of_document(document: &Document, moving: usize) -> Vec<Self> {
+        let (meshes, skins) = (document.meshes.len(), document.skins.len());
+        let animations = document.animations.len().saturating_sub(moving);
+        let of_meshes = (meshes + skins > 0).then_some(Self::Meshes { meshes, skins });
+        let of_animations = (animations > 0).then_some(Self::Animations { animations });
+        of_meshes.into_iter().chain(of_animations).collect()
+    }
+
     /// What it is, as one word for programs.
     #[must_use]
     pub fn kind(&self) -> &'static str {

@@ -133,14 +133,7 @@ fn beside_the_motion(file: &MotionFile, format: Format) -> Vec<Loss> {
     let mut losses = Vec::new();
     match file.contents() {
         Contents::Gltf(document) if format != Format::Gltf => {
-            let (meshes, skins) = (document.meshes.len(), document.skins.len());
-            if meshes + skins > 0 {
-                losses.push(Loss::Meshes { meshes, skins });
-            }
-            let animations = document.animations.len().saturating_sub(1);
-            if animations > 0 {
-                losses.push(Loss::Animations { animations });
-            }
+            losses.extend(Loss::of_document(document, 1));
         }
         Contents::Bvh(motion) if format != Format::Bvh => {
             let ends = motion.joints().iter();

@@ -406,3 +406,33 @@ fn a_reference_and_a_vertical_are_given_by_options() {
         assert!((frame - pose).abs() < 1e-9, "{frame} {pose}");
     }
 }
+
+#[test]
+fn what_another_format_leaves_out_of_the_target_is_listed() {
+    let (Some(motion), Some(man)) = (
+        shared("cases/motion/rest-not-upright/upright.bvh"),
+        shared("data/anim/gltf/cesium_man.gltf"),
+    ) else {
+        return;
+    };
+    let folder = tempdir().unwrap();
+    let [motion, man] = [motion, man].map(|path| path.to_str().unwrap().to_owned());
+    let left_out = |out: &str| -> Vec<String> {
+        let words = ["clip", "retarget", &motion, "--target", &man, "--out", out];
+        let report = json(folder.path(), &words);
+        let warnings = report["warnings"].as_array().cloned().unwrap_or_default();
+        let kinds = warnings
+            .iter()
+            .map(|warning| warning["kind"].as_str().unwrap().to_owned());
+        kinds.filter(|kind| kind.ends_with("left_out")).collect()
+    };
+    // One mesh with its skin, and one animation of its own.
+    for out in ["man.bvh", "man.clip"] {
+        assert_eq!(
+            left_out(out),
+            ["meshes_left_out", "animations_left_out"],
+            "{out}"
+        );
+    }
+    assert!(left_out("man.glb").is_empty());
+}

@@ -139,14 +139,27 @@ impl fmt::Display for Fault {
         match self {
             Self::NotManifold { edges, vertices } => write!(
                 f,
-                "the surface is not manifold at {edges} edges and {vertices} vertices"
+                "the surface is not manifold at {} and {}",
+                counted(*edges, ["edge", "edges"]),
+                counted(*vertices, ["vertex", "vertices"])
             ),
-            Self::NotOriented { edges } => {
-                write!(f, "the faces at {edges} edges have opposite orientations")
-            }
-            Self::Degenerate { faces } => write!(f, "{faces} faces are degenerate"),
+            Self::NotOriented { edges } => write!(
+                f,
+                "the faces at {} have opposite orientations",
+                counted(*edges, ["edge", "edges"])
+            ),
+            Self::Degenerate { faces } => write!(
+                f,
+                "{} degenerate",
+                counted(*faces, ["face is", "faces are"])
+            ),
         }
     }
+}
+
+/// A number with what is counted, of which there is one or are several.
+fn counted(count: usize, [one, several]: [&str; 2]) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
 }
 
 impl Summary {

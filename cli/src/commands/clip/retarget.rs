@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
 use ga_anim::clip::compressed;
-use ga_anim::motion_file::Format as MotionFormat;
+use ga_anim::motion_file::{Format as MotionFormat, Loss};
 use ga_anim::retarget::{MapOrigin, Target, Transfer};
 use ga_anim::unit::likely_unit;
 use ga_mesh::gltf;
@@ -57,7 +57,8 @@ use crate::transfer::{Body, Motion, TransferArguments};
 /// that is printed is of the form that --map reads: the joint of the motion first, and the joint of
 /// the target, or a list of them. slide_metres is how far apart two places of an ankle are at most
 /// while it stands, in what is written; slide_free_metres is the same without --foot-locking. The
-/// verdict is doubtful where there is a warning, otherwise good.
+/// verdict is doubtful where there is a warning but for what the format of the output does not
+/// hold, which is listed in warnings too, and otherwise good.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -102,7 +103,7 @@ impl Command for Arguments {
         let progress = context.progress(5);
         let mut warnings = Vec::new();
         progress.step("reading the target");
-        let target = self.target(&mut warnings)?;
+        let (target, losses) = self.target(format, &mut warnings)?;
         progress.step("reading the motion");
         let (file, target_file) = (self.motion.file(), self.target.display().to_string());
         let read = self.motion.read(&mut warnings)?;
@@ -124,19 +125,23 @@ impl Command for Arguments {
         let transfer = transfer.with_context(|| format!("{file} cannot move {target_file}"))?;
         progress.step("writing");
         self.write(format, &target, &transfer, &progress)?;
+        let verdict = Verdict::of(&warnings);
+        warnings.extend(losses.iter().map(|loss| motion_file::lost(loss, &self.out)));
         Ok(Report {
             file,
             target: target_file,
             out: self.out.display().to_string(),
             metres_per_unit: read.metres_per_unit(),
             transfer,
+            verdict,
             warnings,
         })
     }
 }
 
 impl Arguments {
-    fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
+    /// The target, and what of its file is not in one of this format.
+    fn target(&self, format: Format, warnings: &mut Vec<Warning>) -> Result<(Target, Vec<Loss>)> {
         let path = &self.target;
         let shown = || path.display().to_string();
         let option = "--target-metres-per-unit";
@@ -149,7 +154,8 @@ impl Arguments {
                     motion_file::warn_of_unit(path, likely, option, warnings);
                 }
                 let unit = given.unwrap_or(likely.metres);
-                Target::from_bvh(motion, unit).with_context(shown)
+                let target = Target::from_bvh(motion, unit).with_context(shown)?;
+                Ok((target, Vec::new()))
             }
             MotionFormat::Gltf => {
                 ensure!(
@@ -161,7 +167,12 @@ impl Arguments {
                 if self.replace {
                     document.animations.clear();
                 }
-                Target::from_gltf(&document).with_context(shown)
+                let losses = match format {
+                    Format::Glb | Format::Gltf => Vec::new(),
+                    _ => Loss::of_document(&document, 0),
+                };
+                let target = Target::from_gltf(&document).with_context(shown)?;
+                Ok((target, losses))
             }
             MotionFormat::Clip => bail!(
                 "--target {}: a skeleton is a file of the kind .bvh, .glb or .gltf",
@@ -212,6 +223,9 @@ pub(crate) struct Report {
     metres_per_unit: f64,
     #[serde(flatten)]
     transfer: Transfer,
+    /// Of what is seen in the motion, whatever the format leaves out.
+    #[serde(skip)]
+    verdict: Verdict,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -222,7 +236,7 @@ impl frame::Report for Report {
     }
 
     fn verdict(&self) -> Option<Verdict> {
-        Some(Verdict::of(&self.warnings))
+        Some(self.verdict)
     }
 
     fn next(&self) -> Option<String> {

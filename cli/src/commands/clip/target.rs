@@ -14,6 +14,7 @@ use super::input::{Input, MotionArguments, checked_unit, short};
 use super::phases::Phases;
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
+use crate::motion_file;
 use crate::output;
 use crate::shell::quoted;
 
@@ -200,11 +201,12 @@ pub(super) fn write(
         Some(unit) => format!("{file}, with a unit of {} m", short(unit.metres)),
         None => file.clone(),
     })?;
-    warnings.extend(written.losses.iter().map(|loss| Warning {
-        joint: loss.joint().map(ToOwned::to_owned),
-        frame: loss.frame(),
-        ..Warning::new(loss.kind(), loss).in_file(out)
-    }));
+    warnings.extend(
+        written
+            .losses
+            .iter()
+            .map(|loss| motion_file::lost(loss, out)),
+    );
     let mut compressed = None;
     if let Contents::Clip(clip) = &written.contents {
         let accuracy = Accuracy::new(recording, clip, deviation)

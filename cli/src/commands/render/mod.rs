@@ -86,7 +86,10 @@ impl Command for Arguments {
         let file = ModelFile::read(path, self.plays())?;
         let mut warnings = file.warnings.clone();
         let animation = match &file.document {
-            Some(document) if self.plays() => self.animation.number(document)?,
+            Some(document) if self.plays() => {
+                let number = self.animation.number(document);
+                number.with_context(|| path.display().to_string())?
+            }
             _ => None,
         };
         let played = file.animation(animation);
