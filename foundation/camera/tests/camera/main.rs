@@ -4,6 +4,7 @@
 
 mod camera;
 mod format;
+mod lens_models;
 mod many_views;
 mod rig;
 mod two_views;
