@@ -104,7 +104,7 @@ pub fn write(path: impl AsRef<Path>, document: &Document) -> Result<(), FileErro
     Ok(ga_files::write_all(folder, files)?)
 }
 
-/// The names and contents of the files that [`write`] writes, that of the path first.
+/// The names and contents of the files that [`write()`] writes, that of the path first.
 ///
 /// # Errors
 ///
