@@ -156,9 +156,11 @@ impl<P: Tolerated> Deviations<P> {
 
     fn add(&mut self, line: usize, count: usize, problem: P) {
         let is_full = self.list.len() >= MOST;
-        let is_like =
-            |known: &P| known.is_like(&problem) || (is_full && known.kind() == problem.kind());
-        match self.list.iter().rposition(|known| is_like(&known.problem)) {
+        let find =
+            |is_it: &dyn Fn(&P) -> bool| self.list.iter().rposition(|known| is_it(&known.problem));
+        let like = find(&|known| known.is_like(&problem));
+        let of_kind = || find(&|known| is_full && known.kind() == problem.kind());
+        match like.or_else(of_kind) {
             // A line with several of one kind counts once.
             Some(index) if self.last_lines[index] == line => {}
             Some(index) => {
@@ -174,5 +176,104 @@ impl<P: Tolerated> Deviations<P> {
                 });
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A problem of a kind, told once for each kind.
+    struct Of(&'static str);
+
+    impl fmt::Display for Of {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "odd {}", self.0)
+        }
+    }
+
+    impl Tolerated for Of {
+        fn kind(&self) -> &'static str {
+            self.0
+        }
+
+        fn remedy(&self) -> Cow<'_, str> {
+            "it is left out".into()
+        }
+    }
+
+    /// A word, told once for each word.
+    struct Word(usize);
+
+    impl fmt::Display for Word {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "word {}", self.0)
+        }
+    }
+
+    impl Tolerated for Word {
+        fn kind(&self) -> &'static str {
+            "word"
+        }
+
+        fn remedy(&self) -> Cow<'_, str> {
+            "it is left out".into()
+        }
+
+        fn is_like(&self, other: &Self) -> bool {
+            self.0 == other.0
+        }
+    }
+
+    fn counts<P>(found: Deviations<P>) -> Vec<[usize; 2]> {
+        let list = found.into_list().into_iter();
+        list.map(|deviation| [deviation.line, deviation.count])
+            .collect()
+    }
+
+    #[test]
+    fn each_kind_is_told_once_and_a_line_counts_once() {
+        let mut found = Deviations::new(Reading::Tolerant);
+        for (line, kind) in [
+            (2, "face"),
+            (3, "name"),
+            (5, "face"),
+            (5, "face"),
+            (6, "face"),
+        ] {
+            assert!(found.tolerate(line, Of(kind)).is_ok());
+        }
+        assert!(found.tolerate_times(9, 4, Of("name")).is_ok());
+        assert_eq!(
+            found.list[1].to_string(),
+            "line 3: odd name; it is left out (5 such lines)"
+        );
+        assert_eq!(counts(found), [[2, 3], [3, 5]]);
+        let mut one = Deviations::default();
+        one.note(4, Of("end"));
+        assert_eq!(one.list[0].to_string(), "line 4: odd end; it is left out");
+    }
+
+    #[test]
+    fn a_strict_reading_has_errors_and_notes() {
+        let mut found = Deviations::new(Reading::Strict);
+        assert_eq!(found.reading(), Reading::Strict);
+        assert!(found.tolerate(1, Of("face")).is_err());
+        found.note(2, Of("end"));
+        assert_eq!(counts(found), [[2, 1]]);
+    }
+
+    #[test]
+    fn beyond_the_most_the_last_one_counts_for_all_of_its_kind() {
+        let mut found = Deviations::default();
+        for word in 0..MOST + 5 {
+            found.note(word + 1, Word(word));
+        }
+        found.note(100, Word(3));
+        let counts = counts(found);
+        assert_eq!(counts.len(), MOST);
+        assert_eq!(counts[MOST - 1], [MOST, 6]);
+        // A word that is told by itself goes on being so.
+        assert_eq!(counts[3], [4, 2]);
     }
 }
