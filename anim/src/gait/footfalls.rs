@@ -18,7 +18,7 @@ const TURN: f64 = 0.25;
 /// comes down at most, and as a part of the greatest speed at which it sinks, how fast at most.
 const DOWN: f64 = 0.15;
 const STILL: f64 = 0.2;
-/// Feet that come down within this time, in seconds, do so at once: nobody runs so fast.
+/// Feet that come down within this time, in seconds, do so at once: no person runs faster.
 const AT_ONCE: f64 = 0.1;
 /// The time over which the speed of an ankle is measured, in seconds: a recording is noisy from
 /// frame to frame.

@@ -18,7 +18,7 @@ fn everything() -> Document {
     gltf::read(data("everything.gltf")).unwrap()
 }
 
-/// The same without the extension of which nobody knows what it refers to.
+/// The same without the extension whose references are not known.
 fn without_note() -> Document {
     let mut json = Plain::read(&data("everything.gltf")).json;
     let names = json["extensionsUsed"].as_array_mut().unwrap();
