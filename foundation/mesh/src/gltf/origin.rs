@@ -15,8 +15,8 @@ use super::json;
 ///
 /// Elements are compared by their places in the lists of the document, so that new ones belong at
 /// the ends; animations may stand anywhere. A document that is made, not read, has the default,
-/// which is not a file. All origins are equal, since they say where a document comes from and not what
-/// it is.
+/// which is not a file. All origins are equal, since they say where a document comes from and not
+/// what it is.
 ///
 /// # Examples
 ///
