@@ -11,7 +11,8 @@
 //!    candidate of the least sum is taken, to a fraction of a pixel.
 //! 5. What the right view does not confirm is removed, and so are small islands.
 //! 6. Holes are filled by smooth paths from the disparities around them, among the candidates that
-//!    the right view cannot see.
+//!    the right view cannot see. Where most matches of a region of similar levels lie on a plane,
+//!    its holes and its matches without texture are on it.
 //! 7. Edges are sharpened by a weighted median, and the rest is smoothed.
 //!
 //! [`Mode::Fast`] leaves out step 3. [`Mode::Best`] matches the right view as well for steps 5 and
@@ -52,6 +53,7 @@ mod features;
 mod lanes;
 mod parts;
 mod path;
+mod planes;
 mod refine;
 mod strips;
 mod support;
@@ -364,6 +366,7 @@ impl Matcher {
         threads.install(|| {
             visibility.fill(map, left, opposite, spare);
             fill::fill_rows(spare, *width);
+            planes::apply(map, left, opposite, spare);
             weighted.at_edges(spare, left, map);
             median::median(map, *width, spare);
             median::median(spare, *width, map);

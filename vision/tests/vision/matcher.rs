@@ -238,13 +238,14 @@ fn the_pairs_motorcycle_and_aloe_have_few_errors() {
 
 /// The limits are a little above what is reached, on pairs that were known when the matcher was
 /// written: they show changes for the worse, and not how well other pairs are matched. Without
-/// averages over regions, about 30 % of the last pair are wrong, since it shows bare walls.
+/// averages over neighbourhoods, about 30 % of the last pair are wrong, since it shows bare walls;
+/// without planes by region, 0.9, 7.3 and 8.3 %.
 #[test]
 fn pairs_of_middlebury_are_matched() {
     for (folder, scale, range, mode, limit) in [
-        ("mb2001_venus", 8.0, 32, Mode::Fast, 1.0),
-        ("mb2003_Teddy", 4.0, 64, Mode::Balanced, 8.0),
-        ("mb2006_Midd1", 3.0, 80, Mode::Best, 11.0),
+        ("mb2001_venus", 8.0, 32, Mode::Fast, 0.8),
+        ("mb2003_Teddy", 4.0, 64, Mode::Balanced, 6.7),
+        ("mb2006_Midd1", 3.0, 80, Mode::Best, 7.5),
     ] {
         let folder = format!("stereo/{folder}");
         let names = ["left.png", "right.png", "disp_left.png"];

@@ -1,0 +1,227 @@
+//! Planes by region: the surface that a region of similar levels shows, where matching tells little.
+//!
+//! A plane in space has disparities that are linear in the pixel, d = a x + b y + c. Regions of
+//! similar levels often show one plane, so that what is matched in a part of a region tells the
+//! rest of it. The plane is taken for pixels without a match, where the other view shows nothing
+//! behind it, and for matches without texture that it contradicts.
+
+mod disjoint_sets;
+mod grid;
+mod plane;
+mod regions;
+
+use super::refine::over_rows;
+use super::view::View;
+use super::winner::{STEPS, UNKNOWN};
+use grid::Grid;
+use plane::DisparityPlane;
+use rayon::prelude::*;
+use regions::Regions;
+
+/// The part of the matches of a region that must agree with a plane which fills its holes, and with
+/// one that corrects matches without texture.
+const AGREEMENT: f64 = 0.65;
+const AGREEMENT_TO_CORRECT: f64 = 0.7;
+/// How much nearer than what the other view shows a plane may be, in pixels.
+const IN_FRONT: f64 = 1.5;
+/// What the other view does not show in the left margin is the mean of plane and row, if these
+/// differ by less than this number of pixels: curved surfaces lie between the two.
+const SIMILAR: f64 = 8.0;
+/// The matches of a region from which its plane is found.
+const SAMPLES: usize = 150;
+/// The pixels on either side of one that show whether there is texture, and the standard deviation
+/// of their levels with texture.
+const REACH: usize = 4;
+const TEXTURE: f32 = 3.0;
+
+/// Replaces disparities by those of planes. `map` has the disparities that the other view confirms,
+/// `filled` the same with the holes filled from the row, and `other` those of the other view in
+/// whole pixels, mirrored.
+pub(super) fn apply(map: &[u16], view: &View, other: &[u16], filled: &mut [u16]) {
+    let width = view.width();
+    let grid = Grid::new(view);
+    // The pictures for which the sizes of regions were found have 0.36 and 1.4 million pixels.
+    let scale = (map.len() as f64 / 360_000.0).clamp(1.0, 4.0);
+    let is_matched = |cell: usize| map[grid.pixel(cell)] != UNKNOWN;
+    let regions = Regions::new(&grid, is_matched, scale);
+    let threshold = 1.0 + (scale - 1.0) / 6.0;
+    let samples = samples(&grid, &regions, map);
+    let planes = samples.par_iter().with_min_len(16);
+    let planes: Vec<Option<DisparityPlane>> = planes
+        .map(|samples| DisparityPlane::fit(samples, threshold))
+        .collect();
+
+    over_rows(filled, width, |first, rows| {
+        for (row, filled) in (first..).zip(rows.chunks_exact_mut(width)) {
+            let map = &map[row * width..][..width];
+            let other = &other[row * width..][..width];
+            let margin = map.iter().take_while(|d| **d == UNKNOWN).count();
+            for (column, value) in filled.iter_mut().enumerate() {
+                let region = regions.of_pixel(&grid, column, row);
+                let Some(plane) = planes[region].filter(|plane| plane.agreement >= AGREEMENT)
+                else {
+                    continue;
+                };
+                let disparity = plane.at(column, row);
+                let now = f64::from(*value) / f64::from(STEPS);
+                let off = (disparity - now).abs();
+                let wanted = if disparity < 0.0 {
+                    None
+                } else if map[column] == UNKNOWN {
+                    let both = column < margin && off < SIMILAR;
+                    let chosen = if both {
+                        (disparity + now) / 2.0
+                    } else {
+                        disparity
+                    };
+                    (!is_seen_through(other, column, disparity)).then_some(chosen)
+                } else {
+                    let corrects = plane.agreement >= AGREEMENT_TO_CORRECT && off > threshold;
+                    (corrects && !has_texture(view, column, row)).then_some(disparity)
+                };
+                if let Some(wanted) = wanted {
+                    // The conversion saturates; the greatest number stands for unknown.
+                    *value = ((wanted * f64::from(STEPS)).round() as u16).min(UNKNOWN - 1);
+                }
+            }
+        }
+    });
+}
+
+/// Matches of each region, as places and disparities in pixels, evenly drawn from its cells.
+fn samples(grid: &Grid, regions: &Regions, map: &[u16]) -> Vec<Vec<[f64; 3]>> {
+    let mut samples: Vec<Vec<[f64; 3]>> = vec![Vec::new(); regions.count()];
+    let mut met = vec![0; regions.count()];
+    for cell in 0..grid.cells() {
+        let pixel = grid.pixel(cell);
+        let disparity = map[pixel];
+        if disparity == UNKNOWN {
+            continue;
+        }
+        let region = regions.of_cell(cell);
+        let all = regions.matches(region);
+        let wanted = all.min(SAMPLES);
+        let before = met[region];
+        met[region] += 1;
+        if before * wanted / all != (before + 1) * wanted / all {
+            let [column, row] = grid.place(cell).map(|place| place as f64);
+            samples[region].push([column, row, f64::from(disparity) / f64::from(STEPS)]);
+        }
+    }
+    samples
+}
+
+/// Whether the other view shows something behind a point of this disparity at the place where it
+/// would be seen.
+fn is_seen_through(other: &[u16], column: usize, disparity: f64) -> bool {
+    let target = (column as f64 - disparity).round();
+    if target < 0.0 {
+        return false;
+    }
+    let behind = other[other.len() - 1 - (target as usize).min(other.len() - 1)];
+    behind != UNKNOWN && f64::from(behind) + IN_FRONT < disparity
+}
+
+/// Whether the levels around a pixel vary.
+fn has_texture(view: &View, column: usize, row: usize) -> bool {
+    let columns = column.saturating_sub(REACH)..(column + REACH + 1).min(view.width());
+    let rows = row.saturating_sub(REACH)..(row + REACH + 1).min(view.height());
+    let count = (columns.len() * rows.len()) as f32;
+    let (mut sum, mut squares) = (0u32, 0u32);
+    for row in rows {
+        for level in &view.row(row)[columns.clone()] {
+            sum += u32::from(*level);
+            squares += u32::from(*level).pow(2);
+        }
+    }
+    let mean = sum as f32 / count;
+    squares as f32 / count - mean * mean >= TEXTURE * TEXTURE
+}
+
+#[cfg(test)]
+mod tests {
+    use ga_image::plane::Plane;
+
+    use super::*;
+
+    const WIDTH: usize = 120;
+    const HEIGHT: usize = 80;
+
+    /// The disparity of a slanted wall, and that of a board in front of it.
+    fn truth(column: usize, row: usize) -> f64 {
+        if is_board(column, row) {
+            30.0
+        } else {
+            4.0 + 0.05 * column as f64 + 0.1 * row as f64
+        }
+    }
+
+    fn is_board(column: usize, row: usize) -> bool {
+        (60..90).contains(&column) && (20..60).contains(&row)
+    }
+
+    fn steps(disparity: f64) -> u16 {
+        (disparity * f64::from(STEPS)).round() as u16
+    }
+
+    /// A wall of one level behind a board of another: what is left out of the wall, to its left
+    /// margin and beside the board, lies on its plane again, and so do wrong matches on it.
+    #[test]
+    fn a_slanted_wall_is_continued() {
+        let mut view = View::new(WIDTH, HEIGHT, false);
+        let level = |column, row| if is_board(column, row) { 200u8 } else { 90 };
+        let identity = std::array::from_fn(|level| level as u8);
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity);
+        let is_hole =
+            |column: usize, row: usize| column < 20 || (42..60).contains(&column) && row > 10;
+        let is_wrong = |column: usize, row: usize| column > 100 && row > 70;
+        let mut map = Vec::new();
+        let mut filled = Vec::new();
+        for row in 0..HEIGHT {
+            for column in 0..WIDTH {
+                let found = if is_hole(column, row) {
+                    UNKNOWN
+                } else if is_wrong(column, row) {
+                    steps(50.0)
+                } else {
+                    steps(truth(column, row))
+                };
+                map.push(found);
+                filled.push(if found == UNKNOWN { steps(25.0) } else { found });
+            }
+        }
+        let other = vec![UNKNOWN; map.len()];
+        apply(&map, &view, &other, &mut filled);
+        for row in 0..HEIGHT {
+            for column in 0..WIDTH {
+                let found = f64::from(filled[row * WIDTH + column]) / f64::from(STEPS);
+                let expected = truth(column, row);
+                assert!(
+                    (found - expected).abs() < 0.1,
+                    "{column} {row}: {found} {expected}"
+                );
+            }
+        }
+
+        // What the other view sees through is not there.
+        let mut filled = vec![steps(2.0); map.len()];
+        let other = vec![0; map.len()];
+        apply(&map, &view, &other, &mut filled);
+        assert_eq!(filled[40 * WIDTH + 50], steps(2.0));
+    }
+
+    /// In a region with texture, matches are not corrected.
+    #[test]
+    fn matches_with_texture_stay() {
+        let mut view = View::new(WIDTH, HEIGHT, false);
+        let level = |column: usize, row: usize| 90 + 9 * ((column + row) % 2) as u8;
+        let identity = std::array::from_fn(|level| level as u8);
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity);
+        let mut map = vec![steps(7.0); WIDTH * HEIGHT];
+        map[WIDTH * 40 + 60] = steps(12.0);
+        let mut filled = map.clone();
+        let other = vec![UNKNOWN; map.len()];
+        apply(&map, &view, &other, &mut filled);
+        assert_eq!(filled, map);
+    }
+}
