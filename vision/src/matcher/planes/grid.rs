@@ -5,8 +5,8 @@ use super::super::view::View;
 /// The pixels of a cell on a side.
 const SIDE: usize = 2;
 
-/// The sums of the levels of 2 × 2 pixels each, as cells of a grid. Cells at the right and the lower
-/// border of a view of odd size repeat its outermost pixels.
+/// The sums of the levels of 2 × 2 pixels each, as cells of a grid. Cells at the right and the
+/// lower border of a view of odd size repeat its outermost pixels.
 pub(super) struct Grid {
     columns: usize,
     width: usize,

@@ -1,4 +1,4 @@
-//! Planes by region: the surface that a region of similar levels shows, where matching tells little.
+//! Planes by region: the surface that a region of similar levels shows, where matches say little.
 //!
 //! A plane in space has disparities that are linear in the pixel, d = a x + b y + c. Regions of
 //! similar levels often show one plane, so that what is matched in a part of a region tells the
