@@ -1,48 +1,123 @@
 //! Films as they are written.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
+use std::path::Path;
 
-use anyhow::{Context as _, Result};
-use ga_image::film;
+use anyhow::{Context as _, Result, ensure};
+use ga_files::Staged;
+use ga_image::film::{self, Rate};
+use ga_image::plane::Plane;
 
+use crate::files::Files;
 use crate::format::Format;
+use crate::frame::Warning;
+use crate::output;
 
 /// The formats of films.
-pub(crate) const FORMATS: [Format; 2] = [Format::Png, Format::Y4m];
+pub(crate) const FORMATS: [Format; 3] = [Format::Png, Format::Y4m, Format::Mp4];
 
-/// How a film of one of the [`FORMATS`] is encoded.
-pub(crate) fn encoding(format: Format) -> film::Format {
-    match format {
-        Format::Y4m => film::Format::Y4m,
-        _ => film::Format::Png,
+/// The format of a film that is to be written, as [`Files::write`] finds it.
+pub(crate) fn format(files: &mut Files, option: &str, path: &Path) -> Result<Format> {
+    let format = files.write(option, path, &FORMATS)?;
+    let shown = path.display();
+    let other = path.with_extension("y4m");
+    ensure!(
+        format != Format::Mp4 || cfg!(feature = "mp4"),
+        "{option} {shown}: this program was built without the feature `mp4`, which cargo install \
+         --path cli --features mp4 adds; without it, write {y4m} and let ffmpeg make the MP4: \
+         ffmpeg -i {y4m} {shown}",
+        y4m = other.display()
+    );
+    Ok(format)
+}
+
+/// A film that is to be written.
+#[derive(Clone, Copy)]
+pub(crate) struct Film<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) format: Format,
+    /// Columns and rows.
+    pub(crate) size: [u32; 2],
+    pub(crate) frames: usize,
+    pub(crate) rate: Rate,
+}
+
+/// What is given the pictures of a film one after the other.
+pub(crate) type Show<'a> = dyn FnMut(&Plane<[u8; 3]>) -> Result<()> + 'a;
+
+impl Film<'_> {
+    /// Adds the film, whose pictures a function shows, to files that are written together, and
+    /// returns how many bytes it has.
+    pub(crate) fn stage(
+        &self,
+        staged: &mut Staged,
+        show: impl FnOnce(&mut Show<'_>) -> Result<()>,
+    ) -> Result<usize> {
+        let mut bytes = 0;
+        output::stage_with(staged, self.path, |file| {
+            let mut file = BufWriter::new(file);
+            let mut writer = Writer::new(&mut file, self)?;
+            show(&mut |picture| writer.write(picture))?;
+            writer.finish()?;
+            bytes = file
+                .seek(SeekFrom::End(0))
+                .context("the film cannot be written")?;
+            Ok(())
+        })?;
+        Ok(bytes as usize)
+    }
+
+    /// What of the pictures is not as it was drawn.
+    pub(crate) fn warning(&self) -> Option<Warning> {
+        let [width, height] = self.size;
+        let even = self.size.map(|side| side.next_multiple_of(2));
+        (self.format == Format::Mp4 && even != self.size).then(|| {
+            let message = format!(
+                "H.264 has an even number of columns and rows: {width} × {height} pixels become {} \
+                 × {}, with the last ones repeated",
+                even[0], even[1]
+            );
+            Warning::new("padded", message).in_file(self.path)
+        })
     }
 }
 
-/// Calls a function that writes a film in pieces of any size, and returns how many bytes these are.
-pub(crate) fn write(
-    file: &mut dyn Write,
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
-) -> Result<usize> {
-    let mut buffer = BufWriter::new(Counted { file, bytes: 0 });
-    write(&mut buffer)?;
-    buffer.flush().context("the film cannot be written")?;
-    Ok(buffer.get_ref().bytes)
+/// A film of any of the [`FORMATS`].
+enum Writer<W: Write + Seek> {
+    Plain(film::Writer<W>),
+    #[cfg(feature = "mp4")]
+    Mp4(Box<ga_video::mp4::Writer<W>>),
 }
 
-/// A file whose bytes are counted.
-struct Counted<'a> {
-    file: &'a mut dyn Write,
-    bytes: usize,
-}
-
-impl Write for Counted<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.file.write(bytes)?;
-        self.bytes += written;
-        Ok(written)
+impl<W: Write + Seek> Writer<W> {
+    fn new(file: W, film: &Film<'_>) -> Result<Self> {
+        let size = film.size.map(|side| side as usize);
+        let format = match film.format {
+            #[cfg(feature = "mp4")]
+            Format::Mp4 => {
+                let writer = ga_video::mp4::Writer::new(file, size, film.frames, film.rate)?;
+                return Ok(Self::Mp4(Box::new(writer)));
+            }
+            Format::Y4m => film::Format::Y4m,
+            _ => film::Format::Png,
+        };
+        let writer = film::Writer::new(file, format, size, film.frames, film.rate)?;
+        Ok(Self::Plain(writer))
     }
 
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+    fn write(&mut self, picture: &Plane<[u8; 3]>) -> Result<()> {
+        match self {
+            Self::Plain(writer) => Ok(writer.write(picture)?),
+            #[cfg(feature = "mp4")]
+            Self::Mp4(writer) => Ok(writer.write(picture)?),
+        }
+    }
+
+    fn finish(self) -> Result<()> {
+        match self {
+            Self::Plain(writer) => Ok(writer.finish()?),
+            #[cfg(feature = "mp4")]
+            Self::Mp4(writer) => Ok(writer.finish()?),
+        }
     }
 }

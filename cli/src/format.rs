@@ -16,6 +16,7 @@ pub(crate) enum Format {
     Json,
     /// Any format of meshes.
     Mesh(ga_mesh::format::Format),
+    Mp4,
     Pfm,
     Png,
     Svg,
@@ -37,6 +38,7 @@ impl Format {
             Self::Html => &["html", "htm"],
             Self::Json => &["json"],
             Self::Mesh(format) => format.endings(),
+            Self::Mp4 => &["mp4"],
             Self::Pfm => &["pfm"],
             Self::Png => &["png"],
             Self::Svg => &["svg"],

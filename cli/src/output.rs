@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use ga_files::Staged;
+use ga_files::{Staged, WriteSeek};
 use serde::Serialize;
 
 use crate::standard_output::{self, is_standard_output};
@@ -63,7 +63,7 @@ pub(crate) fn stage(staged: &mut Staged, path: &Path, contents: &[u8]) -> Result
 pub(crate) fn stage_with(
     staged: &mut Staged,
     path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    write: impl FnOnce(&mut dyn WriteSeek) -> Result<()>,
 ) -> Result<()> {
     if is_standard_output(path) {
         staged.add_to_standard_output(path, write)

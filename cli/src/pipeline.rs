@@ -7,11 +7,13 @@ use anyhow::{Context, Result};
 use ga_character::report::{AnimationReport, FigureReport};
 use ga_character::{Animation, Figure, Overlay, TwoViews, model, pictures};
 use ga_files::Staged;
+use ga_image::film::Rate;
 
 use crate::files::Files;
-use crate::film_file;
+use crate::film_file::{self, Film};
 use crate::format::Format;
 use crate::frame::Progress;
+use crate::mesh_file::missing_parts;
 use crate::output;
 use crate::report::{Input, Performed, Report, Tool, Written};
 
@@ -40,9 +42,10 @@ pub(crate) struct OutputArguments {
     /// Example: --trails LeftHand,RightFoot
     #[arg(long, value_name = "JOINT,…", value_delimiter = ',')]
     trails: Vec<String>,
-    /// Also write the motion as a film: an animated PNG if its name ends in .png, or without
-    /// compression if it ends in .y4m.
-    #[arg(long, value_name = "FILE.png|FILE.y4m")]
+    /// Also write the motion as a film: an animated PNG if its name ends in .png, without
+    /// compression if it ends in .y4m, or as H.264 if it ends in .mp4, where the program was built
+    /// with the feature `mp4`.
+    #[arg(long, value_name = "FILE.png|FILE.y4m|FILE.mp4")]
     film: Option<PathBuf>,
 }
 
@@ -52,12 +55,14 @@ impl OutputArguments {
     pub(crate) fn check(&self, mut files: Files) -> Result<()> {
         let names = model::NAMES.iter().chain(&[pictures::SHEET, REPORT]);
         files.write_folder("--out", &self.out, names)?;
-        files.write_if_given("--film", self.film.as_ref(), &film_file::FORMATS)?;
+        if let Some(film) = &self.film {
+            film_file::format(&mut files, "--film", film)?;
+        }
         Ok(())
     }
 
     /// The path of the model with its motion.
-    pub(crate) fn model(&self) -> PathBuf {
+    fn model(&self) -> PathBuf {
         self.out.join(model::GLB)
     }
 
@@ -105,23 +110,28 @@ pub(crate) fn perform(
     let two_views = TwoViews::new(&figure.character, &animation.clip, arguments.seed)
         .context("two cameras cannot see the motion")?;
     progress.step("drawing the contact sheet");
-    let sheet = pictures::sheet(&figure, &animation, &overlay)?;
+    let (sheet, left_out) = pictures::sheet(&figure, &animation, &overlay)?;
+    let warnings = figure
+        .file
+        .as_ref()
+        .map(|file| missing_parts(file, left_out));
     let mut staged = Staged::default();
     let mut written = Vec::new();
     if let Some(path) = &arguments.film {
         progress.step("drawing the film");
-        let format = Format::of(path, &film_file::FORMATS).unwrap_or(Format::Png);
-        let frames = animation.clip.frames().len() as u64;
-        let mut bytes = 0;
-        output::stage_with(&mut staged, path, |file| {
-            bytes = film_file::write(file, |file| {
-                let format = film_file::encoding(format);
-                let mut done = |done| progress.at(done as u64, frames);
-                let film =
-                    pictures::write_film(&figure, &animation, &overlay, file, format, &mut done);
-                Ok(film?)
-            })?;
-            Ok(())
+        let Animation { clip, .. } = &animation;
+        let film = Film {
+            path,
+            format: Format::of(path, &film_file::FORMATS).unwrap_or(Format::Png),
+            size: pictures::FILM_SIZE,
+            frames: clip.frames().len(),
+            rate: Rate::new(clip.frame_time().recip()).unwrap_or(Rate::HIGHEST),
+        };
+        let bytes = film.stage(&mut staged, |show| {
+            pictures::film(&figure, &animation, &overlay, |number, picture| {
+                progress.at(number as u64 + 1, film.frames as u64);
+                show(picture)
+            })
         })?;
         written.push(Written {
             file: path.display().to_string(),
@@ -129,6 +139,7 @@ pub(crate) fn perform(
         });
     }
     progress.step("making the model");
+    let figure = figure.relocated(&arguments.model())?;
     let mut files = model::files(&figure, &animation.clip, &animation.name)?;
     files.insert(2, sheet);
 
@@ -162,6 +173,6 @@ pub(crate) fn perform(
         report,
         written,
         seconds: begin.elapsed().as_secs_f64(),
-        warnings: Vec::new(),
+        warnings: warnings.unwrap_or_default(),
     })
 }

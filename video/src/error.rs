@@ -1,4 +1,4 @@
-//! Why a video cannot be read.
+//! Why a video cannot be read or written.
 
 use std::io;
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use ga_files::ReadError;
 use ga_image::file::FormatError;
 use ga_image::plane::PlaneError;
 
-/// Why a video cannot be read, analysed or compared with another, or not further. Frames are
-/// counted from 0. What was read before an error remains valid. The file of the standard input is
-/// called so.
+/// Why a video cannot be read, written, analysed or compared with another, or not further. Frames
+/// are counted from 0. What was read before an error remains valid. The file of the standard input
+/// is called so.
 #[derive(Debug, thiserror::Error)]
 pub enum VideoError {
     /// The operating system could not open the file, or not read its beginning.
@@ -152,6 +152,31 @@ pub enum VideoError {
         /// What is wrong.
         problem: String,
     },
+    /// Pictures of this size are not encoded.
+    #[error(
+        "H.264 is written from 16 × 16 to 3840 × 2160 or 2160 × 3840 pixels, not with {} × {}",
+        size[0], size[1]
+    )]
+    EncodedSize {
+        /// Columns and rows.
+        size: [usize; 2],
+    },
+    /// A frame cannot be encoded.
+    #[error("frame {frame} cannot be encoded: {problem}")]
+    Encoding {
+        /// The frame.
+        frame: usize,
+        /// What is wrong.
+        problem: String,
+    },
+    /// The operating system could not write a frame, or what follows it.
+    #[error("frame {frame} cannot be written: {source}")]
+    Write {
+        /// The frame.
+        frame: usize,
+        /// What the operating system said.
+        source: io::Error,
+    },
     /// Two views cannot lie beside each other, or above each other, in a frame of this size.
     #[error(
         "frames of {} × {} pixels cannot be divided into two views {layout}",
@@ -233,7 +258,7 @@ pub enum VideoError {
 }
 
 impl VideoError {
-    /// The frame at which reading ended, counted from 0, where it did at a frame.
+    /// The frame at which reading or writing ended, counted from 0, where it did at a frame.
     #[must_use]
     pub fn frame(&self) -> Option<usize> {
         match self {
@@ -244,6 +269,8 @@ impl VideoError {
             | Self::Picture { frame, .. }
             | Self::Missing { frame, .. }
             | Self::Decoding { frame, .. }
+            | Self::Encoding { frame, .. }
+            | Self::Write { frame, .. }
             | Self::Length { frame, .. }
             | Self::Time { frame, .. }
             | Self::KeyFrameSize { frame, .. }
@@ -257,6 +284,7 @@ impl VideoError {
             | Self::Header { .. }
             | Self::Pattern { .. }
             | Self::Mp4 { .. }
+            | Self::EncodedSize { .. }
             | Self::Layout { .. }
             | Self::Views { .. }
             | Self::Properties { .. } => None,

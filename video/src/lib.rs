@@ -6,7 +6,7 @@
 //!   share.
 //! - [`source`]: where frames come from, and [`open`] for files of any known kind.
 //! - [`images`]: numbered pictures; [`stereo`]: videos of two views.
-//! - `mp4`: H.264 in MP4 (feature `mp4`).
+//! - `mp4`: H.264 in MP4, also written (feature `mp4`).
 //! - [`y4m`]: videos without compression, from files and pipes.
 //!
 //! Measuring:

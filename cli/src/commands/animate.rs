@@ -23,9 +23,10 @@ use crate::{mesh_file, motion_file};
 /// Writes the same files as `demo`: model.obj (the mesh at rest), model.glb (mesh, skeleton, skin
 /// weights and the motion; of a --character all that its file has, with the motion as the first
 /// animation and those of the file behind it, unless --replace is given), sheet.png (key frames at
-/// four places of the range with three in-betweens after each, shaded and as depth) and
-/// report.json. Lengths are metres, y points up. --json prints what report.json holds, with the
-/// paths of the files as "written" and the time that it took as "seconds".
+/// four places of the range with three in-betweens after each, shaded and as depth; a --character
+/// as its file has it) and report.json. Lengths are metres, y points up. --json prints what
+/// report.json holds, with the paths of the files as "written" and the time that it took as
+/// "seconds".
 ///
 /// Motion and rig are matched as by `clip retarget`: by the names of their joints, by the shape of
 /// the hierarchy, or by a file with --map. They may differ in unit, in proportions, in the
@@ -193,11 +194,9 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
             in_between_deviation: Some(deviation),
         },
     };
-    let performed = perform(performance, &arguments.output, &progress, begin)?;
-    Ok(Performed {
-        warnings,
-        ..performed
-    })
+    let mut performed = perform(performance, &arguments.output, &progress, begin)?;
+    performed.warnings.splice(0..0, warnings);
+    Ok(performed)
 }
 
 fn check_numbers(arguments: &Arguments) -> Result<()> {
@@ -237,11 +236,8 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
             ..
         } => {
             let mut figure = Figure::read_gltf(path, unit)?;
-            if let Some(document) = &mut figure.document {
-                *document = document.relocated(path, &arguments.output.model())?;
-                if arguments.replace {
-                    document.animations.clear();
-                }
+            if let (Some(document), true) = (&mut figure.document, arguments.replace) {
+                document.animations.clear();
             }
             figure
         }
@@ -256,7 +252,7 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
     })
 }
 
-/// What of a document is not in the mesh of its character, and so not in model.obj and pictures.
+/// What of a document is not in the mesh of its character, and so not in model.obj.
 fn losses(arguments: &Arguments, figure: &Figure) -> Result<Vec<Warning>> {
     let Some(document) = &figure.document else {
         return Ok(Vec::new());
@@ -273,8 +269,7 @@ fn losses(arguments: &Arguments, figure: &Figure) -> Result<Vec<Warning>> {
     ];
     let losses = losses.into_iter().filter(|(_, count)| *count > 0);
     let warnings = losses.map(|(what, count)| {
-        let message =
-            format!("{what} ({count}) are in model.glb alone, not in model.obj and pictures");
+        let message = format!("{what} ({count}) are in model.glb and pictures, not in model.obj");
         let warning = Warning::new("omission", message);
         let warning = match &arguments.character {
             Some(path) => warning.in_file(path),

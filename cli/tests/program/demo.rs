@@ -196,7 +196,7 @@ fn wrong_films_and_trails_are_named() {
     let folder = tempdir().unwrap();
     for (arguments, parts) in [
         (["--trails", "Tail"], ["Tail", "LeftFoot"]),
-        (["--film", "film.gif"], ["film.gif", ".png or .y4m"]),
+        (["--film", "film.gif"], ["film.gif", ".png, .y4m or .mp4"]),
         (
             ["--film", "out/sheet.png"],
             ["out/sheet.png", "another output"],

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use base64::Engine;
+use ga_image::plane::Plane;
 use ga_mesh::gltf::{
-    self, CameraElement, Document, Image, ImageSource, Mesh, MorphTarget, Node, Primitive,
-    Projection, TextureElement, TextureInfo,
+    self, CameraElement, Document, Image, ImageSource, MaterialElement, Mesh, MorphTarget, Node,
+    Primitive, Projection, TextureElement, TextureInfo,
 };
 use serde_json::{Value, json};
 use tempfile::tempdir;
@@ -233,9 +234,14 @@ fn hero(folder: &Path) -> Document {
     });
     let plate = document.nodes.len() - 1;
     document.scenes[0].nodes.push(plate);
+    let paint = Plane::filled(2, 2, PAINT);
+    ga_image::file::write(folder.join("paint.png"), &paint).unwrap();
     gltf::write(folder.join("hero.glb"), &document).unwrap();
     document
 }
+
+/// The colour of the figure's picture, in sRGB.
+const PAINT: [u8; 3] = [0, 150, 0];
 
 /// The names of the animations of a file.
 fn animations(path: &Path) -> Vec<String> {
@@ -371,4 +377,85 @@ fn characters_are_written_in_metres_with_their_weights() {
         (&before.positions, &before.targets),
         (&after.positions, &after.targets)
     );
+}
+
+/// The figure without light in the colour of its picture, and a plate that stands behind it.
+#[test]
+fn pictures_show_what_the_document_has() {
+    const PLATE: [u8; 3] = [255, 0, 255];
+    let folder = tempdir().unwrap();
+    let path = folder.path();
+    let mut hero = hero(path);
+    hero.materials[0].unlit = true;
+    hero.materials[0].base_colour = [1.0; 4];
+    hero.materials.push(MaterialElement {
+        base_colour: [1.0, 0.0, 1.0, 1.0],
+        unlit: true,
+        double_sided: true,
+        ..MaterialElement::default()
+    });
+    let plate = &mut hero.meshes[1].primitives[0];
+    plate.material = Some(1);
+    plate.positions = vec![[-1.0, 0.5, -0.5], [1.0, 0.5, -0.5], [0.0, 1.5, -0.5]];
+    let film = |name: &str, hero: &Document| {
+        std::fs::create_dir_all(path.join("in")).unwrap();
+        std::fs::copy(path.join("paint.png"), path.join("in/paint.png")).unwrap();
+        gltf::write(path.join("in/hero.glb"), hero).unwrap();
+        let file = format!("{name}.png");
+        let animate = format!(
+            "animate --character in/hero.glb --motion motion.bvh --out {name} --film {file}"
+        );
+        let said = report(path, &animate.split(' ').collect::<Vec<_>>());
+        for warning in said["warnings"].as_array().unwrap() {
+            assert_eq!(warning["kind"], "omission");
+            let message = warning["message"].as_str().unwrap();
+            assert!(message.ends_with("not in model.obj"), "{message}");
+        }
+        let picture = |file: &Path| ga_image::file::read(file).unwrap().to_rgb();
+        [path.join(file), path.join(name).join("sheet.png")].map(|file| picture(&file))
+    };
+    let plain = film("plain", &hero);
+    for picture in &plain {
+        for colour in [PAINT, PLATE] {
+            let pixels = picture.values().iter();
+            assert!(pixels.filter(|&&pixel| pixel == colour).count() > 1000);
+        }
+    }
+
+    // The morph target makes the figure broader; another one is so from the beginning.
+    let figure = &mut hero.meshes[0];
+    figure.weights = vec![10.0];
+    let primitive = &mut figure.primitives[0];
+    let wider = primitive
+        .positions
+        .iter()
+        .map(|[x, _, _]| [0.03 * x, 0.0, 0.0]);
+    primitive.targets[0].positions = wider.collect();
+    let morphed = film("morphed", &hero);
+    let primitive = &mut hero.meshes[0].primitives[0];
+    primitive.targets.clear();
+    for position in &mut primitive.positions {
+        position[0] *= 1.3;
+    }
+    hero.meshes[0].weights.clear();
+    let broad = film("broad", &hero);
+    for number in 0..2 {
+        let share = |other: &Plane<[u8; 3]>| {
+            let pairs = morphed[number].values().iter().zip(other.values());
+            pairs.filter(|(a, b)| a != b).count() as f64 / other.values().len() as f64
+        };
+        // Rounding to single precision may move an edge.
+        assert!(share(&broad[number]) < 1e-3, "{}", share(&broad[number]));
+        assert!(share(&plain[number]) > 1e-2, "{}", share(&plain[number]));
+    }
+
+    std::fs::remove_file(path.join("paint.png")).unwrap();
+    let animate = "animate --character hero.glb --motion motion.bvh --out lost";
+    let said = report(path, &animate.split(' ').collect::<Vec<_>>());
+    let warnings = said["warnings"].as_array().unwrap();
+    let lost = warnings.iter().filter(|it| it["kind"] == "missing_part");
+    let lost: Vec<&Value> = lost.collect();
+    assert_eq!(lost.len(), 1, "{warnings:?}");
+    assert_eq!(lost[0]["file"], "hero.glb");
+    assert!(lost[0]["message"].as_str().unwrap().contains("paint.png"));
 }

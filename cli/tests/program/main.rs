@@ -20,6 +20,7 @@ mod curve;
 mod demo;
 mod draw;
 mod expand;
+mod film_mp4;
 mod frame;
 mod kept;
 mod manuals;

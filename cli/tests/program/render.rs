@@ -240,7 +240,7 @@ fn bad_input_leaves_nothing() {
     };
     fails(
         &["square.obj", "--out", "p.jpg"],
-        &["--out p.jpg", ".png or .y4m"],
+        &["--out p.jpg", ".png, .y4m or .mp4"],
     );
     fails(
         &["nothing.gltf", "--out", "p.png"],

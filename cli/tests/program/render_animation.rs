@@ -351,7 +351,10 @@ fn what_cannot_be_drawn_is_named() {
             &["--from 3", "ends at 2 s"],
         ),
         ("square.glb --film film.y4m --to 1e9", &["100000 pictures"]),
-        ("square.glb --film film.gif", &["film.gif", ".png or .y4m"]),
+        (
+            "square.glb --film film.gif",
+            &["film.gif", ".png, .y4m or .mp4"],
+        ),
         (
             "square.glb --film film.y4m --animation rest",
             &["no animation"],

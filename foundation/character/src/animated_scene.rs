@@ -54,6 +54,7 @@ pub struct AnimatedScene<'a> {
     placement: Placement<'a>,
     /// Whether a node is in the scene that is shown.
     is_shown: Vec<bool>,
+    method: Method,
     model: Model,
 }
 
@@ -79,12 +80,19 @@ impl<'a> AnimatedScene<'a> {
             player,
             placement,
             is_shown,
+            method: Method::Linear,
             model: model.map_err(|error| CharacterError::Texture(Box::new(error)))?,
         })
     }
 
-    /// The scene at a moment. Vertices with several joints are moved by the linear blend, which is
-    /// what glTF says.
+    /// The same scene with vertices with several joints moved by this method in place of the linear
+    /// blend, which is what glTF says.
+    #[must_use]
+    pub fn with_method(self, method: Method) -> Self {
+        Self { method, ..self }
+    }
+
+    /// The scene at a moment.
     ///
     /// # Errors
     ///
@@ -92,7 +100,7 @@ impl<'a> AnimatedScene<'a> {
     /// numbers go beyond double precision.
     pub fn at(&mut self, moment: Moment) -> Result<&Model, CharacterError> {
         let pose = self.player.pose(moment.animation, moment.seconds)?;
-        let placed = self.placement.place(&pose, Method::Linear)?;
+        let placed = self.placement.place(&pose, self.method)?;
         let mesh = self.placement.mesh(&placed, |node| self.is_shown[node]);
         self.model.set_shape(&mesh?);
         Ok(&self.model)

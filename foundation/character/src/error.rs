@@ -69,9 +69,6 @@ pub enum CharacterError {
     /// The material does not fit the mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The painted skin has no pixels.
-    #[error("the painted skin has no pixels: {0}")]
-    Paint(Box<TextureError>),
     /// A contact sheet or a film cannot be drawn.
     #[error("cannot draw the {what}: {source}")]
     Draw {

@@ -1,8 +1,12 @@
 //! The figure that is animated.
 
+use std::path::{Path, PathBuf};
+
 use ga_anim::character::Character;
 use ga_anim::gltf::with_weights;
 use ga_image::plane::Plane;
+use ga_image::png;
+use ga_mesh::FileError;
 use ga_mesh::gltf::Document;
 
 use crate::error::CharacterError;
@@ -23,6 +27,8 @@ pub struct Figure {
     /// The glTF document that it was read from, in the unit of its file, with all that a character
     /// does not have: materials, morph targets, meshes that no joint moves, and more.
     pub document: Option<Document>,
+    /// The file of the document, beside which the pictures of its materials are.
+    pub file: Option<PathBuf>,
     /// What in the file of its mesh deviates from the format and was read nevertheless.
     pub warnings: Vec<ga_mesh::Warning>,
 }
@@ -37,6 +43,7 @@ impl Figure {
             group: None,
             metres_per_unit: 1.0,
             document: None,
+            file: None,
             warnings: Vec::new(),
         }
     }
@@ -62,6 +69,29 @@ impl Figure {
             }
         }
         Ok(self)
+    }
+
+    /// The same figure as it is to be written to a file: its document leads from there to the
+    /// pictures of its materials.
+    ///
+    /// # Errors
+    ///
+    /// [`FileError::Picture`] for a picture on another drive.
+    pub fn relocated(mut self, to: &Path) -> Result<Self, FileError> {
+        if let (Some(document), Some(from)) = (&mut self.document, self.file.take()) {
+            *document = document.relocated(&from, to)?;
+            self.file = Some(to.to_path_buf());
+        }
+        Ok(self)
+    }
+
+    /// The picture on its skin as PNG.
+    pub(crate) fn png(&self) -> Result<Option<Vec<u8>>, CharacterError> {
+        let png = self.paint.as_ref().map(png::encode).transpose();
+        png.map_err(|source| CharacterError::Encode {
+            what: "painted skin",
+            source,
+        })
     }
 
     /// The joints that a name stands for: the one of this name, or all for `all`.

@@ -22,27 +22,32 @@ pub(crate) const MATERIAL: &str = "skin";
 pub(crate) const ROUGHNESS: f64 = 0.8;
 
 /// The figure with a motion as binary glTF: its document with the motion as the first animation, or
-/// else its mesh with skeleton and skin weights, painted with a PNG where one is given.
+/// else its mesh with skeleton and skin weights, painted with a PNG where it is painted.
 ///
 /// # Errors
 ///
-/// [`CharacterError::Document`] for a clip of another skeleton, and [`CharacterError::Gltf`] where
-/// numbers do not fit the format.
-pub fn encode(
+/// [`CharacterError::Document`] for a clip of another skeleton, [`CharacterError::Gltf`] where
+/// numbers do not fit the format, and [`CharacterError::Encode`] for a painted skin without pixels.
+pub fn encode(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<u8>, CharacterError> {
+    Ok(ga_mesh::gltf::encode(&animated(figure, clip, clip_name)?)?)
+}
+
+/// The document that [`encode`] writes.
+pub(crate) fn animated(
     figure: &Figure,
     clip: &Clip,
     clip_name: &str,
-    png: Option<&[u8]>,
-) -> Result<Vec<u8>, CharacterError> {
+) -> Result<Document, CharacterError> {
     let rigged = match &figure.document {
         Some(document) => Rigged::new(&scaled(document, figure.metres_per_unit))?,
         None => {
             let skeleton = figure.character.skeleton.clone();
             let nodes = (0..skeleton.len()).collect();
-            Rigged::of_nodes(document_of(figure, png)?, skeleton, nodes)?
+            let png = figure.png()?;
+            Rigged::of_nodes(document_of(figure, png.as_deref())?, skeleton, nodes)?
         }
     };
-    Ok(ga_mesh::gltf::encode(&rigged.with_clip(clip_name, clip)?)?)
+    Ok(rigged.with_clip(clip_name, clip)?)
 }
 
 /// A document in metres: all that stands in its scenes is below a node with the length of its unit

@@ -49,12 +49,6 @@ fn length<S: Serializer>(contents: &[u8], serializer: S) -> Result<S::Ok, S::Err
 /// [`CharacterError::Encode`] for a painted skin without pixels, [`CharacterError::Document`] for a
 /// clip of another skeleton, and [`CharacterError::Gltf`] where numbers do not fit the format.
 pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>, CharacterError> {
-    let painted = figure.paint.as_ref();
-    let png = painted.map(ga_image::png::encode).transpose();
-    let png = png.map_err(|source| CharacterError::Encode {
-        what: "painted skin",
-        source,
-    })?;
     let mesh = &figure.character.mesh;
     let file = |name, contents| File {
         name,
@@ -66,8 +60,8 @@ pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>,
         vertices: Some(mesh.vertex_count()),
         ..file(name, contents)
     };
-    let glb = of_mesh(GLB, gltf::encode(figure, clip, clip_name, png.as_deref())?);
-    let Some((png, paint)) = png.zip(painted) else {
+    let glb = of_mesh(GLB, gltf::encode(figure, clip, clip_name)?);
+    let Some((png, paint)) = figure.png()?.zip(figure.paint.as_ref()) else {
         let text = obj::encode(mesh);
         return Ok(vec![of_mesh(OBJ, text.into_bytes()), glb]);
     };

@@ -1,170 +1,209 @@
 //! The pictures of a motion: the contact sheet and the film.
 
-use std::io::Write;
-
-use ga_anim::character::Character;
+use ga_anim::MotionFileError;
+use ga_anim::clip::Clip;
 use ga_anim::pose::Pose;
 use ga_anim::skin::Method;
-use ga_image::film::{self, Rate};
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_render::Style;
-use ga_render::sheet::{Frame, Options, Sequence, SheetError, Shooting, contact_sheet_of};
+use ga_mesh::gltf::Document;
+use ga_render::model;
+use ga_render::sheet::{Caption, Frame, Options, Sequence, SheetError, Shooting};
+use ga_render::{Rendering, Scene, Style};
 
+use crate::animated_scene::{AnimatedScene, Moment};
 use crate::error::CharacterError;
 use crate::figure::Figure;
+use crate::gltf;
 use crate::model::File;
 use crate::overlay::{Marks, Overlay};
 use crate::report::Animation;
-use crate::staging::{options, with_subject};
-use crate::storyboard::Moment;
+use crate::staging::options;
 
 /// The name of the contact sheet.
 pub const SHEET: &str = "sheet.png";
 
 /// Columns and rows of a picture of the film.
-const FILM_SIZE: [u32; 2] = [360, 480];
+pub const FILM_SIZE: [u32; 2] = [360, 480];
 
-/// A character in a pose, and what is drawn over it.
-struct Posed {
-    positions: Vec<[f64; 3]>,
-    marks: Marks,
-}
-
-impl Posed {
-    fn new(
-        character: &Character,
-        overlay: &Overlay,
-        time: f64,
-        pose: &Pose,
-    ) -> Result<Self, CharacterError> {
-        Ok(Self {
-            positions: character.skinned(pose, Method::Motor)?,
-            marks: overlay.marks(time, pose)?,
-        })
-    }
-}
-
-/// The contact sheet of the moments of an animation, skinned by motors, as PNG.
+/// The contact sheet of the moments of an animation as PNG, and what cannot be drawn as the
+/// document of the figure asks, a sentence each.
+///
+/// A figure with a document is drawn as that has it: with its materials, the weights of its morph
+/// targets, and meshes that no joint moves. Its vertices are moved by the linear blend, which is
+/// what glTF says; those of other figures by motors. The camera sees all that joints move.
 ///
 /// # Errors
 ///
-/// [`CharacterError::Draw`] and [`CharacterError::Encode`] where the sheet would be too large, and
-/// [`CharacterError::Skin`] and [`CharacterError::Skeleton`] for the animation of another figure.
+/// [`CharacterError::Draw`] and [`CharacterError::Encode`] where the sheet would be too large;
+/// [`CharacterError::Skin`], [`CharacterError::Skeleton`] and [`CharacterError::Document`] for the
+/// animation of another figure, [`CharacterError::Texture`] for a picture that cannot be read.
 pub fn sheet(
     figure: &Figure,
     animation: &Animation,
     overlay: &Overlay,
-) -> Result<File, CharacterError> {
+) -> Result<(File, Vec<String>), CharacterError> {
     let Animation {
         storyboard, title, ..
     } = animation;
-    let options = Options {
-        title: title.clone(),
-        ..options(figure, storyboard)?
+    let moments = storyboard.moments.iter().map(|moment| {
+        let caption = Caption {
+            number: moment.number,
+            time: moment.time,
+            kind: moment.kind,
+        };
+        (caption, &moment.pose)
+    });
+    let shots = Shots {
+        what: "contact sheet",
+        figure,
+        overlay,
+        options: Options {
+            title: title.clone(),
+            ..options(figure, storyboard)?
+        },
+        moments: moments.collect(),
     };
-    let moments = &storyboard.moments;
-    let posed = |moment: &Moment| Posed::new(&figure.character, overlay, moment.time, &moment.pose);
-    let posed = moments.iter().map(posed).collect::<Result<Vec<_>, _>>()?;
-    let lines = posed.iter().map(|p| p.marks.lines(options.style.height));
-    let lines: Vec<_> = lines.collect();
-    let frames: Vec<Frame> = (0..moments.len())
-        .map(|index| Frame {
-            number: moments[index].number,
-            time: moments[index].time,
-            kind: moments[index].kind,
-            positions: &posed[index].positions,
-            bones: &posed[index].marks.bones,
-            lines: &lines[index],
-        })
-        .collect();
-    let what = "contact sheet";
-    let drawn = with_subject(figure, |subject| {
-        contact_sheet_of(&frames, &subject, &options)
-    })?;
-    let image = drawn
-        .map_err(|source| CharacterError::Draw { what, source })?
-        .image;
-    let contents = png::encode(&image);
-    Ok(File {
+    let cameras = shots.cameras()?;
+    let plan = cameras.plan().map_err(|error| shots.failed(error))?;
+    let document = shots.document()?;
+    let mut scene = shots.scene(&document)?;
+    let numbers = 0..shots.moments.len();
+    let pictures = numbers.map(|number| shots.picture(&mut scene, &cameras, number));
+    let image = plan.sheet(pictures.collect::<Result<_, _>>()?).image;
+    let contents = png::encode(&image).map_err(|source| CharacterError::Encode {
+        what: shots.what,
+        source,
+    });
+    let file = File {
         name: SHEET,
-        contents: contents.map_err(|source| CharacterError::Encode { what, source })?,
+        contents: contents?,
         vertices: None,
         pixels: Some([image.width(), image.height()]),
-    })
+    };
+    Ok((file, scene.warnings().to_vec()))
 }
 
-/// Writes the frames of an animation as a film, seen from where the contact sheet sees the moments.
-/// `progress` is told how many frames are drawn.
+/// Draws the frames of an animation as pictures of [`FILM_SIZE`], seen from where the contact sheet
+/// sees the moments. `show` is given one after the other, with its number.
 ///
 /// # Errors
 ///
-/// As [`sheet`], and [`CharacterError::Encode`] where the film cannot be written.
-pub fn write_film(
+/// As [`sheet`], and those of `show`.
+pub fn film<E: From<CharacterError>>(
     figure: &Figure,
     animation: &Animation,
     overlay: &Overlay,
-    writer: impl Write,
-    format: film::Format,
-    progress: &mut dyn FnMut(usize),
-) -> Result<(), CharacterError> {
+    mut show: impl FnMut(usize, &Plane<[u8; 3]>) -> Result<(), E>,
+) -> Result<(), E> {
     let Animation {
         clip, storyboard, ..
     } = animation;
-    let usual = options(figure, storyboard)?;
-    let mut sequence = Sequence::new(Options {
-        style: Style {
-            width: FILM_SIZE[0],
-            height: FILM_SIZE[1],
-            supersampling: 2,
-            ..usual.style
-        },
-        ..usual
+    let usual = options(figure, storyboard).map_err(CharacterError::from)?;
+    let frames = clip.frames().iter().enumerate().map(|(number, pose)| {
+        let caption = Caption {
+            time: number as f64 * clip.frame_time(),
+            ..Caption::new(number)
+        };
+        (caption, pose)
     });
-    for (number, pose) in clip.frames().iter().enumerate() {
-        let positions = figure.character.skinned(pose, Method::Motor)?;
-        sequence
-            .add(&Frame::new(number, &positions))
-            .map_err(of_film)?;
-    }
-    let size = FILM_SIZE.map(|side| side as usize);
-    let rate = Rate::new(clip.frame_time().recip()).unwrap_or(Rate::HIGHEST);
-    let encoding = |source| CharacterError::Encode {
+    let shots = Shots {
         what: "film",
-        source,
+        figure,
+        overlay,
+        options: Options {
+            style: Style {
+                width: FILM_SIZE[0],
+                height: FILM_SIZE[1],
+                supersampling: 2,
+                ..usual.style
+            },
+            ..usual
+        },
+        moments: frames.collect(),
     };
-    with_subject(figure, |subject| {
-        let shooting = sequence.shoot(subject).map_err(of_film)?;
-        let frames = clip.frames();
-        let film = film::Writer::new(writer, format, size, frames.len(), rate);
-        let mut film = film.map_err(encoding)?;
-        for (number, pose) in frames.iter().enumerate() {
-            let time = number as f64 * clip.frame_time();
-            let posed = Posed::new(&figure.character, overlay, time, pose)?;
-            film.write(&picture(&shooting, number, &posed)?)
-                .map_err(encoding)?;
-            progress(number + 1);
+    let cameras = shots.cameras()?;
+    let document = shots.document()?;
+    let mut scene = shots.scene(&document)?;
+    for number in 0..shots.moments.len() {
+        let picture = shots.picture(&mut scene, &cameras, number)?;
+        show(number, &picture.colour)?;
+    }
+    Ok(())
+}
+
+/// What is drawn of a figure, one moment after the other.
+struct Shots<'a> {
+    /// What the pictures become.
+    what: &'static str,
+    figure: &'a Figure,
+    overlay: &'a Overlay<'a>,
+    options: Options,
+    moments: Vec<(Caption, &'a Pose)>,
+}
+
+impl Shots<'_> {
+    fn marks(&self, (caption, pose): (Caption, &Pose)) -> Result<Marks, CharacterError> {
+        Ok(self.overlay.marks(caption.time, pose)?)
+    }
+
+    /// The cameras, which see all that joints move.
+    fn cameras(&self) -> Result<Shooting, CharacterError> {
+        let mut sequence = Sequence::new(self.options.clone());
+        for &(caption, pose) in &self.moments {
+            let added = sequence.add(&Frame {
+                caption,
+                positions: &self.figure.character.skinned(pose, Method::Motor)?,
+                bones: &self.marks((caption, pose))?.bones,
+            });
+            added.map_err(|error| self.failed(error))?;
         }
-        film.finish().map_err(encoding)
-    })?
-}
-
-fn of_film(source: SheetError) -> CharacterError {
-    CharacterError::Draw {
-        what: "film",
-        source,
+        sequence.shoot().map_err(|error| self.failed(error))
     }
-}
 
-fn picture(
-    shooting: &Shooting,
-    number: usize,
-    posed: &Posed,
-) -> Result<Plane<[u8; 3]>, CharacterError> {
-    let frame = Frame {
-        bones: &posed.marks.bones,
-        lines: &posed.marks.lines(FILM_SIZE[1]),
-        ..Frame::new(number, &posed.positions)
-    };
-    Ok(shooting.picture(number, &frame).map_err(of_film)?.colour)
+    /// The figure as glTF, moved by the pose of each moment at as many seconds as its number.
+    fn document(&self) -> Result<Document, CharacterError> {
+        let poses = self.moments.iter().map(|&(_, pose)| pose.clone());
+        let clip = Clip::new(1.0, poses.collect()).map_err(MotionFileError::from)?;
+        gltf::animated(self.figure, &clip, "moments")
+    }
+
+    fn scene<'a>(&self, document: &'a Document) -> Result<AnimatedScene<'a>, CharacterError> {
+        let file = self.figure.file.as_ref();
+        let scene = AnimatedScene::new(document, file.and_then(|file| file.parent()))?;
+        Ok(match self.figure.document {
+            Some(_) => scene,
+            None => scene.with_method(Method::Motor),
+        })
+    }
+
+    fn picture(
+        &self,
+        scene: &mut AnimatedScene<'_>,
+        cameras: &Shooting,
+        number: usize,
+    ) -> Result<Rendering, CharacterError> {
+        let marks = self.marks(self.moments[number])?;
+        let model = scene.at(Moment {
+            animation: Some(0),
+            seconds: number as f64,
+        })?;
+        let drawn = model.with_scene(model::Options::default(), |scene| {
+            let lines = [scene.lines, &marks.lines(self.options.style.height)].concat();
+            let scene = Scene {
+                lines: &lines,
+                bones: &marks.bones,
+                ..scene.clone()
+            };
+            cameras.picture(number, &scene)
+        });
+        drawn.map_err(|error| self.failed(error))
+    }
+
+    fn failed(&self, source: SheetError) -> CharacterError {
+        CharacterError::Draw {
+            what: self.what,
+            source,
+        }
+    }
 }

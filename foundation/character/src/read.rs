@@ -75,8 +75,11 @@ impl Figure {
             problem,
         })?;
         let figure = Self::in_metres(path, character, metres_per_unit)?;
-        let document = Some(document);
-        Ok(Self { document, ..figure })
+        Ok(Self {
+            document: Some(document),
+            file: Some(path.to_path_buf()),
+            ..figure
+        })
     }
 
     fn in_metres(

@@ -1,15 +1,10 @@
-//! How a figure is seen: its side, the light on it, and its skin.
+//! How a figure is seen: its side, and the light on it.
 
 use ga_anim::skeleton::{Skeleton, SkeletonError};
-use ga_render::sheet::{Layout, Options, Subject};
-use ga_render::texture::{Mipmap, Sampler, Wrap};
-use ga_render::{
-    Appearance, Attribute, Light, Lighting, MaterialChoice, Object, Style, ViewDirection,
-};
+use ga_render::sheet::{Layout, Options};
+use ga_render::{Light, Lighting, Style, ViewDirection};
 
-use crate::error::CharacterError;
 use crate::figure::Figure;
-use crate::gltf::ROUGHNESS;
 use crate::storyboard::Storyboard;
 
 /// The angle at which the camera looks at the figure from its front, in radians; 0 would be
@@ -18,43 +13,6 @@ const ASIDE: f64 = 0.9;
 
 /// The angle of the camera above the horizon, in radians.
 const ABOVE: f64 = 0.2;
-
-/// Calls `draw` with the figure in its painted skin, or in the colour of the style.
-pub(crate) fn with_subject<T>(
-    figure: &Figure,
-    draw: impl FnOnce(Subject) -> T,
-) -> Result<T, CharacterError> {
-    let mesh = &figure.character.mesh;
-    let triangles = mesh.triangles();
-    let painted = figure.paint.as_ref().zip(mesh.texture_coordinates());
-    let Some((paint, coordinates)) = painted else {
-        return Ok(draw(Subject::new(&triangles)));
-    };
-    let sampler = Sampler {
-        wrap: [Wrap::ClampToEdge; 2],
-        ..Sampler::default()
-    };
-    let map = Mipmap::colour(paint, sampler);
-    let map = map.map_err(|error| CharacterError::Paint(Box::new(error)))?;
-    let materials = [Appearance {
-        base_colour_map: Some(&map),
-        roughness: ROUGHNESS,
-        ..Appearance::default()
-    }];
-    let corners = mesh.corner_triangles().into_iter().map(|triangle| {
-        let [a, b, c] = triangle.map(|corner| coordinates.corners[corner as usize]);
-        Some([a?, b?, c?])
-    });
-    let corners: Vec<Option<[u32; 3]>> = corners.collect();
-    Ok(draw(Subject {
-        object: Object {
-            texture_coordinates: Some(Attribute::of_corners(&coordinates.values, &corners)),
-            material: MaterialChoice::One(0),
-            ..Object::new(&[], &triangles)
-        },
-        materials: &materials,
-    }))
-}
 
 /// How the moments are seen.
 pub(crate) fn options(figure: &Figure, storyboard: &Storyboard) -> Result<Options, SkeletonError> {
@@ -107,7 +65,7 @@ mod tests {
     use ga_anim::skin::Method;
     use ga_image::plane::Plane;
     use ga_mannequin::{Human, KEYS_PER_STRIDE, walk};
-    use ga_render::sheet::{Frame, contact_sheet_of};
+    use ga_render::sheet::{Caption, Frame, contact_sheet};
 
     use super::*;
 
@@ -135,9 +93,13 @@ mod tests {
                     .unwrap()
             })
             .collect();
-        let frames: Vec<Frame> = positions.iter().map(|p| Frame::new(0, p)).collect();
-        let triangles = figure.character.mesh.triangles();
-        let sheet = contact_sheet_of(&frames, &Subject::new(&triangles), &options).unwrap();
+        let frames = positions.iter().map(|positions| Frame {
+            caption: Caption::new(0),
+            positions,
+            bones: &[],
+        });
+        let frames: Vec<Frame> = frames.collect();
+        let sheet = contact_sheet(&frames, &figure.character.mesh.triangles(), &options).unwrap();
         let pictures = sheet.pictures.into_iter();
         pictures.map(|picture| picture.colour).collect()
     }

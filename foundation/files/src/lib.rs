@@ -37,5 +37,5 @@ pub use read::{ReadError, read};
 pub use reading::{Deviation, Deviations, Reading, Tolerated};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
 pub use temporary::remove_temporaries;
-pub use write::{Staged, write, write_together};
+pub use write::{Staged, WriteSeek, write, write_together};
 pub use write_all::write_all;

@@ -70,6 +70,11 @@ pub fn write_together<'a, P: AsRef<Path> + 'a>(
     staged.finish()
 }
 
+/// Where contents are written: also at places before the end.
+pub trait WriteSeek: Write + Seek {}
+
+impl<T: Write + Seek> WriteSeek for T {}
+
 /// Files that are written one after the other, of which none takes its name before all are
 /// complete: as [`write_together`], for files that are not in memory at the same time.
 ///
@@ -151,7 +156,7 @@ impl Staged {
     pub fn add_with<E: From<WriteError>>(
         &mut self,
         path: impl AsRef<Path>,
-        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+        write: impl FnOnce(&mut dyn WriteSeek) -> Result<(), E>,
     ) -> Result<(), E> {
         let path = path.as_ref();
         let io = |error| failed(path, error);
@@ -204,7 +209,7 @@ impl Staged {
     pub fn add_to_standard_output<E: From<WriteError>>(
         &mut self,
         path: impl AsRef<Path>,
-        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+        write: impl FnOnce(&mut dyn WriteSeek) -> Result<(), E>,
     ) -> Result<(), E> {
         let path = path.as_ref();
         let kept = kept(write, path)?;
@@ -337,7 +342,7 @@ fn folder_of(path: &Path) -> &Path {
 
 /// What a function writes.
 fn kept<E: From<WriteError>>(
-    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    write: impl FnOnce(&mut dyn WriteSeek) -> Result<(), E>,
     path: &Path,
 ) -> Result<SpooledTempFile, E> {
     let mut kept = SpooledTempFile::new(MOST_IN_MEMORY);

@@ -1,8 +1,9 @@
-//! H.264 in MP4 (feature `mp4`).
+//! H.264 in MP4 (feature `mp4`), read and written.
 
 mod boxes;
 mod sequence;
 mod table;
+mod writer;
 
 use std::collections::VecDeque;
 use std::fs::File;
@@ -21,6 +22,8 @@ use self::sequence::{Configuration, Sequence};
 use self::table::{Sample, Table};
 use super::{Frame, Planes, Properties, Samples, Source};
 use crate::VideoError;
+
+pub use self::writer::Writer;
 
 /// A video in MP4, encoded with H.264: 8 bits, 4:2:0, not interlaced.
 ///

@@ -64,10 +64,10 @@ pub(crate) struct Arguments {
     /// rows as wide as a --camera-node says.
     #[arg(long, value_name = "WxH")]
     pub(super) size: Option<String>,
-    /// The picture: PNG if its name ends in .png, or a film without compression if it ends in .y4m.
+    /// The picture: PNG if its name ends in .png, or a film as of --film.
     #[arg(
         long,
-        value_name = "FILE.png or FILE.y4m",
+        value_name = "FILE.png|FILE.y4m|FILE.mp4",
         required_unless_present = "film"
     )]
     pub(super) out: Option<PathBuf>,

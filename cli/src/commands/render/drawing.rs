@@ -1,20 +1,21 @@
 //! Pictures of a model that does not move.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use ga_camera::format::json;
 use ga_files::Staged;
-use ga_image::film::{self, Rate};
+use ga_image::film::Rate;
+use ga_image::plane::Plane;
 use ga_image::png;
 use ga_render::model::{self, Model};
 use ga_render::view_file::{self, ViewFiles};
 use ga_render::{Buffers, Ground, Style, View, buffer_files, render};
 
 use super::arguments::Arguments;
-use crate::film_file;
+use crate::film_file::Film;
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Progress, Warning};
 use crate::output;
 
 /// Files that are complete but for their names, the picture or film first.
@@ -22,6 +23,7 @@ use crate::output;
 pub(super) struct Drawing {
     pub(super) staged: Staged,
     pub(super) files: Vec<PathBuf>,
+    pub(super) warnings: Vec<Warning>,
 }
 
 impl Drawing {
@@ -34,27 +36,25 @@ impl Drawing {
     /// Adds a film whose pictures a function makes one after another.
     pub(super) fn add_film(
         &mut self,
-        path: PathBuf,
+        path: &Path,
         format: Format,
         style: &Style,
         frames: usize,
         rate: f64,
-        mut picture: impl FnMut(usize) -> Result<ga_image::plane::Plane<[u8; 3]>>,
+        mut picture: impl FnMut(usize) -> Result<Plane<[u8; 3]>>,
     ) -> Result<()> {
-        let size = [style.width, style.height].map(|side| side as usize);
-        let rate = Rate::new(rate).context("the rate is not above 0")?;
-        output::stage_with(&mut self.staged, &path, |file| {
-            film_file::write(file, |file| {
-                let format = film_file::encoding(format);
-                let mut film = film::Writer::new(file, format, size, frames, rate)?;
-                for frame in 0..frames {
-                    film.write(&picture(frame)?)?;
-                }
-                Ok(film.finish()?)
-            })?;
-            Ok(())
+        let film = Film {
+            path,
+            format,
+            size: [style.width, style.height],
+            frames,
+            rate: Rate::new(rate).context("the rate is not above 0")?,
+        };
+        film.stage(&mut self.staged, |show| {
+            (0..frames).try_for_each(|frame| show(&picture(frame)?))
         })?;
-        self.files.push(path);
+        self.warnings.extend(film.warning());
+        self.files.push(path.to_path_buf());
         Ok(())
     }
 
@@ -104,7 +104,7 @@ pub(super) fn draw(
         };
         match format {
             Format::Png if views.len() == 1 => drawing.add(out, &png::encode(&picture(0)?)?)?,
-            _ => drawing.add_film(out, format, style, views.len(), TURNTABLE_RATE, picture)?,
+            _ => drawing.add_film(&out, format, style, views.len(), TURNTABLE_RATE, picture)?,
         }
         if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
             let buffers = Buffers::new(scene, first, style.width, style.height)?;

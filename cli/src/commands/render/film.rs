@@ -55,7 +55,7 @@ impl Film<'_> {
         let mut drawing = Drawing::default();
         let path = arguments.film.file.clone().unwrap_or_default();
         let rate = arguments.film.rate;
-        drawing.add_film(path, format, style, count, rate, |picture| {
+        drawing.add_film(&path, format, style, count, rate, |picture| {
             let moment = self.moment(picture);
             let view = match self.camera {
                 Camera::Outside(..) => first,

@@ -7,13 +7,13 @@ use anyhow::{Result, bail, ensure};
 /// A film in place of a picture.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct FilmArguments {
-    /// A film of the animation, in place of a picture: an animated PNG if its name ends in .png, or
-    /// a film without compression if it ends in .y4m, which `ffmpeg -i FILE.y4m FILE.mp4` makes
-    /// small.
+    /// A film of the animation, in place of a picture: an animated PNG if its name ends in .png, a
+    /// film without compression if it ends in .y4m, which `ffmpeg -i FILE.y4m FILE.mp4` makes
+    /// small, or H.264 if it ends in .mp4, where the program was built with the feature `mp4`.
     #[arg(
         id = "film",
         long = "film",
-        value_name = "FILE.png|FILE.y4m",
+        value_name = "FILE.png|FILE.y4m|FILE.mp4",
         conflicts_with = "out"
     )]
     pub(super) file: Option<PathBuf>,

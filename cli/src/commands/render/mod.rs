@@ -22,7 +22,6 @@ use serde::Serialize;
 pub(crate) use self::arguments::Arguments;
 use self::arguments::Light;
 use self::camera::Camera;
-use self::drawing::Drawing;
 use self::film_arguments::Times;
 use self::model_file::{ModelFile, Scene};
 use crate::chosen_animation::warn_of_times;
@@ -153,7 +152,8 @@ impl Command for Arguments {
                 drawing::draw(self, model, &views, &style, format, &progress)
             }
         };
-        let Drawing { staged, files } = drawing.with_context(named)?;
+        let drawing = drawing.with_context(named)?;
+        warnings.extend(drawing.warnings);
         Ok(Report {
             out: out.display().to_string(),
             width_px: width,
@@ -168,12 +168,13 @@ impl Command for Arguments {
                 duration_seconds: duration,
                 frames_per_second: self.film.file.as_ref().map(|_| self.film.rate),
             }),
-            files: files
+            files: drawing
+                .files
                 .iter()
                 .map(|path| path.display().to_string())
                 .collect(),
             warnings,
-            staged,
+            staged: drawing.staged,
         })
     }
 }
@@ -193,7 +194,7 @@ impl Arguments {
             (None, Some(out)) => ("--out", out),
             (None, None) => bail!("--out or --film is needed"),
         };
-        let format = files.write(option, out, &film_file::FORMATS)?;
+        let format = film_file::format(&mut files, option, out)?;
         if let Some(folder) = &self.buffers {
             files.write_folder("--buffers", folder, buffer_files::NAMES)?;
         }

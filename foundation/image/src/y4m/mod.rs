@@ -5,19 +5,21 @@
 //!   bits for each number; [`Header`]: what its first line says.
 //! - [`encode`](fn@encode) and [`write`](fn@write): films of 8 bits, of pictures in red, green and
 //!   blue; [`Writer`]: films of 8 or 10 bits that are written as they come, of luma and colour
-//!   differences or of such pictures.
+//!   differences or of such pictures, of which [`planes`](fn@planes) makes the former.
 //!
 //! The reader is our own: the crate `y4m` multiplies the sizes of the header without a check, and
 //! does not read the range of the numbers.
 
 mod encode;
 mod header;
+mod planes;
 mod reader;
 mod stream;
 mod writer;
 
 pub use encode::{encode, write};
 pub use header::{Header, Interlacing};
+pub use planes::planes;
 pub use reader::{Frame, Reader};
 pub use stream::{MAX_LINE, MAX_SIDE, Number, Stream};
 pub use writer::Writer;

@@ -2,12 +2,13 @@
 
 use std::io::Write;
 
+use super::planes::planes;
 use super::{Film, Number, Sampling};
 use crate::format::Format;
 use crate::format_error::FormatError;
 use crate::plane::Plane;
 use crate::size::size_for;
-use crate::ycbcr::{Range, rounded};
+use crate::ycbcr::Range;
 
 /// A film that is written frame by frame, of planes as they are stored, with 8 or 10 bits, or of
 /// pictures in red, green and blue: the counterpart of [`Stream`](super::Stream).
@@ -108,23 +109,8 @@ impl<W: Write> Writer<W> {
     ///
     /// As [`write`](Self::write).
     pub fn write_rgb(&mut self, picture: &Plane<[u8; 3]>) -> Result<(), FormatError> {
-        if self.bit_depth != 8 {
-            return Err(depth_error());
-        }
-        let size = [picture.width(), picture.height()];
-        if size != self.size {
-            return Err(FormatError::FrameSize {
-                frame: self.frame,
-                size,
-                first: self.size,
-            });
-        }
-        self.bytes.clear();
-        self.bytes.extend(b"FRAME\n");
-        add_frame(&mut self.bytes, picture, self.film);
-        self.send()?;
-        self.frame += 1;
-        Ok(())
+        let planes = planes(picture, self.film.sampling, self.film.colours);
+        self.write(planes.each_ref())
     }
 
     fn send(&mut self) -> Result<(), FormatError> {
@@ -163,31 +149,4 @@ fn header([width, height]: [usize; 2], bit_depth: u32, film: Film) -> String {
         "YUV4MPEG2 W{width} H{height} F{numerator}:{denominator} Ip A1:1 C{sampling} \
          XCOLORRANGE={range}\n"
     )
-}
-
-fn add_frame(bytes: &mut Vec<u8>, frame: &Plane<[u8; 3]>, film: Film) {
-    let encoded = frame.map(|rgb| film.colours.encoded(rgb.map(f32::from)));
-    bytes.extend(encoded.values().iter().map(|[y, ..]| rounded(*y)));
-    let size = [frame.width(), frame.height()];
-    let [width, height] = film.sampling.difference_size(size);
-    if width * height == 0 {
-        return;
-    }
-    let (across, down) = (size[0].div_ceil(width), size[1].div_ceil(height));
-    for channel in [1, 2] {
-        for row in 0..height {
-            for column in 0..width {
-                // A square at the border may have fewer pixels.
-                let rows = (row * down..size[1]).take(down);
-                let (mut sum, mut count) = (0.0, 0.0);
-                for row in rows {
-                    for pixel in encoded.row(row)[column * across..].iter().take(across) {
-                        sum += pixel[channel];
-                        count += 1.0;
-                    }
-                }
-                bytes.push(rounded(sum / count));
-            }
-        }
-    }
 }

@@ -1,36 +1,35 @@
 //! The frames of an animation.
 
-use crate::Polyline;
-
-/// A mesh at one moment.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame<'a> {
-    /// The frame's number, for the caption.
+/// What a sheet says below the picture of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Caption {
+    /// The frame's number.
     pub number: usize,
-    /// The frame's time in seconds, for the caption.
+    /// The frame's time in seconds.
     pub time: f64,
     /// Whether it was given or computed.
     pub kind: Kind,
-    /// The places of the vertices.
-    pub positions: &'a [[f64; 3]],
-    /// Segments to draw over the picture, none or the bones of a skeleton.
-    pub bones: &'a [[[f64; 3]; 2]],
-    /// Lines of the world to draw over the picture, such as the paths of joints. They have no
-    /// influence on the camera.
-    pub lines: &'a [Polyline<'a>],
 }
 
-impl<'a> Frame<'a> {
-    /// A key frame at the time 0, without bones and lines.
+/// A figure at one moment: what is to be seen whole.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// What is said of it.
+    pub caption: Caption,
+    /// The places of the figure's vertices.
+    pub positions: &'a [[f64; 3]],
+    /// Segments drawn over the picture, none or the bones of a skeleton.
+    pub bones: &'a [[[f64; 3]; 2]],
+}
+
+impl Caption {
+    /// Of a key frame at the time 0.
     #[must_use]
-    pub fn new(number: usize, positions: &'a [[f64; 3]]) -> Self {
+    pub fn new(number: usize) -> Self {
         Self {
             number,
             time: 0.0,
             kind: Kind::Key,
-            positions,
-            bones: &[],
-            lines: &[],
         }
     }
 }

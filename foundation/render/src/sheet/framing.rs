@@ -161,7 +161,7 @@ fn check(frame: &Frame) -> Result<(), SheetError> {
         },
     };
     Err(SheetError::Frame {
-        number: frame.number,
+        number: frame.caption.number,
         source,
     })
 }

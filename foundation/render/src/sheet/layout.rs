@@ -1,12 +1,12 @@
 //! The places of the frames on a sheet.
 
 use super::options::Layout;
-use super::{Frame, Kind, Options, SheetError};
+use super::{Caption, Kind, Options, SheetError};
 
 impl Layout {
     /// The indices of the frames in each row.
-    pub(super) fn rows(self, frames: &[Frame]) -> Result<Vec<Vec<usize>>, SheetError> {
-        if frames.is_empty() {
+    pub(super) fn rows(self, captions: &[Caption]) -> Result<Vec<Vec<usize>>, SheetError> {
+        if captions.is_empty() {
             return Err(SheetError::NoFrames);
         }
         match self {
@@ -15,15 +15,15 @@ impl Layout {
                 rows: 0,
             }),
             Self::Columns(columns) => {
-                let all: Vec<usize> = (0..frames.len()).collect();
+                let all: Vec<usize> = (0..captions.len()).collect();
                 Ok(all.chunks(columns).map(<[usize]>::to_vec).collect())
             }
             Self::KeyToKey => {
-                let is_key = |&index: &usize| frames[index].kind == Kind::Key;
-                let keys: Vec<usize> = (0..frames.len()).filter(is_key).collect();
+                let is_key = |&index: &usize| captions[index].kind == Kind::Key;
+                let keys: Vec<usize> = (0..captions.len()).filter(is_key).collect();
                 let whole = keys.len() >= 2
                     && keys.first() == Some(&0)
-                    && keys.last() == Some(&(frames.len() - 1));
+                    && keys.last() == Some(&(captions.len() - 1));
                 if !whole {
                     return Err(SheetError::NotKeyToKey);
                 }

@@ -3,7 +3,7 @@
 use ga_image::plane::Plane;
 
 use super::layout::{BORDER, CAPTION, Size};
-use super::{Frame, Kind, Options};
+use super::{Caption, Kind, Options};
 use crate::Rendering;
 use crate::text::{self, INK, PAPER, Weight};
 
@@ -19,7 +19,7 @@ const INSET: u32 = 6;
 const LINE: u32 = 18;
 
 pub(super) fn sheet(
-    frames: &[Frame],
+    captions: &[Caption],
     pictures: &[Rendering],
     rows: &[Vec<usize>],
     size: &Size,
@@ -39,24 +39,19 @@ pub(super) fn sheet(
     let (near, far) = depth_range.unwrap_or((0.0, 1.0));
     for (row, indices) in rows.iter().enumerate() {
         for (column, &index) in indices.iter().enumerate() {
-            let kind = frames[index].kind;
-            place(
+            let (Some(caption), Some(picture)) = (captions.get(index), pictures.get(index)) else {
+                continue;
+            };
+            let kind = caption.kind;
+            place(&mut sheet, &picture.colour, size.picture(column, row), kind);
+            write_caption(
                 &mut sheet,
-                &pictures[index].colour,
-                size.picture(column, row),
-                kind,
-            );
-            caption(
-                &mut sheet,
-                &frames[index],
+                caption,
                 size.caption(column, row),
                 options.style.width,
             );
             if options.depth {
-                let depth = pictures[index]
-                    .depth
-                    .to_plane(near, far)
-                    .map(|grey| [grey; 3]);
+                let depth = picture.depth.to_plane(near, far).map(|grey| [grey; 3]);
                 let corner = size.depth(column, row);
                 place(&mut sheet, &depth, corner, kind);
                 if (row, column) == (0, 0) {
@@ -94,9 +89,9 @@ fn place(sheet: &mut Plane<[u8; 3]>, picture: &Plane<[u8; 3]>, [x, y]: [u32; 2],
     sheet.put(picture, corner(0));
 }
 
-fn caption(sheet: &mut Plane<[u8; 3]>, frame: &Frame, [x, y]: [u32; 2], width: u32) {
-    let moment = format!("frame {} · t = {:.2} s", frame.number, frame.time);
-    let (part, weight, colour) = match frame.kind {
+fn write_caption(sheet: &mut Plane<[u8; 3]>, caption: &Caption, [x, y]: [u32; 2], width: u32) {
+    let moment = format!("frame {} · t = {:.2} s", caption.number, caption.time);
+    let (part, weight, colour) = match caption.kind {
         Kind::Key => ("key".to_owned(), Weight::Bold, KEY),
         Kind::InBetween { step, steps } => (
             format!("in-between {step}/{steps}"),

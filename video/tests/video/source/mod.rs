@@ -3,6 +3,8 @@
 mod images;
 #[cfg(feature = "mp4")]
 mod mp4;
+#[cfg(feature = "mp4")]
+mod mp4_written;
 mod stereo;
 mod y4m;
 

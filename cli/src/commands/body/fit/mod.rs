@@ -123,8 +123,6 @@ fn mannequin() -> Result<Rigged> {
     let figure = Figure::new(MANNEQUIN, Human::new().into());
     let rest = Pose::rest(figure.character.skeleton.len());
     let rest = Clip::new(1.0, vec![rest])?;
-    let document = gltf::decode(&ga_character::gltf::encode(
-        &figure, &rest, MANNEQUIN, None,
-    )?)?;
+    let document = gltf::decode(&ga_character::gltf::encode(&figure, &rest, MANNEQUIN)?)?;
     Ok(Rigged::new(&document)?)
 }

@@ -6,9 +6,9 @@ mod shadow;
 use crate::{Pixels, enumerated};
 use ga_image::plane::Plane;
 use ga_render::sheet::{
-    Frame, Framing, Kind, Layout, Options, Sequence, Sheet, SheetError, Subject, contact_sheet,
+    Caption, Frame, Framing, Kind, Layout, Options, Sequence, Sheet, SheetError, contact_sheet,
 };
-use ga_render::{RenderError, Style, ViewDirection};
+use ga_render::{RenderError, Scene, Style, ViewDirection};
 use proptest::prelude::*;
 
 const TRIANGLES: [[u32; 3]; 8] = [
@@ -49,12 +49,13 @@ fn frames<'a>(kinds: &[Kind], positions: &'a [Vec<[f64; 3]>]) -> Vec<Frame<'a>> 
     let numbered = kinds.iter().zip(positions).enumerate();
     numbered
         .map(|(number, (&kind, positions))| Frame {
-            number,
-            time: number as f64 / 30.0,
-            kind,
+            caption: Caption {
+                number,
+                time: number as f64 / 30.0,
+                kind,
+            },
             positions,
             bones: &[],
-            lines: &[],
         })
         .collect()
 }
@@ -325,7 +326,7 @@ proptest! {
     }
 }
 
-/// The cameras of a film keep only the outermost points of each frame.
+/// Drawn one after the other, as for a film.
 #[test]
 fn a_film_shows_the_pictures_of_a_sheet() {
     for (framing, azimuth) in [
@@ -355,20 +356,21 @@ fn a_film_shows_the_pictures_of_a_sheet() {
         for frame in &frames {
             sequence.add(frame).unwrap();
         }
-        let shooting = sequence.shoot(Subject::new(&TRIANGLES)).unwrap();
+        let shooting = sequence.shoot().unwrap();
         let sheet = sheet(&kinds, &positions, &options);
         for (index, frame) in frames.iter().enumerate() {
-            let picture = shooting.picture(index, frame).unwrap();
+            let scene = Scene::new(frame.positions, &TRIANGLES);
+            let picture = shooting.picture(index, &scene).unwrap();
             assert_eq!(picture.colour, sheet.pictures[index].colour);
         }
         assert!(matches!(
-            shooting.picture(5, &frames[0]),
+            shooting.picture(5, &Scene::default()),
             Err(SheetError::NoFrames)
         ));
     }
     let sequence = Sequence::new(small());
     assert!(matches!(
-        sequence.shoot(Subject::new(&TRIANGLES)).map(|_| ()),
+        sequence.shoot().map(|_| ()),
         Err(SheetError::NoFrames)
     ));
 }
