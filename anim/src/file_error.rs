@@ -219,12 +219,6 @@ pub enum MotionFileError {
         /// The greatest number of transforms.
         limit: usize,
     },
-    /// Two names become equal where line breaks and braces are replaced.
-    #[error("two joints are called {name:?} in a BVH file")]
-    DuplicateName {
-        /// The name.
-        name: String,
-    },
     /// A line of a BVH file is wrong.
     #[error("line {line}: {problem}")]
     Bvh {

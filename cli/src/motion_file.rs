@@ -17,10 +17,11 @@ pub(crate) fn read(path: &Path, warnings: &mut Vec<Warning>) -> Result<Bvh> {
     Ok(motion)
 }
 
-/// As [`read`], for a file of any format.
+/// As [`read`], for a file of any format; `option` gives the length of a unit.
 pub(crate) fn read_any(
     path: &Path,
     options: Options,
+    option: &str,
     warnings: &mut Vec<Warning>,
 ) -> Result<MotionFile> {
     let options = Options {
@@ -30,7 +31,7 @@ pub(crate) fn read_any(
     let motion = MotionFile::read(path, options)?;
     warn(path, motion.warnings(), warnings);
     if let Some(unit) = motion.likely_unit() {
-        warn_of_unit(path, unit, "--metres-per-unit", warnings);
+        warn_of_unit(path, unit, option, warnings);
     }
     Ok(motion)
 }

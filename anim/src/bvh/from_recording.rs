@@ -20,7 +20,8 @@ impl Bvh {
     /// scaled parents put them there.
     ///
     /// Where `like` has the same joints, a recording with the length of its unit, channels, offsets
-    /// and End Sites are like in it.
+    /// and End Sites are like in it. Otherwise joints without others below have an End Site, where
+    /// the recording says that their bones [end](Recording::ends), else at the joint.
     ///
     /// ```
     /// use ga_anim::bvh::{self, Bvh};
@@ -87,7 +88,10 @@ impl Bvh {
                 offset: [0, 1, 2].map(|k| (rest[old][k] - above[k]) / metres_per_unit),
                 channels: usual(parent.is_none()),
                 first_channel: 0,
-                end_site: is_leaf.then_some([0.0; 3]),
+                end_site: is_leaf.then(|| {
+                    let end = recording.ends()[old].unwrap_or_default();
+                    end.map(|x| x / metres_per_unit)
+                }),
             }
         });
         let joints: Vec<BvhJoint> = joints.collect();

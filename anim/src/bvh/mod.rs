@@ -16,11 +16,12 @@
 //! theirs, with two exceptions:
 //!
 //! - Where only the sum of offset and position puts the body on the ground, they are added at the
-//!   root as well, with a [warning](Bvh::warnings). The description adds, and so does three.js;
-//!   assimp takes the positions as they are, and Blender moves each bone by their difference from
-//!   its place at rest, which is the same. MotionBuilder is not documented; the files that it and
-//!   its plug-ins write have the place of the first frame as offset and in the positions too, so
-//!   that adding would put the body at twice its height.
+//!   root as well, with a [warning](Bvh::warnings). The description adds, and so does three.js at
+//!   every joint. assimp takes the positions of a joint with six channels as they are, and
+//!   Blender those of every joint: it stands a bone at its offset and moves it by the difference
+//!   of position and offset. How MotionBuilder reads them is not documented. In recordings of
+//!   Ubisoft the offset of the root is a place in the room like its positions, so that adding
+//!   would put the body at twice its height.
 //! - Where the positions of other joints are near their offsets, within a quarter of their lengths,
 //!   in most frames, they take the place of these.
 //!

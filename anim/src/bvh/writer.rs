@@ -2,97 +2,9 @@
 
 use std::fmt::Write as _;
 
-use ga_runtime::cga3::{Motor, Translator};
-use ga_runtime::geometry::EulerOrder;
-
-use super::channels::{ORDER, order_of};
-use super::{Bvh, BvhJoint, Channel};
-use crate::clip::Clip;
-use crate::file_error::MotionFileError;
-use crate::pose::Pose;
-use crate::skeleton::{Skeleton, SkeletonError};
+use super::{Bvh, Channel};
 
 impl Bvh {
-    /// A clip as a recording: roots have positions and angles, and so have joints that do not stay
-    /// in their places; all others have angles. Joints without others below have an End Site at
-    /// their tail. A line break or a brace in a name becomes `_`.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionFileError::Skeleton`] and [`MotionFileError::DuplicateName`].
-    ///
-    /// ```
-    /// use ga_anim::bvh::{self, Bvh};
-    /// use ga_anim::{clip::Clip, pose::Pose, skeleton::{Joint, Skeleton}};
-    /// use ga_runtime::cga3::{Motor, Rotor};
-    ///
-    /// let hip = Joint { name: "hip".into(), parent: None, head: [0.0, 1.0, 0.0], tail: [0.0; 3] };
-    /// let leg = Skeleton::new(vec![hip])?;
-    /// let quarter = Rotor::from_axis_angle([0.0, 0.0, 1.0], 1.5).ok_or("no axis")?;
-    /// let pose = Pose::from_rotors(&leg, Motor::default(), &[quarter])?;
-    /// let motion = Bvh::from_clip(&leg, &Clip::new(0.01, vec![pose])?)?;
-    /// let again = bvh::decode(motion.encode().as_bytes())?;
-    /// assert_eq!(again, motion);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
-        let joints = skeleton.joints();
-        let parents: Vec<Option<usize>> = joints.iter().map(|joint| joint.parent).collect();
-        let order = depth_first(&parents);
-        let mut place = vec![0; joints.len()];
-        for (new, &old) in order.iter().enumerate() {
-            place[old] = new;
-        }
-        let mut written: Vec<BvhJoint> = Vec::with_capacity(joints.len());
-        let mut names = std::collections::HashSet::new();
-        let mut first_channel = 0;
-        for &old in &order {
-            let joint = &joints[old];
-            let is_leaf = skeleton.children(old).next().is_none();
-            let above = joint.parent.map_or([0.0; 3], |parent| joints[parent].head);
-            let between = |from: [f64; 3], to: [f64; 3]| [0, 1, 2].map(|k| to[k] - from[k]);
-            let positions = (0..3).map(Channel::Position);
-            let positions = positions.take(if joint.parent.is_none() { 3 } else { 0 });
-            let channels: Vec<Channel> = positions.chain(ORDER.map(Channel::Rotation)).collect();
-            let count = channels.len();
-            let name = plain(&joint.name);
-            if !names.insert(name.clone()) {
-                return Err(MotionFileError::DuplicateName { name });
-            }
-            written.push(BvhJoint {
-                name,
-                parent: joint.parent.map(|parent| place[parent]),
-                offset: between(above, joint.head),
-                channels,
-                first_channel,
-                end_site: is_leaf.then(|| between(joint.head, joint.tail)),
-            });
-            first_channel += count;
-        }
-        let frames = motions(skeleton, &order, clip)?;
-        Ok(Self::of_motions(written, clip.frame_time(), &frames))
-    }
-
-    /// The joints of this recording with the motion of a clip of [`Bvh::skeleton`]. Angles keep
-    /// their order where a joint has all three; joints below the root have angles only, unless they
-    /// do not stay in their places.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionFileError::Skeleton`].
-    pub fn with_clip(&self, skeleton: &Skeleton, clip: &Clip) -> Result<Self, MotionFileError> {
-        let mut joints = self.joints.clone();
-        for joint in &mut joints {
-            let positions = (0..3).map(Channel::Position);
-            let positions = positions.take(if joint.parent.is_none() { 3 } else { 0 });
-            let angles = order_of(joint).map_or(ORDER, EulerOrder::axes);
-            joint.channels = positions.chain(angles.map(Channel::Rotation)).collect();
-        }
-        let order: Vec<usize> = (0..joints.len()).collect();
-        let frames = motions(skeleton, &order, clip)?;
-        Ok(Self::of_motions(joints, clip.frame_time(), &frames))
-    }
-
     /// The text of the file. Numbers are written so that they read back exactly.
     #[must_use]
     pub fn encode(&self) -> String {
@@ -148,35 +60,6 @@ impl Bvh {
         }
         text
     }
-}
-
-/// The motion of a joint's frame relative to its parent's: T(−p) L T(h).
-fn local(skeleton: &Skeleton, pose: &Pose, joint: usize) -> Motor<f64> {
-    let described = &skeleton.joints()[joint];
-    let to_parent = |parent: usize| {
-        let back = skeleton.joints()[parent].head.map(|x| -x);
-        Motor::from(Translator::from_displacement(back))
-    };
-    let above = described.parent.map_or(pose.root, to_parent);
-    above * pose.joints[joint] * Translator::from_displacement(described.head)
-}
-
-/// The motions of the joints relative to their parents in every frame of a clip; `order` has the
-/// joint of the skeleton for each.
-fn motions(
-    skeleton: &Skeleton,
-    order: &[usize],
-    clip: &Clip,
-) -> Result<Vec<Vec<Motor<f64>>>, MotionFileError> {
-    let (expected, found) = (skeleton.len(), clip.joint_count());
-    if expected != found || order.len() != expected {
-        return Err(SkeletonError::PoseLength { expected, found }.into());
-    }
-    let of_pose = |pose: &Pose| {
-        let joints = order.iter().map(|&joint| local(skeleton, pose, joint));
-        joints.collect()
-    };
-    Ok(clip.frames().iter().map(of_pose).collect())
 }
 
 /// The joints in an order in which what is below a joint follows it.

@@ -156,13 +156,19 @@ impl Steps {
         time(self.cycle) - time(0)
     }
 
-    /// The step of a number, of `count` that are needed; its time goes on in repetitions.
-    fn at(&self, index: usize, count: usize) -> Footfall {
+    /// The step of a number, of `count` that are needed, as it is in the motion, and how often the
+    /// motion was repeated before.
+    fn recorded(&self, index: usize, count: usize) -> (Footfall, usize) {
         let (repetition, index) = match count > self.available() {
             true => (index / self.cycle, index % self.cycle),
             false => (0, index),
         };
-        let footfall = self.footfalls[self.first + index];
+        (self.footfalls[self.first + index], repetition)
+    }
+
+    /// The same step; its time goes on in repetitions.
+    fn at(&self, index: usize, count: usize) -> Footfall {
+        let (footfall, repetition) = self.recorded(index, count);
         Footfall {
             time_seconds: footfall.time_seconds + repetition as f64 * self.period(),
             ..footfall
@@ -179,12 +185,17 @@ impl Steps {
         let count = seen.len();
         let mut times = Vec::with_capacity(count);
         for index in 0..count {
-            let own = self.at(index, count);
-            if own.foot != first.at(index, count).foot {
-                let seconds = own.time_seconds;
-                return Err(GaitProblem::Order { seconds });
+            let (own, repetition) = self.recorded(index, count);
+            let expected = first.at(index, count).foot;
+            if own.foot != expected {
+                return Err(GaitProblem::Order {
+                    seconds: own.time_seconds,
+                    is_repeated: repetition > 0,
+                    found: own.foot,
+                    expected,
+                });
             }
-            times.push(own.time_seconds);
+            times.push(self.at(index, count).time_seconds);
         }
         let mut played = Played::new(recording)
             .by_clock(TimeWarp::through(seen, &times)?)

@@ -1,5 +1,6 @@
 //! Why motions cannot be brought in step.
 
+use super::foot::Foot;
 use crate::curve::CurveError;
 use crate::recording::RecordingError;
 
@@ -22,10 +23,22 @@ pub enum GaitProblem {
         needed: usize,
     },
     /// The feet come down in another order.
-    #[error("the feet do not come down in the order of the first motion at {seconds:.3} s")]
+    #[error(
+        "the feet do not come down in the order of the first motion: at {seconds:.3} s{}, {} in \
+         place of {}",
+        if *.is_repeated { ", when its strides are repeated" } else { "" },
+        .found.with_article(),
+        .expected.with_article()
+    )]
     Order {
-        /// When the other foot comes down.
+        /// When a foot comes down, in the motion's own time.
         seconds: f64,
+        /// Whether that is after the motion began again.
+        is_repeated: bool,
+        /// Which foot.
+        found: Foot,
+        /// Which foot comes down in the first motion.
+        expected: Foot,
     },
     /// The vertical is another one.
     #[error("its vertical is not that of the first motion")]

@@ -6,6 +6,7 @@ use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
 use super::error::GaitProblem;
+use super::foot::Foot;
 use crate::recording::Recording;
 use crate::retarget::Source;
 use crate::retarget::body::Body;
@@ -26,18 +27,6 @@ const SPAN: f64 = 1.0 / 30.0;
 /// As a part of the leg's length, how high an ankle is lifted at least for that to say when it
 /// comes down.
 const LEAST_LIFT: f64 = 0.02;
-
-/// A foot, or both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Foot {
-    /// The left one.
-    Left,
-    /// The right one.
-    Right,
-    /// Both at once, as after a jump.
-    Both,
-}
 
 /// A foot comes down to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

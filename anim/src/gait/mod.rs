@@ -6,8 +6,10 @@
 
 mod aligned;
 mod error;
+mod foot;
 mod footfalls;
 
 pub use aligned::{Aligned, InStep};
 pub use error::{GaitError, GaitProblem};
-pub use footfalls::{Foot, Footfall, footfalls, vertical};
+pub use foot::Foot;
+pub use footfalls::{Footfall, footfalls, vertical};

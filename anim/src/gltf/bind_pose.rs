@@ -18,7 +18,7 @@ use crate::file_error::MotionFileError;
 /// # Errors
 ///
 /// Those of [`Player::pose`].
-pub(super) fn bind_pose(player: &Player) -> Result<NodePose, MotionFileError> {
+pub(crate) fn bind_pose(player: &Player) -> Result<NodePose, MotionFileError> {
     let document = player.document();
     let mut pose = player.pose(None, 0.0)?;
     let mut bound: Vec<Option<Affine<f64>>> = vec![None; document.nodes.len()];

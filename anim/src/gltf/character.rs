@@ -176,7 +176,7 @@ fn joint_nodes(document: &Document, player: &Player) -> Vec<usize> {
 }
 
 /// The joints of a document: those of its skins, or all nodes where there is no skin.
-pub(super) fn all_joints(document: &Document, player: &Player) -> Vec<usize> {
+pub(crate) fn all_joints(document: &Document, player: &Player) -> Vec<usize> {
     match joint_nodes(document, player) {
         none if none.is_empty() => player.parents_before_children().to_vec(),
         joints => joints,

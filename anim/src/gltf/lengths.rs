@@ -4,9 +4,11 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::rigged::{Rigged, parts};
+use super::parts::{even_parts, to_node};
+use super::rigged::Rigged;
 use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
+use crate::transform::Transform;
 
 impl Rigged {
     /// The document with bones of other lengths: for each joint the factor of the way from the
@@ -61,17 +63,17 @@ impl Rigged {
         // For each joint the factor of the tree that it is in.
         let mut of_tree: Vec<f64> = Vec::with_capacity(joints.len());
         for (joint, &node) in self.nodes.iter().enumerate() {
-            let mut local = parts(&rest.locals[node]).ok_or(MotionFileError::Uneven { node })?;
+            let local = even_parts(&rest.locals[node]).ok_or(MotionFileError::Uneven { node })?;
+            let (mut place, mut scale) = (local.translation(), local.scale);
             let whole = match joints[joint].parent {
                 Some(parent) => {
                     let whole = of_tree[parent];
-                    let way = Vector::from(local.translation) * (factors[joint] / whole);
-                    local.translation = way.into();
+                    place *= factors[joint] / whole;
                     whole
                 }
                 None => {
                     let whole = factors[joint];
-                    local.scale = local.scale.map(|scale| scale * whole);
+                    scale *= whole;
                     let back = match player.parents()[node] {
                         Some(above) => {
                             let back = rest.world[above].inverse();
@@ -80,12 +82,13 @@ impl Rigged {
                         None => Affine::default(),
                     };
                     let head = Vector::from(joints[joint].head) * whole;
-                    local.translation = back.transform(Point::from(head)).coordinates();
+                    place = back.transform(Point::from(head)).coordinates().into();
                     whole
                 }
             };
             of_tree.push(whole);
-            document.nodes[node].transform = local.to_node();
+            let local = Transform::from_parts(place, local.rotor(), scale);
+            document.nodes[node].transform = to_node(&local);
         }
         let rest = super::Player::new(&document)?.pose(None, 0.0)?;
         let heads = self.nodes.iter().map(|&node| rest.world[node].translation);

@@ -25,16 +25,9 @@
 //!
 //! # Written files
 //!
-//! [`joint_nodes`], [`vertex_weights`] and [`animation`] are the data that
-//! [`ga_mesh::gltf::model`] writes. A joint's node stands at the joint's position, with the axes of
-//! the mesh. With h the joint's position at rest, p its parent's, and L its own motion, its frame
-//! relative to its parent's node is the motor
-//!
-//! ```text
-//! N = T(−p) L T(h)
-//! ```
-//!
-//! so T(h − p) at rest. For a root, the motion of the whole skeleton takes the place of T(−p).
+//! [`joint_nodes`] and [`vertex_weights`] are the data that [`ga_mesh::gltf::model`] writes. A
+//! joint's node stands at the joint's position, with the axes of the mesh: with h the joint's
+//! position at rest and p its parent's, its frame relative to its parent's node is T(h − p).
 //!
 //! A [`Rigged`] document takes a clip as its first animation and keeps all that it has.
 //! Its bones can be given [other lengths](Rigged::with_lengths).
@@ -44,15 +37,19 @@ mod character;
 mod export;
 mod lengths;
 mod moment;
+mod parts;
 mod placement;
 mod player;
 mod reweighted;
 mod rigged;
 mod sampler;
 
+pub(crate) use bind_pose::bind_pose;
+pub(crate) use character::all_joints;
 pub use character::{character, meshes_without_joint};
-pub use export::{animation, joint_nodes, vertex_weights};
+pub use export::{joint_nodes, vertex_weights};
 pub use moment::{Moment, MomentPart};
+pub(crate) use parts::{even, even_parts, parts, quaternion, to_node};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
 pub use reweighted::with_weights;

@@ -63,17 +63,23 @@ impl MotionFile {
                 Contents::Clip(Box::new(clip.map_err(|error| error.map(Into::into))?))
             }
         };
+        Ok(Self::new(contents, options))
+    }
+
+    /// These contents of a file.
+    #[must_use]
+    pub fn new(contents: Contents, options: Options) -> Self {
         let likely_unit = match (&contents, options.metres_per_unit) {
             (Contents::Bvh(motion), None) => Some(likely_unit(motion)),
             _ => None,
         };
         let found = likely_unit.map_or(1.0, |unit| unit.metres);
-        Ok(Self {
+        Self {
             contents,
             options,
             metres_per_unit: options.metres_per_unit.unwrap_or(found),
             likely_unit,
-        })
+        }
     }
 
     /// What is in the file.

@@ -91,12 +91,11 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// What a document has beside its joints that a file of another format has not. `moving` of its
-    /// animations are in that file.
-    #[must_use]
-    pub fn of_document(document: &Document, moving: usize) -> Vec<Self> {
+    /// What a document has beside its joints that a file of another format has not. `replaced` of
+    /// its animations are not missed there.
+    pub(super) fn of_document(document: &Document, replaced: usize) -> Vec<Self> {
         let (meshes, skins) = (document.meshes.len(), document.skins.len());
-        let animations = document.animations.len().saturating_sub(moving);
+        let animations = document.animations.len().saturating_sub(replaced);
         let of_meshes = (meshes + skins > 0).then_some(Self::Meshes { meshes, skins });
         let of_animations = (animations > 0).then_some(Self::Animations { animations });
         of_meshes.into_iter().chain(of_animations).collect()

@@ -34,4 +34,4 @@ pub use file::{MotionFile, Options};
 pub use format::Format;
 pub use loss::Loss;
 pub use sample::{JointSample, Sample, TrackSample};
-pub use written::{WriteOptions, Written};
+pub use written::{Animations, WriteOptions, Written};

@@ -7,18 +7,32 @@ use super::loss::Loss;
 use crate::MotionFileError;
 use crate::bvh::Bvh;
 use crate::clip::compressed::{self, compress};
-use crate::gltf::Player;
+use crate::gltf::{Player, all_joints};
 use crate::recording::{GltfMotion, Recording};
+
+/// Which animation of a document a motion becomes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Animations {
+    /// The one that was read, in its place.
+    #[default]
+    InPlace,
+    /// A new one, which is the first: the others follow.
+    First,
+    /// A new one, which is the only one.
+    Alone,
+}
 
 /// How a motion is written.
 #[derive(Clone, Debug, Default)]
 pub struct WriteOptions<'a> {
-    /// The name of an animation of glTF.
+    /// The name of a new animation of glTF.
     pub name: &'a str,
     /// A file with a motion of the same joints, from which a file of the same format takes what a
     /// recording does not have: the nodes, meshes, skins and other animations of a document; the
     /// unit, channels, offsets and End Sites of BVH.
     pub like: Option<&'a MotionFile>,
+    /// Which animation of a document [`like`](Self::like) it becomes.
+    pub animations: Animations,
     /// The length of one unit of BVH in metres; by default that of [`like`](Self::like) where it is
     /// BVH, otherwise a metre. The other formats are in metres.
     pub metres_per_unit: Option<f64>,
@@ -63,7 +77,8 @@ impl Written {
     /// # Errors
     ///
     /// [`MotionFileError::Clip`] where the recording cannot be compressed within the bounds, and
-    /// where `like` is a document, those of [`GltfMotion::with_recording`].
+    /// where `like` is a document, those of [`GltfMotion::with_recording`] and
+    /// [`GltfMotion::with_first`].
     pub fn new(
         recording: &Recording,
         format: Format,
@@ -71,7 +86,9 @@ impl Written {
         progress: impl Fn(usize, usize) + Sync,
     ) -> Result<Self, MotionFileError> {
         let like = options.like;
-        let mut losses = like.map_or(Vec::new(), |like| beside_the_motion(like, format));
+        let mut losses = like.map_or(Vec::new(), |like| {
+            beside_the_motion(like, format, options.animations)
+        });
         let mut metres_per_unit = 1.0;
         let contents = match format {
             Format::Bvh => {
@@ -90,15 +107,24 @@ impl Written {
                     Contents::Gltf(document) => Some((like, document)),
                     _ => None,
                 });
-                let (document, lost) = match own {
-                    Some((like, document)) => {
-                        let player = Player::new(document)?;
-                        metres_per_unit = like.metres_per_unit();
-                        GltfMotion::new(&player, like.animation(), metres_per_unit)?
-                            .with_recording(recording)?
-                    }
-                    None => recording.to_gltf(options.name),
-                };
+                let (document, lost) =
+                    match own {
+                        Some((like, document)) => {
+                            let player = Player::new(document)?;
+                            metres_per_unit = like.metres_per_unit();
+                            let animations = options.animations;
+                            if animations == Animations::InPlace {
+                                GltfMotion::new(&player, like.animation(), metres_per_unit)?
+                                    .with_recording(recording)?
+                            } else {
+                                let keeps = animations == Animations::First;
+                                let joints = all_joints(document, &player);
+                                GltfMotion::of_joints(&player, &joints, metres_per_unit)?
+                                    .with_first(options.name, recording, keeps)?
+                            }
+                        }
+                        None => recording.to_gltf(options.name),
+                    };
                 losses.extend(lost);
                 Contents::Gltf(Box::new(document))
             }
@@ -129,11 +155,16 @@ impl Written {
 }
 
 /// What a file has beside its motion that one of another format does not have.
-fn beside_the_motion(file: &MotionFile, format: Format) -> Vec<Loss> {
+fn beside_the_motion(file: &MotionFile, format: Format, animations: Animations) -> Vec<Loss> {
     let mut losses = Vec::new();
     match file.contents() {
         Contents::Gltf(document) if format != Format::Gltf => {
-            losses.extend(Loss::of_document(document, 1));
+            let replaced = match animations {
+                Animations::InPlace => 1,
+                Animations::First => 0,
+                Animations::Alone => document.animations.len(),
+            };
+            losses.extend(Loss::of_document(document, replaced));
         }
         Contents::Bvh(motion) if format != Format::Bvh => {
             let ends = motion.joints().iter();

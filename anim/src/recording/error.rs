@@ -154,6 +154,12 @@ pub enum RecordingError {
     /// A joint is scaled.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
+    /// The frame of a joint is scaled unevenly.
+    #[error("joint {name:?} is scaled unevenly, so that no joint below it rotates")]
+    ScaledUnevenly {
+        /// Its name.
+        name: String,
+    },
     /// The joints do not form a skeleton.
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),

@@ -1,19 +1,21 @@
-use ga_mesh::gltf::{Animation, Document, Keys, Node};
-use ga_runtime::cga3::Rotor;
+use ga_mesh::gltf::{Document, Keys, Node};
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
+use super::grid::Grid;
 use super::{RecordedJoint, Recording, ScalarTrack};
+use crate::clip::Clip;
 use crate::clip::compressed::ShellError;
 use crate::file_error::MotionFileError;
-use crate::gltf::{LocalFrame, NodePose, Player};
+use crate::gltf::{LocalFrame, NodePose, Player, bind_pose, even, even_parts, parts};
 use crate::recording::RecordingError;
+use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// An animation of a glTF document as the motion of joints.
+/// An animation of a glTF document as the motion of joints, or joints that are to move.
 ///
 /// The joints are the joints of all skins, the nodes that the animation moves, and the nodes above
-/// them. A node that stays where it is, with all nodes above it, is not a joint where it only
+/// them; or nodes that are [given](Self::of_joints). A node that stays where it is, with all nodes above it, is not a joint where it only
 /// moves, rotates and scales evenly: its frame then belongs to the joints below it.
 ///
 /// # Examples
@@ -45,13 +47,18 @@ use crate::transform::Transform;
 #[derive(Clone, Debug)]
 pub struct GltfMotion<'a> {
     pub(super) player: &'a Player<'a>,
-    pub(super) animation: usize,
+    /// `None` for joints without an animation, which are written as a new one.
+    pub(super) animation: Option<usize>,
     pub(super) metres_per_unit: f64,
     pub(super) joints: Vec<RecordedJoint>,
     pub(super) sources: Vec<Source>,
     /// The nodes whose morph targets the animation moves.
     pub(super) morphed: Vec<usize>,
 }
+
+/// As a part of the factor, by how much a frame may deviate from an even one that belongs to the
+/// joints below: the deviation is in every frame of them.
+const EVEN: f64 = 1e-6;
 
 /// Where the transform of a joint comes from.
 #[derive(Clone, Copy, Debug)]
@@ -95,21 +102,69 @@ impl<'a> GltfMotion<'a> {
         animation: usize,
         metres_per_unit: f64,
     ) -> Result<Self, MotionFileError> {
-        if !metres_per_unit.is_finite() || metres_per_unit <= 0.0 {
-            return Err(RecordingError::Unit(metres_per_unit).into());
-        }
         let document = player.document();
         let Some(played) = document.animations.get(animation) else {
             let count = document.animations.len();
             return Err(MotionFileError::NoAnimation { animation, count });
         };
-        let pose = player.pose(None, 0.0)?;
-        let is_moving = moving_nodes(document, played);
+        let mut is_moving = vec![false; document.nodes.len()];
+        let joints = document.skins.iter().flat_map(|skin| &skin.joints);
+        joints.for_each(|&node| is_moving[node] = true);
+        for channel in &played.channels {
+            is_moving[channel.node] |= !matches!(channel.keys, Keys::Weights(_));
+        }
+        let rest = player.pose(None, 0.0)?;
+        let mut motion = Self::of_nodes(player, &is_moving, &rest, metres_per_unit)?;
+        let weights = played.channels.iter();
+        let weights = weights.filter(|channel| matches!(channel.keys, Keys::Weights(_)));
+        motion.morphed = weights.map(|channel| channel.node).collect();
+        motion.animation = Some(animation);
+        Ok(motion)
+    }
+
+    /// These nodes of a document as joints, in the pose in which its skins were bound, and the
+    /// nodes above them as of [`new`](Self::new), for a motion that the document does not have.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordingError::Unit`]; [`RecordingError::NoJoints`] where no nodes are given;
+    /// [`MotionFileError::Shears`] and [`MotionFileError::Uneven`].
+    pub fn of_joints(
+        player: &'a Player<'a>,
+        nodes: &[usize],
+        metres_per_unit: f64,
+    ) -> Result<Self, MotionFileError> {
+        let document = player.document();
+        let mut is_moving = vec![false; document.nodes.len()];
+        nodes.iter().for_each(|&node| is_moving[node] = true);
+        let mut motion = Self::of_nodes(player, &is_moving, &bind_pose(player)?, metres_per_unit)?;
+        let is_morphed = |&node: &usize| motion.track_names(node).len() > 0;
+        motion.morphed = (0..document.nodes.len()).filter(is_morphed).collect();
+        Ok(motion)
+    }
+
+    /// The nodes that move as joints, with their transforms at rest in a pose.
+    fn of_nodes(
+        player: &'a Player<'a>,
+        is_moving: &[bool],
+        pose: &NodePose,
+        metres_per_unit: f64,
+    ) -> Result<Self, MotionFileError> {
+        if !metres_per_unit.is_finite() || metres_per_unit <= 0.0 {
+            return Err(RecordingError::Unit(metres_per_unit).into());
+        }
+        let document = player.document();
+        let stands = player.pose(None, 0.0)?;
         let parents = player.parents();
-        let is_joint = joint_nodes(player, &is_moving, &pose);
+        let is_joint = joint_nodes(player, is_moving, pose);
+        let lengths = (0..is_joint.len()).filter(|&node| is_joint[node]);
+        let lengths = lengths.map(|node| pose.locals[node].to_affine().translation);
+        let longest = lengths
+            .map(|way| Vector::from(way).length())
+            .fold(0.0, f64::max);
         let mut motion = Self {
             player,
-            animation,
+            animation: None,
             metres_per_unit,
             joints: Vec::new(),
             sources: Vec::new(),
@@ -121,10 +176,20 @@ impl<'a> GltfMotion<'a> {
                 continue;
             }
             let above = match parents[node] {
-                Some(parent) if !is_joint[parent] => even(pose.world[parent]).unwrap_or_default(),
+                Some(parent) if !is_joint[parent] => {
+                    even(pose.world[parent], EVEN).unwrap_or_default()
+                }
                 _ => Transform::default(),
             };
-            let rest = parts(&pose.locals[node]).ok_or(MotionFileError::Shears { node })?;
+            let own = parts(&stands.locals[node]).ok_or(MotionFileError::Shears { node })?;
+            let rest = match pose.locals[node] == stands.locals[node] {
+                true => own,
+                false => {
+                    let bound = even_parts(&pose.locals[node]);
+                    let bound = bound.ok_or(MotionFileError::Uneven { node })?;
+                    bound_rest(&own, &bound, longest)
+                }
+            };
             let source = Source { node, rest, above };
             joint_of[node] = Some(motion.joints.len());
             motion.joints.push(RecordedJoint {
@@ -137,10 +202,25 @@ impl<'a> GltfMotion<'a> {
         if motion.joints.is_empty() {
             return Err(RecordingError::NoJoints.into());
         }
-        let weights = played.channels.iter();
-        let weights = weights.filter(|channel| matches!(channel.keys, Keys::Weights(_)));
-        motion.morphed = weights.map(|channel| channel.node).collect();
         Ok(motion)
+    }
+
+    /// The recording of a clip of a skeleton whose joints are these nodes; see
+    /// [`Recording::of_joints`]. Joints of this motion that the skeleton does not have stay.
+    ///
+    /// # Errors
+    ///
+    /// As [`Recording::of_joints`].
+    pub fn recording_of_clip(
+        &self,
+        skeleton: &Skeleton,
+        nodes: &[usize],
+        clip: &Clip,
+    ) -> Result<Recording, RecordingError> {
+        let place = |node: usize| nodes.iter().position(|&other| other == node);
+        let of_skeleton: Vec<Option<usize>> = self.nodes().map(place).collect();
+        let skeleton = (skeleton, self.metres_per_unit);
+        Recording::of_joints(self.joints.clone(), &of_skeleton, skeleton, clip)
     }
 
     /// The joints, parents before children. A joint's transform at rest is that of its node.
@@ -161,7 +241,7 @@ impl<'a> GltfMotion<'a> {
     ///
     /// As [`Player::pose`].
     pub fn model_maps(&self, time: f64) -> Result<Vec<Affine<f64>>, MotionFileError> {
-        let pose = self.player.pose(Some(self.animation), time)?;
+        let pose = self.player.pose(self.animation, time)?;
         let in_metres = |node: usize| {
             let map = pose.world[node];
             let translation = map.translation.map(|x| x * self.metres_per_unit);
@@ -177,7 +257,7 @@ impl<'a> GltfMotion<'a> {
     ///
     /// As [`Player::pose`].
     pub fn track_values(&self, time: f64) -> Result<Vec<(String, f64)>, MotionFileError> {
-        let pose = self.player.pose(Some(self.animation), time)?;
+        let pose = self.player.pose(self.animation, time)?;
         let weights = self.morphed.iter().flat_map(|&node| pose.weights(node));
         let names = self.tracks(0).into_iter().map(|track| track.name);
         Ok(names.zip(weights.copied()).collect())
@@ -198,7 +278,7 @@ impl<'a> GltfMotion<'a> {
     /// transforms, and as [`Player::pose`].
     pub fn recording(&self, rate: Option<f64>) -> Result<Recording, MotionFileError> {
         const LIMIT: usize = 1 << 22;
-        let keys = key_times(&self.player.document().animations[self.animation]);
+        let keys = self.key_times();
         let last = keys.last().copied().unwrap_or(0.0);
         let grid = Grid::new(rate, &keys)?;
         if (grid.steps + 1.0) * self.joints.len() as f64 > LIMIT as f64 {
@@ -215,8 +295,7 @@ impl<'a> GltfMotion<'a> {
         let mut pose = self.player.pose(None, 0.0)?;
         for frame in 0..frames {
             let time = grid.time(frame, &keys);
-            self.player
-                .pose_into(Some(self.animation), time, &mut pose)?;
+            self.player.pose_into(self.animation, time, &mut pose)?;
             for source in &self.sources {
                 let own = match pose.locals[source.node] {
                     LocalFrame::Parts(parts) => parts,
@@ -251,13 +330,27 @@ impl<'a> GltfMotion<'a> {
         rate: Option<f64>,
         shell: f64,
     ) -> Result<f64, MotionFileError> {
-        let keys = key_times(&self.player.document().animations[self.animation]);
+        let keys = self.key_times();
         let grid = Grid::new(rate, &keys)?;
         let mut error = ShellError::new(recording, shell);
         for frame in 0..recording.frame_count() {
             error.compare(frame, &self.model_maps(grid.time(frame, &keys))?);
         }
         Ok(error.greatest())
+    }
+
+    /// The times of all keys in rising order.
+    fn key_times(&self) -> Vec<f64> {
+        let animations = &self.player.document().animations;
+        let played = self
+            .animation
+            .and_then(|animation| animations.get(animation));
+        let channels = played.into_iter().flat_map(|played| &played.channels);
+        let times = channels.flat_map(|channel| channel.times.iter().copied());
+        let mut times: Vec<f64> = times.map(f64::from).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
     }
 
     /// A track without numbers for each morph target that moves.
@@ -271,7 +364,7 @@ impl<'a> GltfMotion<'a> {
     }
 
     /// The name of the track of each morph target of a node.
-    pub(super) fn track_names(&self, node: usize) -> impl Iterator<Item = String> {
+    pub(super) fn track_names(&self, node: usize) -> impl ExactSizeIterator<Item = String> {
         let document = self.player.document();
         let of_node = &document.nodes[node];
         let mesh = of_node.mesh.and_then(|mesh| document.meshes.get(mesh));
@@ -295,109 +388,14 @@ impl<'a> GltfMotion<'a> {
     }
 }
 
-/// Times of frames.
-struct Grid {
-    step: f64,
-    /// How many steps there are from 0 to the last frame.
-    steps: f64,
-}
-
-impl Grid {
-    /// The step where there is nothing to choose it by.
-    const DEFAULT_STEP: f64 = 1.0 / 30.0;
-    const SHORTEST_STEP: f64 = 1.0 / 240.0;
-
-    /// Frames at a rate, or those that the times of keys suggest.
-    fn new(rate: Option<f64>, keys: &[f64]) -> Result<Self, MotionFileError> {
-        let last = keys.last().copied().unwrap_or(0.0);
-        match rate {
-            Some(rate) if rate > 0.0 && rate.is_finite() => Ok(Self::of_step(rate.recip(), last)),
-            Some(rate) => Err(MotionFileError::Rate(rate)),
-            None => Ok(Self::of_keys(keys)),
-        }
-    }
-
-    /// Frames at a given step, of which the last is at or after the last key.
-    fn of_step(step: f64, last: f64) -> Self {
-        // A key that is beyond a frame by rounding alone needs no other frame.
-        let steps = (last / step - 1e-4).ceil().max(0.0);
-        Self { step, steps }
-    }
-
-    fn of_keys(keys: &[f64]) -> Self {
-        let last = keys.last().copied().unwrap_or(0.0);
-        // From one key to the next, the first interval begins at 0.
-        let times = || std::iter::once(0.0).chain(keys.iter().copied());
-        let intervals = times().zip(times().skip(1)).map(|(a, b)| b - a);
-        let shortest = intervals.filter(|&x| x > 0.0).fold(f64::INFINITY, f64::min);
-        if shortest == f64::INFINITY {
-            return Self::of_step(Self::DEFAULT_STEP, last);
-        }
-        let of_steps = |steps: f64| Self {
-            step: last / steps,
-            steps,
-        };
-        // One key in each frame, however much the shortest interval is rounded in a long motion.
-        let later = || keys.iter().copied().filter(|&key| key > 0.0);
-        let whole = of_steps(later().count() as f64);
-        let is_next = |(k, key): (usize, f64)| (key / whole.step).round() == (k + 1) as f64;
-        if later().all(|key| whole.meets(key)) && later().enumerate().all(is_next) {
-            return whole;
-        }
-        let uniform = of_steps((last / shortest).round());
-        let steps = uniform.steps;
-        // A step shorter than any film's must not come from a few keys that happen to be close.
-        let is_warranted = uniform.step >= Self::SHORTEST_STEP || steps <= 2.0 * keys.len() as f64;
-        if is_warranted && keys.iter().all(|&key| uniform.meets(key)) {
-            return uniform;
-        }
-        Self::of_step(shortest.max(Self::SHORTEST_STEP), last)
-    }
-
-    /// Whether a frame is at a key, up to the rounding of a sum of times in single precision.
-    fn meets(&self, key: f64) -> bool {
-        let nearest = (key / self.step).round() * self.step;
-        (key - nearest).abs() <= rounding(key).max(1e-3 * self.step)
-    }
-
-    /// The time of a frame; that of the key there is, where it differs by rounding alone.
-    fn time(&self, frame: usize, keys: &[f64]) -> f64 {
-        let time = frame as f64 * self.step;
-        let after = keys.partition_point(|&key| key < time);
-        let near = [after.wrapping_sub(1), after].map(|key| keys.get(key));
-        let is_here = |key: &&f64| (*key - time).abs() <= rounding(**key);
-        near.into_iter()
-            .flatten()
-            .find(is_here)
-            .copied()
-            .unwrap_or(time)
-    }
-}
-
-/// The rounding of a sum of times in single precision.
-fn rounding(time: f64) -> f64 {
-    4.0 * f64::from(f32::EPSILON) * time
-}
-
-/// The times of all keys in rising order.
-fn key_times(animation: &Animation) -> Vec<f64> {
-    let channels = animation.channels.iter();
-    let times = channels.flat_map(|channel| channel.times.iter().copied());
-    let mut times: Vec<f64> = times.map(f64::from).collect();
-    times.sort_by(f64::total_cmp);
-    times.dedup();
-    times
-}
-
-/// The joints of skins and the nodes whose frames the animation moves.
-fn moving_nodes(document: &Document, animation: &Animation) -> Vec<bool> {
-    let mut is_moving = vec![false; document.nodes.len()];
-    let joints = document.skins.iter().flat_map(|skin| &skin.joints);
-    joints.for_each(|&node| is_moving[node] = true);
-    for channel in &animation.channels {
-        is_moving[channel.node] |= !matches!(channel.keys, Keys::Weights(_));
-    }
-    is_moving
+/// The factors of a node, the rotation in which it was bound, and its place unless it was bound
+/// elsewhere by more than rounding. `longest` is the longest bone.
+fn bound_rest(own: &Transform<f64>, bound: &Transform<f64>, longest: f64) -> Transform<f64> {
+    /// Of the longest bone, what a place in single precision may differ by.
+    const NEAR: f64 = 1e-5;
+    let is_near = own.translation().distance(bound.translation()) <= NEAR * longest;
+    let place = if is_near { own } else { bound }.translation();
+    Transform::from_parts(place, bound.rotor(), own.scale)
 }
 
 /// The nodes that move and those above them, but for nodes at the top that stay and whose frames in
@@ -413,54 +411,11 @@ fn joint_nodes(player: &Player, is_moving: &[bool], pose: &NodePose) -> Vec<bool
     let mut is_joint = is_needed;
     for &node in order {
         let is_at_top = parents[node].is_none_or(|parent| !is_joint[parent]);
-        if is_at_top && !is_moving[node] && even(pose.world[node]).is_some() {
+        if is_at_top && !is_moving[node] && even(pose.world[node], EVEN).is_some() {
             is_joint[node] = false;
         }
     }
     is_joint
-}
-
-/// The transform of a map that translates, rotates and scales evenly.
-fn even(map: Affine<f64>) -> Option<Transform<f64>> {
-    // A deviation here would be in every frame of every joint below.
-    const TOLERANCE: f64 = 1e-6;
-    let factor = map.determinant().cbrt();
-    let factors = Vector::new(factor, factor, factor);
-    let transform = || with_factors(map, factors, TOLERANCE);
-    // A mirrored map has no rotation.
-    (factor > 0.0).then(transform).flatten()
-}
-
-/// A local frame as translation, rotation and factors; `None` for a matrix that has none.
-fn parts(frame: &LocalFrame) -> Option<Transform<f64>> {
-    // Files write matrices in single precision, some with few digits.
-    const TOLERANCE: f64 = 1e-5;
-    let map = match frame {
-        LocalFrame::Parts(parts) => return Some(*parts),
-        LocalFrame::Matrix(map) => *map,
-    };
-    let column = |column: usize| Vector::from(map.linear.map(|row| row[column]));
-    let mut factors = [0, 1, 2].map(|axis| column(axis).length());
-    if map.determinant() < 0.0 {
-        factors[0] = -factors[0];
-    }
-    with_factors(map, factors.into(), TOLERANCE)
-}
-
-/// The transform that a map is, with these factors: L = R diag(s), up to a part of the largest.
-fn with_factors(map: Affine<f64>, factors: Vector<f64>, tolerance: f64) -> Option<Transform<f64>> {
-    let pairs = [0, 1, 2].map(|axis| {
-        let mut from = [0.0; 3];
-        from[axis] = factors[axis].signum();
-        (from, map.linear.map(|row| row[axis]))
-    });
-    let rotor = Rotor::from_direction_pairs(&pairs).ok()?.motion;
-    let transform = Transform::from_parts(map.translation.into(), rotor, factors);
-    let found = transform.to_affine().linear;
-    let numbers = found.as_flattened().iter().zip(map.linear.as_flattened());
-    let error = numbers.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let size = factors.abs().coordinates().into_iter().fold(0.0, f64::max);
-    (error <= tolerance * size).then_some(transform)
 }
 
 /// The name of a node, or its number.

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! [`Recording::to_skeleton`] and [`Recording::to_clip`] convert one way, [`Recording::from_clip`]
-//! the other way.
+//! and [`Recording::of_joints`] the other way.
 
 mod blend;
 mod conversion;
@@ -25,6 +25,7 @@ mod error;
 mod from_bvh;
 mod from_compressed;
 mod from_gltf;
+mod grid;
 mod mirror;
 mod mirror_axes;
 mod model_space;
@@ -191,6 +192,16 @@ impl Recording {
     #[must_use]
     pub fn tracks(&self) -> &[ScalarTrack] {
         &self.tracks
+    }
+
+    /// The recording with these scalar tracks in place of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordingError::TrackLength`] and [`RecordingError::TrackValue`].
+    pub fn with_tracks(self, tracks: Vec<ScalarTrack>) -> Result<Self, RecordingError> {
+        check_tracks(&tracks, self.frame_count())?;
+        Ok(Self { tracks, ..self })
     }
 
     /// The local transforms at a time in seconds: those of the frame there, or in between by

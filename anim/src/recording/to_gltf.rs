@@ -3,12 +3,14 @@
 use ga_mesh::gltf::{
     Animation, Channel, Document, Interpolation, Keys, Node, Scene, Transform as NodeTransform,
 };
-use ga_runtime::cga3::Rotor;
+use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
 use super::Recording;
 use super::from_gltf::{GltfMotion, Source};
+use super::model_space::model_maps;
 use crate::file_error::MotionFileError;
+use crate::gltf::{quaternion, to_node};
 use crate::motion_file::Loss;
 use crate::recording::RecordingError;
 use crate::transform::Transform;
@@ -42,20 +44,7 @@ impl Recording {
         let mut keys = NodeKeys::new(self);
         for joint in 0..self.joints.len() {
             let locals = self.locals.iter().skip(joint).step_by(self.joints.len());
-            let before = keys.channels.len();
-            keys.add(&mut document, joint, joint, locals.copied());
-            // Readers know the joints of a document without skins by what an animation moves.
-            if keys.channels.len() == before
-                && let NodeTransform::Decomposed { rotation, .. } = document.nodes[joint].transform
-            {
-                keys.channels.push(Channel {
-                    node: joint,
-                    times: vec![0.0],
-                    interpolation: Interpolation::Linear,
-                    keys: Keys::Rotation(vec![rotation]),
-                    extras: None,
-                });
-            }
+            keys.add(&mut document, joint, (joint, 1.0), locals.copied());
         }
         let mut losses = keys.losses(self);
         if !self.tracks.is_empty() {
@@ -80,11 +69,52 @@ impl GltfMotion<'_> {
     /// # Errors
     ///
     /// [`RecordingError::JointCount`] and [`RecordingError::JointName`] for a recording of other
-    /// joints.
+    /// joints, and [`MotionFileError::NoAnimation`] where there is none.
     pub fn with_recording(
         &self,
         recording: &Recording,
     ) -> Result<(Document, Vec<Loss>), MotionFileError> {
+        let (mut document, channels, losses) = self.moved(recording)?;
+        let count = document.animations.len();
+        let animation = self.animation.unwrap_or(count);
+        let replaced = document.animations.get_mut(animation);
+        let replaced = replaced.ok_or(MotionFileError::NoAnimation { animation, count })?;
+        replaced.channels = channels;
+        Ok((document, losses))
+    }
+
+    /// The document with a recording of the same joints as its first animation, and what of the
+    /// recording is not there. Its own animations follow unless `keeps` is false; where one of them
+    /// has the name already, the new one gets a number at the end of its name.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordingError::JointCount`] and [`RecordingError::JointName`].
+    pub fn with_first(
+        &self,
+        name: &str,
+        recording: &Recording,
+        keeps: bool,
+    ) -> Result<(Document, Vec<Loss>), MotionFileError> {
+        let (mut document, channels, losses) = self.moved(recording)?;
+        if !keeps {
+            document.animations.clear();
+        }
+        let first = Animation {
+            name: Some(unused_name(name, &document.animations)),
+            channels,
+            extras: None,
+        };
+        document.animations.insert(0, first);
+        Ok((document, losses))
+    }
+
+    /// The document, channels of an animation that moves its nodes as a recording does, and what of
+    /// that is not there.
+    fn moved(
+        &self,
+        recording: &Recording,
+    ) -> Result<(Document, Vec<Channel>, Vec<Loss>), MotionFileError> {
         let (expected, found) = (self.joints.len(), recording.joints.len());
         if expected != found {
             return Err(RecordingError::JointCount {
@@ -110,7 +140,8 @@ impl GltfMotion<'_> {
         for (joint, source) in self.sources.iter().enumerate() {
             let locals = recording.locals.iter().skip(joint).step_by(found);
             let own = locals.map(|local| self.own(source, local));
-            keys.add(&mut document, source.node, joint, own);
+            let unit = self.metres_per_unit * source.above.scale.e1;
+            keys.add(&mut document, source.node, (joint, unit), own);
         }
         let mut left: Vec<&super::ScalarTrack> = recording.tracks.iter().collect();
         for &node in &self.morphed {
@@ -120,6 +151,10 @@ impl GltfMotion<'_> {
                 place.map(|place| left.remove(place))
             });
             let tracks: Vec<Option<&super::ScalarTrack>> = tracks.collect();
+            // In a new animation what the recording does not know stays as the node has it.
+            if self.animation.is_none() && tracks.iter().all(Option::is_none) {
+                continue;
+            }
             let frames = 0..recording.frame_count();
             let weights = frames.flat_map(|frame| {
                 let weight = |track: &Option<&super::ScalarTrack>| {
@@ -134,8 +169,7 @@ impl GltfMotion<'_> {
             let tracks = left.iter().map(|track| track.name.clone()).collect();
             losses.push(Loss::Tracks { tracks });
         }
-        document.animations[self.animation].channels = keys.channels;
-        Ok((document, losses))
+        Ok((document, keys.channels, losses))
     }
 
     /// The transform of a node whose joint has a transform in metres: the inverse of what lies
@@ -155,11 +189,21 @@ impl GltfMotion<'_> {
     }
 }
 
+/// The name, or where an animation has it the first name with a number that none has.
+fn unused_name(name: &str, animations: &[Animation]) -> String {
+    let numbered = (2..).map(|number| format!("{name} {number}"));
+    let mut names = std::iter::once(name.to_owned()).chain(numbered);
+    let is_used = |name: &String| animations.iter().any(|it| it.name.as_ref() == Some(name));
+    names.find(|name| !is_used(name)).unwrap_or_default()
+}
+
 /// The channels of an animation with a key in every frame.
 struct NodeKeys {
     times: Vec<f32>,
     channels: Vec<Channel>,
-    /// The joint whose place is rounded most, by how much in its node's unit, and how far it is.
+    /// For each joint the factor of the joints above it at rest.
+    factors: Vec<f64>,
+    /// The joint whose place is rounded most, by how much, and how far it is, in metres.
     rounded: Option<(usize, f64, f64)>,
 }
 
@@ -167,9 +211,17 @@ impl NodeKeys {
     fn new(recording: &Recording) -> Self {
         let frames = 0..recording.frame_count();
         let time = |frame: usize| (frame as f64 * recording.frame_time) as f32;
+        let rest: Vec<_> = recording.joints.iter().map(|joint| joint.rest).collect();
+        let mut maps = vec![Affine::default(); rest.len()];
+        // A recording has one transform for each joint, parents first.
+        let done = model_maps(&recording.parents, &rest, &mut maps);
+        debug_assert!(done.is_ok());
+        let factor = |parent: usize| maps[parent].determinant().abs().cbrt();
+        let parents = recording.parents.iter();
         Self {
             times: frames.map(time).collect(),
             channels: Vec::new(),
+            factors: parents.map(|parent| parent.map_or(1.0, factor)).collect(),
             rounded: None,
         }
     }
@@ -184,22 +236,27 @@ impl NodeKeys {
         });
     }
 
-    /// Adds the channels of a node for what it does not have by itself in all frames.
+    /// Adds the channels of a node for what it does not have by itself in all frames, and in a
+    /// document without skins at least one: readers know its joints by what an animation moves. A
+    /// unit of the document above the joints is `unit` metres long.
     fn add(
         &mut self,
         document: &mut Document,
         node: usize,
-        joint: usize,
+        (joint, unit): (usize, f64),
         locals: impl Iterator<Item = Transform<f64>>,
     ) {
+        let metres = unit * self.factors[joint];
+        let needs_key = document.skins.is_empty();
+        let before = self.channels.len();
         let (mut translations, mut rotations, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         let mut first = None;
         for local in locals {
             let place = local.translation();
             let rounded = place.coordinates().map(|x| x as f32);
-            let error = place.distance(Vector::from(rounded.map(f64::from)));
+            let error = metres * place.distance(Vector::from(rounded.map(f64::from)));
             if self.rounded.is_none_or(|(_, most, _)| error > most) {
-                self.rounded = Some((joint, error, place.length()));
+                self.rounded = Some((joint, error, metres * place.length()));
             }
             translations.push(rounded);
             rotations.push(quaternion(local.rotor(), rotations.last()));
@@ -218,7 +275,7 @@ impl NodeKeys {
         let is_still = constant(&translations)
             && constant(&scales)
             && rotations.iter().all(|key| *key == rotations[0]);
-        if is_matrix && is_still && first.as_ref().is_some_and(stays) {
+        if is_matrix && is_still && !needs_key && first.as_ref().is_some_and(stays) {
             return;
         }
         if is_matrix && let Some(first) = &first {
@@ -232,7 +289,11 @@ impl NodeKeys {
         else {
             return;
         };
-        if translations.iter().any(|key| *key != translation) {
+        // What the rounding of single precision is to the place is no way.
+        let place = Vector::from(translation.map(f64::from));
+        let near = f64::from(f32::EPSILON) * place.length();
+        let stays = |key: &[f32; 3]| Vector::from(key.map(f64::from)).distance(place) <= near;
+        if !translations.iter().all(stays) {
             self.push(node, Keys::Translation(translations));
         }
         let same = |key: &[f32; 4]| *key == rotation || key.map(|x| -x) == rotation;
@@ -241,6 +302,15 @@ impl NodeKeys {
         }
         if scales.iter().any(|key| *key != scale) {
             self.push(node, Keys::Scale(scales));
+        }
+        if needs_key && self.channels.len() == before {
+            self.channels.push(Channel {
+                node,
+                times: vec![0.0],
+                interpolation: Interpolation::Linear,
+                keys: Keys::Rotation(vec![rotation]),
+                extras: None,
+            });
         }
     }
 
@@ -253,23 +323,4 @@ impl NodeKeys {
         });
         loss.into_iter().collect()
     }
-}
-
-fn to_node(local: &Transform<f64>) -> NodeTransform {
-    let single = |v: Vector<f64>| v.coordinates().map(|x| x as f32);
-    NodeTransform::Decomposed {
-        translation: single(local.translation()),
-        rotation: quaternion(local.rotor(), None),
-        scale: single(local.scale),
-    }
-}
-
-/// The quaternion of a rotor, with the sign that is nearer to the one before.
-fn quaternion(rotor: Rotor<f64>, before: Option<&[f32; 4]>) -> [f32; 4] {
-    let ([x, y, z], w) = rotor.to_quaternion();
-    let key = [x, y, z, w].map(|x| x as f32);
-    let along = before.map_or(1.0, |before| {
-        before.iter().zip(key).map(|(a, b)| a * b).sum::<f32>()
-    });
-    if along < 0.0 { key.map(|x| -x) } else { key }
 }

@@ -1,24 +1,24 @@
-//! Skeletons in files, as targets of motions that are written in the form of these files.
-
-use ga_mesh::gltf::{self, Document};
+//! Skeletons in files, as targets of motions.
 
 use super::soles::Soles;
 use super::source::Source;
 use crate::MotionFileError;
-use crate::bvh::Bvh;
 use crate::clip::Clip;
-use crate::clip::compressed;
-use crate::gltf::{Rigged, character};
-use crate::motion_file::Format;
-use crate::recording::Recording;
-use crate::skeleton::{Skeleton, SkeletonError};
+use crate::gltf::{Player, Rigged, character};
+use crate::motion_file::{Contents, MotionFile};
+use crate::recording::{GltfMotion, RecordedJoint, Recording};
+use crate::skeleton::Skeleton;
 
-/// A skeleton in a file with what it stands on, and how motions of it are written.
+/// A skeleton in a file with what it stands on. Its motions are written by
+/// [`Written`](crate::motion_file::Written), with the file as
+/// [`like`](crate::motion_file::WriteOptions::like).
 ///
 /// # Examples
 ///
 /// ```
 /// use ga_anim::bvh;
+/// use ga_anim::motion_file::{Contents, Format, MotionFile, Options, WriteOptions, Written};
+/// use ga_anim::recording::Recording;
 /// use ga_anim::retarget::Target;
 ///
 /// let body = bvh::decode(
@@ -27,71 +27,80 @@ use crate::skeleton::{Skeleton, SkeletonError};
 ///       MOTION Frames: 1 Frame Time: 0.01
 ///       90 0",
 /// )?;
-/// let clip = ga_anim::recording::Recording::from_bvh(&body, 1.0)?.to_clip()?;
-/// let target = Target::from_bvh(body, 0.01)?;
+/// let clip = Recording::from_bvh(&body, 1.0)?.to_clip()?;
+/// let options = Options { metres_per_unit: Some(0.01), ..Options::default() };
+/// let target = Target::new(MotionFile::new(Contents::Bvh(body), options))?;
 /// // Lengths are in the unit of the file, those of a recording in metres.
 /// assert_eq!(target.skeleton().joints()[1].head, [20.0, 0.0, 0.0]);
-/// assert_eq!(target.to_bvh(&clip)?.joints()[1].offset, [20.0, 0.0, 0.0]);
-/// let recording = target.to_recording(&clip)?;
+/// let recording = target.recording(&clip)?;
 /// let [x, ..] = recording.locals()[1].translation().coordinates();
 /// assert!((x - 0.2).abs() < 1e-12);
+/// let options = WriteOptions { like: Some(target.file()), ..WriteOptions::default() };
+/// let written = Written::new(&recording, Format::Bvh, &options, |_, _| {})?;
+/// let Contents::Bvh(motion) = &written.contents else { return Err("BVH".into()) };
+/// assert_eq!(motion.joints()[1].offset, [20.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Target {
+    file: MotionFile,
     skeleton: Skeleton,
+    /// The nodes that are the joints of a document.
+    nodes: Vec<usize>,
     /// For a skeleton that stands at rest.
     soles: Option<Soles>,
-    metres_per_unit: f64,
-    origin: Origin,
-}
-
-/// What the skeleton was made of.
-#[derive(Clone, Debug)]
-enum Origin {
-    Bvh(Bvh),
-    Gltf(Box<Rigged>),
+    /// The motion of a compressed clip.
+    recording: Option<Recording>,
 }
 
 impl Target {
-    /// The skeleton of a BVH file at rest, in the unit of the file, which is `metres_per_unit`
-    /// long. Its motion says how
-    /// the axes of its joints are meant.
+    /// The skeleton of a file.
+    ///
+    /// That of BVH is as it is at rest, in the unit of the file, and that of a compressed clip in
+    /// metres; their motions say how the axes of their joints are meant. The joints of glTF are
+    /// those of all skins, or all nodes where there is none, in the pose in which the skins were
+    /// bound; they stand on the lowest vertices where there is a skin, otherwise on the lowest
+    /// bones.
     ///
     /// # Errors
     ///
-    /// Those of [`Bvh::skeleton`].
-    pub fn from_bvh(motion: Bvh, metres_per_unit: f64) -> Result<Self, SkeletonError> {
-        let skeleton = motion.skeleton()?;
+    /// Those of [`Bvh::skeleton`](crate::bvh::Bvh::skeleton); of [`Rigged::new`], and
+    /// [`MotionFileError::Skin`]; of [`Recording::from_compressed`] and [`Recording::to_skeleton`].
+    pub fn new(file: MotionFile) -> Result<Self, MotionFileError> {
+        let (mut nodes, mut soles, mut recording) = (Vec::new(), None, None);
+        let skeleton = match file.contents() {
+            Contents::Bvh(motion) => motion.skeleton()?,
+            Contents::Gltf(document) => {
+                let rigged = Rigged::new(document)?;
+                nodes = rigged.nodes().to_vec();
+                let skeleton = rigged.skeleton().clone();
+                if let Ok(body) = character(document)
+                    && body.skeleton == skeleton
+                {
+                    soles = Some(Soles::of_mesh(body.mesh.positions(), &body.weights)?);
+                }
+                skeleton
+            }
+            Contents::Clip(_) => {
+                let motion = file.recording()?;
+                let skeleton = motion.to_skeleton()?;
+                recording = Some(motion);
+                skeleton
+            }
+        };
         Ok(Self {
-            soles: None,
+            file,
             skeleton,
-            metres_per_unit,
-            origin: Origin::Bvh(motion),
+            nodes,
+            soles,
+            recording,
         })
     }
 
-    /// The joints of a glTF document in the pose in which its skins were bound, in metres. They
-    /// stand on the lowest vertices where there is a skin, otherwise on the lowest bones.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Rigged::new`], and [`MotionFileError::Skin`].
-    pub fn from_gltf(document: &Document) -> Result<Self, MotionFileError> {
-        let rigged = Rigged::new(document)?;
-        let skeleton = rigged.skeleton().clone();
-        let soles = match character(document) {
-            Ok(body) if body.skeleton == skeleton => {
-                Some(Soles::of_mesh(body.mesh.positions(), &body.weights)?)
-            }
-            _ => None,
-        };
-        Ok(Self {
-            skeleton,
-            soles,
-            metres_per_unit: 1.0,
-            origin: Origin::Gltf(Box::new(rigged)),
-        })
+    /// The file.
+    #[must_use]
+    pub fn file(&self) -> &MotionFile {
+        &self.file
     }
 
     /// The skeleton at rest.
@@ -109,8 +118,9 @@ impl Target {
     /// The motion of the skeleton in its file, where that is a recording.
     #[must_use]
     pub fn motion(&self) -> Option<&dyn Source> {
-        match &self.origin {
-            Origin::Bvh(motion) if motion.frame_count() > 0 => Some(motion),
+        match self.file.contents() {
+            Contents::Bvh(motion) if motion.frame_count() > 0 => Some(motion),
+            Contents::Clip(_) => self.recording.as_ref().map(|motion| motion as &dyn Source),
             _ => None,
         }
     }
@@ -118,84 +128,27 @@ impl Target {
     /// The length of one unit of the skeleton in metres.
     #[must_use]
     pub fn metres_per_unit(&self) -> f64 {
-        self.metres_per_unit
+        self.file.metres_per_unit()
     }
 
-    /// A motion of the skeleton as BVH, in the unit of the skeleton, with the channels of a BVH
-    /// file that it was made of.
+    /// A motion of the skeleton with the axes that the joints have in the file, in metres.
     ///
     /// # Errors
     ///
-    /// Those of [`Bvh::with_clip`] and [`Bvh::from_clip`].
-    pub fn to_bvh(&self, clip: &Clip) -> Result<Bvh, MotionFileError> {
-        match &self.origin {
-            Origin::Bvh(motion) => motion.with_clip(&self.skeleton, clip),
-            Origin::Gltf(_) => Bvh::from_clip(&self.skeleton, clip),
-        }
-    }
-
-    /// A motion of the skeleton as glTF, in metres, with all that a document has that it was made
-    /// of. The motion is its first animation and has this name, or one with a number where another
-    /// animation has it.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Rigged::with_clip`], and of [`to_recording`](Self::to_recording).
-    pub fn to_gltf(&self, name: &str, clip: &Clip) -> Result<Document, MotionFileError> {
-        match &self.origin {
-            Origin::Bvh(_) => {
-                let recording = self.to_recording(clip)?;
-                let rigged = Rigged::of_skeleton(&recording.to_skeleton()?);
-                rigged.with_clip(name, &recording.to_clip()?)
+    /// Those of [`Recording::of_joints`], and of [`GltfMotion::of_joints`] for glTF.
+    pub fn recording(&self, clip: &Clip) -> Result<Recording, MotionFileError> {
+        let unit = self.metres_per_unit();
+        let joints = match (self.file.contents(), &self.recording) {
+            (Contents::Gltf(document), _) => {
+                let player = Player::new(document)?;
+                let motion = GltfMotion::of_joints(&player, &self.nodes, unit)?;
+                return Ok(motion.recording_of_clip(&self.skeleton, &self.nodes, clip)?);
             }
-            Origin::Gltf(rigged) => rigged.with_clip(name, clip),
-        }
-    }
-
-    /// The bytes of a file of a motion: BVH as of [`to_bvh`](Self::to_bvh), GLB as of
-    /// [`to_gltf`](Self::to_gltf), or the [`to_recording`](Self::to_recording) as a clip that is
-    /// compressed within these bounds, of which `progress` is told as by
-    /// [`compress`](compressed::compress).
-    ///
-    /// # Errors
-    ///
-    /// Those of these functions, and [`MotionFileError::Document`] or [`MotionFileError::Clip`]
-    /// where the motion does not fit the format.
-    pub fn encode(
-        &self,
-        format: Format,
-        name: &str,
-        clip: &Clip,
-        compression: &compressed::Options,
-        progress: impl Fn(usize, usize) + Sync,
-    ) -> Result<Vec<u8>, MotionFileError> {
-        match format {
-            Format::Bvh => Ok(self.to_bvh(clip)?.encode().into_bytes()),
-            Format::Gltf => Ok(gltf::encode(&self.to_gltf(name, clip)?)?),
-            Format::Clip => {
-                let recording = self.to_recording(clip)?;
-                let compressed = compressed::compress(&recording, compression, progress)?;
-                Ok(compressed.as_bytes().to_vec())
-            }
-        }
-    }
-
-    /// A motion of the skeleton with the axes of the joints in its file, in metres.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`to_bvh`](Self::to_bvh) and [`to_gltf`](Self::to_gltf), and
-    /// [`MotionFileError::Recording`].
-    pub fn to_recording(&self, clip: &Clip) -> Result<Recording, MotionFileError> {
-        match &self.origin {
-            Origin::Bvh(_) => {
-                let motion = self.to_bvh(clip)?;
-                Ok(Recording::from_bvh(&motion, self.metres_per_unit)?)
-            }
-            Origin::Gltf(rigged) => {
-                let document = rigged.with_clip("", clip)?;
-                Recording::from_gltf(&document, 0, self.metres_per_unit, None)
-            }
-        }
+            (_, Some(recording)) => recording.joints().to_vec(),
+            (_, None) => RecordedJoint::of_skeleton(&self.skeleton, unit),
+        };
+        let of_skeleton: Vec<Option<usize>> = (0..joints.len()).map(Some).collect();
+        let skeleton = (&self.skeleton, unit);
+        Ok(Recording::of_joints(joints, &of_skeleton, skeleton, clip)?)
     }
 }

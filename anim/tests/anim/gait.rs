@@ -1,10 +1,12 @@
 //! Steps, and motions in step, on gaits whose footfalls are known.
 
-use ga_anim::gait::{Aligned, Foot, GaitProblem, footfalls};
+use ga_anim::bvh;
+use ga_anim::gait::{Aligned, Foot, Footfall, GaitProblem, footfalls};
 use ga_anim::recording::{Cycle, Played, Recording, blend_played};
 use ga_anim::retarget::Source;
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_runtime::vga3::Vector;
+use nullcone_shared_data::shared;
 
 use crate::walker::{ANKLES, Gait, RUN, WALK};
 
@@ -120,6 +122,44 @@ fn a_motion_without_steps_is_an_error_that_names_it() {
     );
     // What counts for nothing needs no steps.
     assert!(Aligned::new(&[(&walk, 1.0), (&stands, 0.0)], false).is_ok());
+}
+
+/// A third of a recording does not have the steps of the whole, however often it is repeated; the
+/// footfall that is named is one that it has.
+#[test]
+fn feet_in_another_order_are_named_by_a_time_of_the_motion() {
+    let Some(path) = shared("data/anim/bvh/01_01.bvh") else {
+        return;
+    };
+    let whole = Recording::from_bvh(&bvh::read(path).unwrap(), 0.0254 / 0.45).unwrap();
+    let count = whole.joints().len();
+    let locals = whole.locals()[..917 * count].to_vec();
+    let third = Recording::new(whole.joints().to_vec(), whole.frame_time(), locals, vec![]);
+    let third = third.unwrap();
+    let error = Aligned::new(&[(&whole, 0.5), (&third, 0.5)], true).unwrap_err();
+    assert_eq!(error.motion, 1);
+    let message = error.problem.to_string();
+    let GaitProblem::Order {
+        seconds: time_seconds,
+        is_repeated: true,
+        found: foot,
+        expected,
+    } = error.problem
+    else {
+        panic!("{message}");
+    };
+    let footfall = Footfall { foot, time_seconds };
+    assert!(footfalls(&third).unwrap().contains(&footfall), "{message}");
+    assert!(foot != expected && time_seconds <= third.duration());
+    let [found, expected] = [foot, expected].map(|foot| match foot {
+        Foot::Left => "the left foot",
+        Foot::Right => "the right foot",
+        Foot::Both => "both feet",
+    });
+    let end = format!(
+        "at {time_seconds:.3} s, when its strides are repeated, {found} in place of {expected}"
+    );
+    assert!(message.ends_with(&end), "{message}");
 }
 
 #[test]

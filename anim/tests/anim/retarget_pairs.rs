@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use ga_anim::bvh;
+use ga_anim::motion_file::{self, MotionFile};
 use ga_anim::recording::Recording;
 use ga_anim::retarget::{FootLocking, Options, Retarget, Soles, Source, Target};
 use ga_anim::rig;
@@ -404,10 +405,10 @@ fn characters(folders: &[PathBuf]) -> Vec<Character> {
         .iter()
         .flat_map(|folder| files(folder, &["gltf", "glb"]))
     {
-        let Ok(document) = ga_mesh::gltf::read(&path) else {
+        let Ok(file) = MotionFile::read(&path, motion_file::Options::default()) else {
             continue;
         };
-        if let Ok(target) = Target::from_gltf(&document) {
+        if let Ok(target) = Target::new(file) {
             add(&path, target.skeleton(), target.soles().cloned());
         }
     }

@@ -88,7 +88,9 @@ fn a_recording_comes_back_from_its_own_skeleton() {
         };
         let retarget = Retarget::new(&motion, &target, &options).unwrap();
         let clip = retarget.clip(0..=motion.frame_count() - 1).unwrap();
-        let again = motion.with_clip(&target, &clip).unwrap();
+        let recording = Recording::from_clip(&target, &clip).unwrap();
+        let (again, losses) = Bvh::from_recording(&recording, 1.0, Some((&motion, 1.0)));
+        assert!(losses.is_empty(), "{losses:?}");
         for frame in 0..motion.frame_count() {
             for (found, wanted) in places(&again, frame)
                 .into_iter()

@@ -4,7 +4,9 @@ use ga_anim::MotionFileError;
 use ga_anim::bvh::{self, Bvh};
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Player, Rigged, character};
+use ga_anim::motion_file::Loss;
 use ga_anim::pose::Pose;
+use ga_anim::recording::{Recording, RecordingError};
 use ga_anim::skeleton::{Joint, Skeleton};
 use ga_mesh::gltf::{Document, Keys, Node, Transform};
 use ga_runtime::cga3::{Motor, Rotor, Translator};
@@ -45,7 +47,9 @@ proptest! {
         let skeleton = skeleton(&places);
         let poses = poses.iter().map(|(numbers, way)| pose(&skeleton, numbers, *way));
         let clip = Clip::new(0.025, poses.collect()).unwrap();
-        let motion = Bvh::from_clip(&skeleton, &clip).unwrap();
+        let recording = Recording::from_clip(&skeleton, &clip).unwrap();
+        let (motion, losses) = Bvh::from_recording(&recording, 1.0, None);
+        prop_assert!(losses.is_empty(), "{:?}", losses);
         let again = bvh::decode(motion.encode().as_bytes()).unwrap();
         prop_assert_eq!(&again, &motion);
         prop_assert_eq!(again.frame_count(), clip.frames().len());
@@ -65,7 +69,8 @@ proptest! {
         // With the channels of a recording that is there already.
         let source = again.skeleton().unwrap();
         let own = Clip::new(0.1, vec![again.pose(0).unwrap()]).unwrap();
-        let other = again.with_clip(&source, &own).unwrap();
+        let own = Recording::from_clip(&source, &own).unwrap();
+        let (other, _) = Bvh::from_recording(&own, 1.0, Some((&again, 1.0)));
         let (a, b) = (other.joint_positions(0).unwrap(), again.joint_positions(0).unwrap());
         for (a, b) in a.into_iter().zip(b) {
             prop_assert!(Vector::from(a).distance(b.into()) < 1e-12);
@@ -81,7 +86,11 @@ fn what_moves_has_positions_and_what_is_not_a_motion_is_an_error() {
     moved.joints[3] = Motor::from(Translator::from_displacement([0.0, 0.25, 0.0]));
     let clip = Clip::new(0.1, vec![Pose::rest(7), moved]).unwrap();
     // A joint that leaves its place has positions.
-    let motion = Bvh::from_clip(&skeleton, &clip).unwrap();
+    let in_bvh = |skeleton: &Skeleton, clip: &Clip| {
+        let recording = Recording::from_clip(skeleton, clip);
+        recording.map(|recording| Bvh::from_recording(&recording, 1.0, None))
+    };
+    let (motion, _) = in_bvh(&skeleton, &clip).unwrap();
     let again = bvh::decode(motion.encode().as_bytes()).unwrap();
     let joint = again.index("joint 3").unwrap();
     let place = |frame: usize| again.joint_positions(frame).unwrap()[joint];
@@ -89,8 +98,8 @@ fn what_moves_has_positions_and_what_is_not_a_motion_is_an_error() {
     assert!(Vector::from(place(1)).distance(Vector::new(3.0, 0.25, 1.0)) < 1e-12);
     let short = Clip::new(0.1, vec![Pose::rest(6)]).unwrap();
     assert!(matches!(
-        Bvh::from_clip(&skeleton, &short),
-        Err(MotionFileError::Skeleton(_))
+        in_bvh(&skeleton, &short),
+        Err(RecordingError::Skeleton(_))
     ));
     let named = |a: &str, b: &str| {
         let joint = |name: &str| Joint {
@@ -100,13 +109,16 @@ fn what_moves_has_positions_and_what_is_not_a_motion_is_an_error() {
             tail: [0.0; 3],
         };
         let skeleton = Skeleton::new(vec![joint(a), joint(b)]).unwrap();
-        Bvh::from_clip(&skeleton, &Clip::new(0.1, vec![Pose::rest(2)]).unwrap())
+        let still = Clip::new(0.1, vec![Pose::rest(2)]).unwrap();
+        let (motion, losses) = in_bvh(&skeleton, &still).unwrap();
+        let names = motion.joints().iter().map(|joint| joint.name.clone());
+        let kinds = losses.iter().map(Loss::kind);
+        (names.collect::<Vec<_>>(), kinds.collect::<Vec<_>>())
     };
-    assert!(matches!(
-        named("a{", "a}"),
-        Err(MotionFileError::DuplicateName { .. })
-    ));
-    assert_eq!(named("a\nb", "").unwrap().joints()[0].name, "a b");
+    let renamed = "joint_renamed";
+    let expected = |names: [&str; 2]| (names.map(str::to_owned).to_vec(), vec![renamed; 2]);
+    assert_eq!(named("a{", "a}"), expected(["a_", "a__2"]));
+    assert_eq!(named("a\nb", ""), expected(["a b", "_"]));
 }
 
 /// The places of the joints of a document in its animation are those of the poses.
@@ -187,7 +199,7 @@ fn a_skeleton_alone_plays_a_clip() {
     let short = Clip::new(0.1, vec![Pose::rest(6)]).unwrap();
     assert!(matches!(
         rigged.with_clip("short", &short),
-        Err(MotionFileError::Skeleton(_))
+        Err(MotionFileError::Recording(RecordingError::Skeleton(_)))
     ));
     // A frame that is scaled unevenly has no rotation below it.
     let node = |children: Vec<usize>, scale| Node {
@@ -207,7 +219,10 @@ fn a_skeleton_alone_plays_a_clip() {
     let still = Clip::new(0.1, vec![Pose::rest(2)]).unwrap();
     assert_eq!(
         rigged.with_clip("still", &still).unwrap_err(),
-        MotionFileError::Uneven { node: 0 }
+        RecordingError::ScaledUnevenly {
+            name: "node 0".into()
+        }
+        .into()
     );
 }
 

@@ -137,7 +137,8 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
         metres_per_unit: arguments.motion_metres_per_unit,
         ..Options::default()
     };
-    let motion = motion_file::read_any(&arguments.motion, options, &mut warnings)?;
+    let option = "--motion-metres-per-unit";
+    let motion = motion_file::read_any(&arguments.motion, options, option, &mut warnings)?;
     let unit = motion.metres_per_unit();
     let motion = motion
         .recording_in_units()

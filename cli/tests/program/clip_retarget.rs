@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use ga_anim::bvh;
 use nullcone_shared_data::shared;
 use tempfile::{TempDir, tempdir};
 
@@ -291,8 +292,8 @@ fn what_cannot_be_retargeted_is_an_error_and_writes_nothing() {
             &["--out", "out.txt"][..],
         ),
         (
-            &["cmu.bvh", "--target", "cmu.clip", "--out", "out.bvh"],
-            &["--target cmu.clip"],
+            &["cmu.bvh", "--target", "cmu.txt", "--out", "out.bvh"],
+            &["--target", "cmu.txt"],
         ),
         (
             &[
@@ -435,4 +436,79 @@ fn what_another_format_leaves_out_of_the_target_is_listed() {
         );
     }
     assert!(left_out("man.glb").is_empty());
+}
+
+/// What a format does not hold of a target is said, and is no doubt about the motion.
+#[test]
+fn ends_of_bones_are_kept_or_listed() {
+    let folder = folder();
+    let lost = |out: &str| {
+        let words = [
+            "clip",
+            "retarget",
+            "cmu.bvh",
+            "--target",
+            "biped.bvh",
+            "--out",
+            out,
+        ];
+        let report = json(folder.path(), &words);
+        assert_eq!(report["verdict"], "good", "{out}");
+        let warnings = report["warnings"].as_array().unwrap().iter();
+        let kinds = warnings.map(|warning| warning["kind"].as_str().unwrap().to_owned());
+        kinds.collect::<Vec<_>>()
+    };
+    assert_eq!(lost("o.bvh"), [""; 0]);
+    assert_eq!(lost("o.glb"), ["end_sites_left_out"]);
+    assert_eq!(lost("o.clip"), ["end_sites_left_out"]);
+    let [before, after] = ["biped.bvh", "o.bvh"].map(|name| {
+        let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        bvh::decode(text.as_bytes()).unwrap().joints().to_vec()
+    });
+    assert_eq!(before, after);
+}
+
+/// The skeleton of a recording is the same after its compression.
+#[test]
+fn a_compressed_clip_is_a_target() {
+    let folder = folder();
+    let path = folder.path();
+    let compress = ["clip", "compress", "biped.bvh", "--tolerance", "0.00001"];
+    json(path, &[&compress[..], &["--out", "biped.clip"]].concat());
+    let retarget = |target: &str, out: &str| {
+        let words = [
+            "clip", "retarget", "cmu.bvh", "--target", target, "--out", out,
+        ];
+        json(path, &words)
+    };
+    let truth = retarget("biped.bvh", "truth.bvh");
+    for out in ["o.bvh", "o.glb", "o.clip"] {
+        let report = retarget("biped.clip", out);
+        for key in ["map", "map_by", "frames", "joints", "verdict"] {
+            assert_eq!(report[key], truth[key], "{key}");
+        }
+        assert_eq!(report["target_metres_per_unit"], 1.0);
+        for time in [0.0, 0.17, 0.39] {
+            let [found, known] =
+                [out, "truth.bvh"].map(|motion| places(path, motion, &BIPED, time));
+            for (found, known) in found.iter().flatten().zip(known.iter().flatten()) {
+                assert!((found - known).abs() < 2e-3, "{out}: {found} {known}");
+            }
+        }
+    }
+    let words = [
+        "clip",
+        "retarget",
+        "cmu.bvh",
+        "--target",
+        "biped.clip",
+        "--out",
+        "p.bvh",
+    ];
+    let unit = ["--target-metres-per-unit", "0.01"];
+    assert_failure(
+        &nullcone(path, [&words[..], &unit].concat()),
+        &["--target-metres-per-unit", "biped.clip"],
+    );
+    assert!(!names(path).contains(&"p.bvh".to_owned()));
 }

@@ -316,6 +316,14 @@ fn characters_keep_all_but_what_is_replaced() {
             );
         }
     }
+    // In another folder the picture is the same one.
+    std::fs::create_dir(path.join("other")).unwrap();
+    let convert = ["clip", "convert", "hero.glb", "--out", "other/hero.gltf"];
+    assert_success(&nullcone(path, convert));
+    let document = gltf::read(path.join("other/hero.gltf")).unwrap();
+    let picture = ImageSource::Uri("../paint.png".to_owned());
+    assert_eq!(document.images[0].source, picture);
+
     // A file with one animation in place of another is not longer.
     let length = |name: &str| std::fs::metadata(path.join(name)).unwrap().len();
     assert!(length("moved.glb") < length("hero.glb") * 3 / 2);

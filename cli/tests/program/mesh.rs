@@ -49,6 +49,7 @@ fn info_counts_the_elements() {
         ("unreferenced_vertices", 1),
         ("duplicate_vertices", 0),
         ("degenerate_faces", 0),
+        ("keyhole_faces", 0),
         ("concave_faces", 0),
         ("non_planar_faces", 0),
     ] {

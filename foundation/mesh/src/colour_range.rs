@@ -8,6 +8,8 @@
 pub(crate) struct ColourRange<P> {
     /// The first number that is not between 0 and 1.
     outside: Option<(P, f64)>,
+    /// At how many places there is one.
+    places: usize,
     /// The first number that is not a byte.
     no_byte: Option<(P, f64)>,
 }
@@ -19,15 +21,20 @@ pub(crate) struct ColourOutOfRange<P> {
     pub(crate) value: f64,
 }
 
+/// Colours that are bytes: where the first of them is beyond 1, the number there, and at how many
+/// places they are.
+#[derive(Debug, PartialEq)]
+pub(crate) struct ByteColours<P> {
+    pub(crate) place: P,
+    pub(crate) value: f64,
+    pub(crate) places: usize,
+}
+
 /// The rounding of numbers with six digits.
 const ROUNDING: f64 = 1e-5;
 
 /// Stands for the brightest in any range.
 pub(crate) const BRIGHTEST: f64 = f64::INFINITY;
-
-/// The warning that colours are taken as bytes.
-pub(crate) const BYTE_COLOURS: &str = "the colours of the vertices go beyond 1 and are whole \
-     numbers up to 255; they are divided by 255";
 
 /// The greatest byte.
 const BYTE: f64 = 255.0;
@@ -36,6 +43,7 @@ impl<P> Default for ColourRange<P> {
     fn default() -> Self {
         Self {
             outside: None,
+            places: 0,
             no_byte: None,
         }
     }
@@ -44,6 +52,7 @@ impl<P> Default for ColourRange<P> {
 impl<P: Clone> ColourRange<P> {
     /// Looks at numbers of colours at a place.
     pub(crate) fn see(&mut self, numbers: &[f64], place: &P) {
+        self.places += usize::from(!numbers.iter().all(|&number| is_part(number)));
         for &number in numbers {
             let seen = || Some((place.clone(), number));
             if !is_part(number) && self.outside.is_none() {
@@ -55,11 +64,15 @@ impl<P: Clone> ColourRange<P> {
         }
     }
 
-    /// The brightest: 1 or 255.
-    pub(crate) fn full_scale(self) -> Result<f64, ColourOutOfRange<P>> {
+    /// The bytes; `None` where the brightest is 1.
+    pub(crate) fn bytes(self) -> Result<Option<ByteColours<P>>, ColourOutOfRange<P>> {
         match (self.outside, self.no_byte) {
-            (None, _) => Ok(1.0),
-            (Some(_), None) => Ok(BYTE),
+            (None, _) => Ok(None),
+            (Some((place, value)), None) => Ok(Some(ByteColours {
+                place,
+                value,
+                places: self.places,
+            })),
             (Some(outside), Some(no_byte)) => {
                 let (place, value) = if is_part(no_byte.1) { outside } else { no_byte };
                 Err(ColourOutOfRange { place, value })
@@ -69,7 +82,8 @@ impl<P: Clone> ColourRange<P> {
 }
 
 /// The part of the brightest that a number stands for.
-pub(crate) fn part(number: f64, full_scale: f64) -> f64 {
+pub(crate) fn part(number: f64, is_byte: bool) -> f64 {
+    let full_scale = if is_byte { BYTE } else { 1.0 };
     (number / full_scale).clamp(0.0, 1.0)
 }
 

@@ -74,8 +74,8 @@ impl Format {
                 endings: &["ply"],
                 keeps_materials: false,
                 keeps_animations: false,
-                read: |path, _| {
-                    let (mesh, warnings) = ply::read_with_warnings(path)?;
+                read: |path, reading| {
+                    let (mesh, warnings) = ply::read_with_warnings(path, reading)?;
                     Ok((mesh, warnings.iter().map(Warning::from).collect()))
                 },
                 files: |_, mesh, options| Ok(vec![(String::new(), ply::encode(mesh, options.ply))]),

@@ -56,8 +56,10 @@ pub struct Summary {
     pub unreferenced_vertices: usize,
     /// Vertices at the very place of an earlier one.
     pub duplicate_vertices: usize,
-    /// Faces that name a vertex twice or have no area.
+    /// Faces that name a vertex twice without a keyhole, or have no area.
     pub degenerate_faces: usize,
+    /// Faces with a hole to which an edge leads, along which they run there and back.
+    pub keyhole_faces: usize,
     /// Faces with an angle of more than 180° inside.
     pub concave_faces: usize,
     /// Faces whose corners do not lie in a plane.
@@ -188,6 +190,7 @@ impl Summary {
             unreferenced_vertices: report.unreferenced_vertices.len(),
             duplicate_vertices: report.duplicate_vertices.len(),
             degenerate_faces: report.degenerate_faces.len(),
+            keyhole_faces: report.keyhole_faces.len(),
             concave_faces: report.concave_faces.len(),
             non_planar_faces: report.non_planar_faces.len(),
             duplicate_faces: report.duplicate_faces.len(),

@@ -1,5 +1,4 @@
-//! Clips as glTF's nodes and keys, and through a written file and back, against the matrices of
-//! glam.
+//! Clips as recordings, and as the animation of a written file, against the matrices of glam.
 
 mod character;
 mod encoded;
@@ -10,11 +9,12 @@ mod reference;
 mod refused;
 
 use ga_anim::clip::Clip;
-use ga_anim::gltf::{animation, joint_nodes, vertex_weights};
+use ga_anim::gltf::{Rigged, joint_nodes, vertex_weights};
 use ga_anim::pose::Pose;
+use ga_anim::recording::{Recording, RecordingError};
 use ga_anim::skeleton::{Joint, Skeleton, SkeletonError};
 use ga_anim::weights::SkinWeights;
-use ga_mesh::gltf::model::{Animation, Dielectric, JointNode, Model, Skin, encode};
+use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
@@ -92,12 +92,12 @@ fn vertices() -> impl Strategy<Value = Vec<([f64; 3], [f64; 8])>> {
     prop::collection::vec((vector(), prop::array::uniform8(0.01f64..1.0)), 3..20)
 }
 
-/// A file of a mesh with these vertices and one triangle.
+/// A file of a mesh with these vertices and one triangle, which a clip moves.
 fn file(
     positions: &[[f64; 3]],
     weights: &[Vec<(u32, f64)>],
-    joints: &[JointNode],
-    animations: &[Animation],
+    skeleton: &Skeleton,
+    clip: &Clip,
 ) -> Vec<u8> {
     let normals = vec![[0.0, 0.0, 1.0]; positions.len()];
     let model = Model {
@@ -106,10 +106,16 @@ fn file(
         normals: &normals,
         triangles: &[[0, 1, 2]],
         material: Dielectric::default(),
-        skin: Some(Skin { joints, weights }),
-        animations,
+        skin: Some(Skin {
+            joints: &joint_nodes(skeleton),
+            weights,
+        }),
+        animations: &[],
     };
-    encode(&model).unwrap()
+    let nodes = (0..skeleton.len()).collect();
+    let rigged = Rigged::of_nodes(to_document(&model).unwrap(), skeleton.clone(), nodes);
+    let document = rigged.unwrap().with_clip("clip", clip).unwrap();
+    ga_mesh::gltf::encode(&document).unwrap()
 }
 
 fn assert_near(found: &[DVec3], expected: &[DVec3], tolerance: f64) {
@@ -126,10 +132,10 @@ fn assert_near(found: &[DVec3], expected: &[DVec3], tolerance: f64) {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// The skeleton's joints rotate about their positions and the whole moves after them. A player
-    /// of the nodes and keys, whose frames are chained from parent to child, sees the same.
+    /// The skeleton's joints rotate about their positions and the whole moves after them. The
+    /// transforms of a recording, chained from parent to child, move points in the same way.
     #[test]
-    fn nodes_and_keys_move_points_as_the_motors_do(
+    fn nodes_and_recordings_move_points_as_the_motors_do(
         heads in heads(),
         rotations in rotations(),
         steps in prop::collection::vec(vector(), 4),
@@ -139,21 +145,18 @@ proptest! {
         let clip = clip(&skeleton, &rotations, &steps);
 
         let nodes = joint_nodes(&skeleton);
-        let animation = animation("clip", &skeleton, &clip).unwrap();
+        let recording = Recording::from_clip(&skeleton, &clip).unwrap();
         prop_assert_eq!(nodes.len(), skeleton.len());
-        prop_assert_eq!(animation.tracks.len(), skeleton.len());
         let mut rest: Vec<Motor<f64>> = Vec::new();
         for (node, joint) in nodes.iter().zip(skeleton.joints()) {
             prop_assert_eq!((&node.name, node.parent), (&joint.name, joint.parent));
             rest.push(node.parent.map_or(node.rest, |parent| rest[parent] * node.rest));
         }
         for (frame, (rotations, &step)) in rotations.iter().zip(&steps).enumerate() {
-            prop_assert_eq!(animation.times[frame], 0.25 * frame as f64);
             let expected = motions(&skeleton, rotations, step);
             let mut played: Vec<Motor<f64>> = Vec::new();
             for (j, joint) in skeleton.joints().iter().enumerate() {
-                prop_assert_eq!(animation.tracks[j].joint, j);
-                let key = animation.tracks[j].keys[frame];
+                let key = recording.frame(frame).unwrap()[j].motor;
                 played.push(joint.parent.map_or(key, |parent| played[parent] * key));
 
                 let found = (played[j] * rest[j].reverse()).transform(Point::from(at));
@@ -179,8 +182,7 @@ proptest! {
         };
         let rows = vertices.iter().map(row);
         let weights = vertex_weights(&SkinWeights::new(skeleton.len(), rows).unwrap());
-        let animation = animation("clip", &skeleton, &clip).unwrap();
-        let file = file(&positions, &weights, &joint_nodes(&skeleton), &[animation]);
+        let file = file(&positions, &weights, &skeleton, &clip);
 
         // Up to eight joints in a chain, in single precision.
         let rest: Vec<DVec3> = positions.iter().map(|&position| position.into()).collect();
@@ -218,11 +220,12 @@ fn a_clip_for_another_skeleton_is_refused() {
     };
     let skeleton = Skeleton::new(vec![joint]).unwrap();
     let clip = Clip::new(1.0, vec![Pose::rest(2)]).unwrap();
+    let error = SkeletonError::PoseLength {
+        expected: 1,
+        found: 2,
+    };
     assert_eq!(
-        animation("clip", &skeleton, &clip),
-        Err(SkeletonError::PoseLength {
-            expected: 1,
-            found: 2
-        })
+        Recording::from_clip(&skeleton, &clip),
+        Err(RecordingError::Skeleton(error))
     );
 }

@@ -140,13 +140,13 @@ impl Command for Arguments {
                 (mean.with_context(|| file.clone())?, None)
             }
         };
-        let Some(first) = read.first() else {
+        let (Some(first), Some(path)) = (read.first(), motions.first()) else {
             anyhow::bail!("there is no motion");
         };
         let output = Output {
             recording: &mean,
             inputs,
-            like: first,
+            like: (path, first),
             warnings,
         };
         let report = target.write(format, output, &progress)?;

@@ -90,7 +90,7 @@ impl Command for Arguments {
         let output = Output {
             recording: &recording,
             inputs: vec![Input::new(file, &read, &recording)],
-            like: &read,
+            like: (&motion.motion, &read),
             warnings,
         };
         // What is beside the motion is not asked for.

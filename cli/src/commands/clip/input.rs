@@ -10,6 +10,9 @@ use serde::Serialize;
 use crate::frame::Warning;
 use crate::motion_file;
 
+/// The option that gives the length of a unit.
+const UNIT: &str = "--metres-per-unit";
+
 /// A motion in a file, and how to read it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct MotionArguments {
@@ -44,7 +47,7 @@ impl MotionArguments {
         let format = self.format()?;
         let (unit, is_gltf) = (self.metres_per_unit, format == Format::Gltf);
         for (option, is_given, applies) in [
-            ("--metres-per-unit", unit.is_some(), format != Format::Clip),
+            (UNIT, unit.is_some(), format != Format::Clip),
             ("--animation", self.animation.is_some(), is_gltf),
             ("--rate", self.rate.is_some(), is_gltf),
         ] {
@@ -55,12 +58,12 @@ impl MotionArguments {
             );
         }
         let options = Options {
-            metres_per_unit: checked_unit("--metres-per-unit", unit)?,
+            metres_per_unit: checked_unit(UNIT, unit)?,
             animation: self.animation.unwrap_or(0),
             rate: self.rate,
             ..Options::default()
         };
-        motion_file::read_any(&self.motion, options, warnings)
+        motion_file::read_any(&self.motion, options, UNIT, warnings)
     }
 
     /// Reads the file as [`read`](Self::read), frame by frame.

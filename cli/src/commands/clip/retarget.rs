@@ -2,19 +2,18 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed;
-use ga_anim::motion_file::{Format as MotionFormat, Loss};
+use ga_anim::motion_file::{Animations, Format as MotionFormat, Options, WriteOptions};
+use ga_anim::recording::Recording;
 use ga_anim::retarget::{MapOrigin, Target, Transfer};
-use ga_anim::unit::likely_unit;
-use ga_mesh::gltf;
 use serde::Serialize;
 
 use super::input::{MotionArguments, checked_unit};
+use super::target::{FORMATS, put, written};
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
 use crate::motion_file;
-use crate::output;
 use crate::shell::quoted;
 use crate::transfer::{Body, Motion, TransferArguments};
 
@@ -64,9 +63,9 @@ use crate::transfer::{Body, Motion, TransferArguments};
 pub(crate) struct Arguments {
     #[command(flatten)]
     motion: MotionArguments,
-    /// The skeleton: that of a BVH file, or the joints of a glTF file in the pose in which its skin
-    /// was bound.
-    #[arg(long, value_name = "FILE.bvh|FILE.glb")]
+    /// The skeleton: that of a BVH file or of a compressed clip at rest, or the joints of a glTF
+    /// file in the pose in which its skin was bound.
+    #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     target: PathBuf,
     /// The length of one unit of a target of the kind .bvh in metres [default: found from the
     /// length of the legs].
@@ -74,14 +73,18 @@ pub(crate) struct Arguments {
     target_metres_per_unit: Option<f64>,
     #[command(flatten)]
     transfer: TransferArguments,
-    /// The greatest error of a joint in a target of the kind .clip.
-    #[arg(long, value_name = "METRES", default_value_t = 1e-4)]
-    tolerance: f64,
-    /// The motion to be written. A .glb keeps all that a target of that kind has, with the motion
-    /// as the first animation, and a .bvh the channels of a target of that kind.
+    /// The greatest error of a joint by compression, for .clip; by default that of a target that is
+    /// a clip, otherwise 0.0001.
+    #[arg(long, value_name = "METRES")]
+    tolerance: Option<f64>,
+    /// The motion to be written, in the format that its name says.
+    ///
+    /// A .glb or .gltf keeps all that a target of that kind has, with the motion as the first
+    /// animation; a .bvh the unit, channels, offsets and End Sites of a target of that kind. What a
+    /// format does not hold is listed in warnings.
     #[arg(long, value_name = "OUT.bvh|OUT.glb|OUT.clip")]
     out: PathBuf,
-    /// Drop the animations that a target of the kind .glb has.
+    /// Drop the animations that a target of the kind .glb or .gltf has.
     #[arg(long)]
     replace: bool,
     #[command(flatten)]
@@ -98,12 +101,11 @@ impl Command for Arguments {
     fn run(&self, context: &Context) -> Result<Report> {
         let inputs = [&self.motion.motion, &self.target].into_iter();
         let mut files = context.files(inputs.chain(self.transfer.inputs()))?;
-        let formats = [Format::Bvh, Format::Glb, Format::Gltf, Format::Clip];
-        let format = files.write("--out", &self.out, &formats)?;
+        let format = files.write("--out", &self.out, &FORMATS)?;
         let progress = context.progress(5);
         let mut warnings = Vec::new();
         progress.step("reading the target");
-        let (target, losses) = self.target(format, &mut warnings)?;
+        let target = self.target(&mut warnings)?;
         progress.step("reading the motion");
         let (file, target_file) = (self.motion.file(), self.target.display().to_string());
         let read = self.motion.read(&mut warnings)?;
@@ -123,10 +125,11 @@ impl Command for Arguments {
         };
         let transfer = self.transfer.transfer(&motion, &body, &mut warnings);
         let transfer = transfer.with_context(|| format!("{file} cannot move {target_file}"))?;
-        progress.step("writing");
-        self.write(format, &target, &transfer, &progress)?;
         let verdict = Verdict::of(&warnings);
-        warnings.extend(losses.iter().map(|loss| motion_file::lost(loss, &self.out)));
+        let recording = target.recording(&transfer.clip);
+        let recording = recording.and_then(|it| Ok(it.with_tracks(source.tracks().to_vec())?));
+        let recording = recording.with_context(|| target_file.clone())?;
+        self.write(format, &target, &recording, &mut warnings, &progress)?;
         Ok(Report {
             file,
             target: target_file,
@@ -140,77 +143,50 @@ impl Command for Arguments {
 }
 
 impl Arguments {
-    /// The target, and what of its file is not in one of this format.
-    fn target(&self, format: Format, warnings: &mut Vec<Warning>) -> Result<(Target, Vec<Loss>)> {
-        let path = &self.target;
-        let shown = || path.display().to_string();
-        let option = "--target-metres-per-unit";
+    fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
+        let (path, option) = (&self.target, "--target-metres-per-unit");
+        let format = MotionFormat::of_path(path).context("--target")?;
         let given = checked_unit(option, self.target_metres_per_unit)?;
-        match MotionFormat::of_path(path).context("--target")? {
-            MotionFormat::Bvh => {
-                let motion = motion_file::read(path, warnings)?;
-                let likely = likely_unit(&motion);
-                if given.is_none() {
-                    motion_file::warn_of_unit(path, likely, option, warnings);
-                }
-                let unit = given.unwrap_or(likely.metres);
-                let target = Target::from_bvh(motion, unit).with_context(shown)?;
-                Ok((target, Vec::new()))
-            }
-            MotionFormat::Gltf => {
-                ensure!(
-                    self.target_metres_per_unit.is_none(),
-                    "--target-metres-per-unit does not apply to {}, which is in metres",
-                    path.display()
-                );
-                let mut document = gltf::read(path)?.relocated(path, &self.out)?;
-                if self.replace {
-                    document.animations.clear();
-                }
-                let losses = match format {
-                    Format::Glb | Format::Gltf => Vec::new(),
-                    _ => Loss::of_document(&document, 0),
-                };
-                let target = Target::from_gltf(&document).with_context(shown)?;
-                Ok((target, losses))
-            }
-            MotionFormat::Clip => bail!(
-                "--target {}: a skeleton is a file of the kind .bvh, .glb or .gltf",
-                path.display()
-            ),
-        }
+        ensure!(
+            given.is_none() || format == MotionFormat::Bvh,
+            "{option} does not apply to {}, which is in metres",
+            path.display()
+        );
+        let options = Options {
+            metres_per_unit: given,
+            ..Options::default()
+        };
+        let file = motion_file::read_any(path, options, option, warnings)?;
+        Target::new(file).with_context(|| path.display().to_string())
     }
 
+    /// Writes a motion of the target, and adds what the format does not hold to the warnings.
     fn write(
         &self,
         format: Format,
         target: &Target,
-        transfer: &Transfer,
+        recording: &Recording,
+        warnings: &mut Vec<Warning>,
         progress: &Progress,
     ) -> Result<()> {
-        let (out, clip, name) = (
-            &self.out,
-            &transfer.clip,
-            ga_files::stem(&self.motion.motion),
-        );
-        let shown = || format!("{} cannot be written", out.display());
-        let format = match format {
-            Format::Gltf => {
-                let document = target.to_gltf(&name, clip).with_context(shown)?;
-                return Ok(gltf::write(out, &document)?);
-            }
-            Format::Glb => MotionFormat::Gltf,
-            Format::Clip => MotionFormat::Clip,
-            _ => MotionFormat::Bvh,
+        let defaults = target.file().compression();
+        let options = WriteOptions {
+            name: &ga_files::stem(&self.motion.motion),
+            like: Some(target.file()),
+            animations: match self.replace {
+                true => Animations::Alone,
+                false => Animations::First,
+            },
+            compression: compressed::Options {
+                tolerance: self.tolerance.unwrap_or(defaults.tolerance),
+                ..defaults
+            },
+            ..WriteOptions::default()
         };
-        let compression = compressed::Options {
-            tolerance: self.tolerance,
-            ..compressed::Options::default()
-        };
-        let bytes = target.encode(format, &name, clip, &compression, |done, steps| {
-            progress.at(done as u64, steps as u64);
-        });
-        output::write(out, &bytes.with_context(shown)?)
+        let written = written(recording, format, &options, progress);
+        let written = written.with_context(|| format!("{} cannot be written", self.out.display()));
+        put(&self.out, format, written?, &self.target, warnings)?;
+        Ok(())
     }
 }
 

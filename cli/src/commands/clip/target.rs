@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
+use ga_anim::MotionFileError;
 use ga_anim::clip::compressed::{Accuracy, NamedBound, Options, Size};
 use ga_anim::motion_file::{Contents, Format as MotionFormat, MotionFile, WriteOptions, Written};
 use ga_anim::recording::Recording;
@@ -59,8 +60,8 @@ pub(super) struct Output<'a> {
     pub(super) recording: &'a Recording,
     /// What it was made of.
     pub(super) inputs: Vec<Input>,
-    /// The first file that it was made of.
-    pub(super) like: &'a MotionFile,
+    /// The first file that it was made of, and where that is.
+    pub(super) like: (&'a Path, &'a MotionFile),
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -103,7 +104,8 @@ impl TargetArguments {
         output: Output,
         progress: &Progress,
     ) -> Result<Report> {
-        let defaults = output.like.compression();
+        let (_, like) = output.like;
+        let defaults = like.compression();
         let mut compression = Options {
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),
             shell: self.shell.unwrap_or(defaults.shell),
@@ -114,9 +116,10 @@ impl TargetArguments {
         add_bounds(&mut compression, &self.joints, output.recording, &file)?;
         let options = WriteOptions {
             name: &ga_files::stem(&self.out),
-            like: Some(output.like),
+            like: Some(like),
             metres_per_unit: self.out_metres_per_unit,
             compression,
+            ..WriteOptions::default()
         };
         write(&self.out, format, output, &options, (0.0, None), progress)
     }
@@ -136,7 +139,7 @@ impl TargetArguments {
         let output = Output {
             recording: &change(&file, &recording)?,
             inputs: vec![Input::new(motion.file(), &file, &recording)],
-            like: &file,
+            like: (&motion.motion, &file),
             warnings,
         };
         self.write(format, output, &progress)
@@ -182,31 +185,14 @@ pub(super) fn write(
     let Output {
         recording,
         inputs,
-        like,
+        like: (like_path, like),
         mut warnings,
     } = output;
-    let as_motion = match format {
-        Format::Bvh => MotionFormat::Bvh,
-        Format::Glb | Format::Gltf => MotionFormat::Gltf,
-        _ => MotionFormat::Clip,
-    };
-    progress.step(match as_motion {
-        MotionFormat::Clip => "compressing",
-        _ => "writing",
-    });
-    let written = Written::new(recording, as_motion, options, |done, steps| {
-        progress.at(done as u64, steps as u64);
-    });
+    let written = written(recording, format, options, progress);
     let written = written.with_context(|| match like.likely_unit() {
         Some(unit) => format!("{file}, with a unit of {} m", short(unit.metres)),
         None => file.clone(),
     })?;
-    warnings.extend(
-        written
-            .losses
-            .iter()
-            .map(|loss| motion_file::lost(loss, out)),
-    );
     let mut compressed = None;
     if let Contents::Clip(clip) = &written.contents {
         let accuracy = Accuracy::new(recording, clip, deviation)
@@ -214,25 +200,15 @@ pub(super) fn write(
         let size = Size::new(clip, mesh_vertices);
         compressed = Some(Compressed { size, accuracy });
     }
-    let shown = || format!("{} cannot be written", out.display());
-    let plain = match (&written.contents, format) {
-        (Contents::Gltf(document), Format::Gltf) => {
-            gltf::write(out, document).with_context(shown)?;
-            None
-        }
-        _ => {
-            let bytes = written.encode().with_context(shown)?;
-            output::write(out, &bytes)?;
-            Some(bytes.len())
-        }
-    };
+    let out_metres_per_unit = written.metres_per_unit;
+    let bytes = put(out, format, written, like_path, &mut warnings)?;
     let plain = compressed.is_none().then(|| Plain {
-        bytes: plain,
+        bytes,
         frames: recording.frame_count(),
         joints: recording.joints().len(),
         frame_time_seconds: recording.frame_time(),
         duration_seconds: recording.duration(),
-        out_metres_per_unit: written.metres_per_unit,
+        out_metres_per_unit,
     });
     Ok(Report {
         file,
@@ -244,6 +220,51 @@ pub(super) fn write(
         phases: None,
         warnings,
     })
+}
+
+/// A motion in a format.
+pub(super) fn written(
+    recording: &Recording,
+    format: Format,
+    options: &WriteOptions,
+    progress: &Progress,
+) -> Result<Written, MotionFileError> {
+    let format = match format {
+        Format::Bvh => MotionFormat::Bvh,
+        Format::Glb | Format::Gltf => MotionFormat::Gltf,
+        _ => MotionFormat::Clip,
+    };
+    progress.step(match format {
+        MotionFormat::Clip => "compressing",
+        _ => "writing",
+    });
+    Written::new(recording, format, options, |done, steps| {
+        progress.at(done as u64, steps as u64);
+    })
+}
+
+/// Puts a motion, with what it has from the file that it is like, into a file, and adds what is not
+/// there to the warnings. The result is how many bytes it is, where it is one file.
+pub(super) fn put(
+    out: &Path,
+    format: Format,
+    mut written: Written,
+    like: &Path,
+    warnings: &mut Vec<Warning>,
+) -> Result<Option<usize>> {
+    let shown = || format!("{} cannot be written", out.display());
+    let losses = written.losses.iter();
+    warnings.extend(losses.map(|loss| motion_file::lost(loss, out)));
+    if let Contents::Gltf(document) = &mut written.contents {
+        **document = document.relocated(like, out).with_context(shown)?;
+        if format == Format::Gltf {
+            gltf::write(out, document).with_context(shown)?;
+            return Ok(None);
+        }
+    }
+    let bytes = written.encode().with_context(shown)?;
+    output::write(out, &bytes)?;
+    Ok(Some(bytes.len()))
 }
 
 /// What was written, and how exact it is.

@@ -20,9 +20,10 @@ use crate::mesh_file;
 /// "euler_characteristic": -3, "boundary_edges": 223, "non_manifold_edges": 0, …}. The Euler
 /// characteristic counts only vertices that faces use. An edge belongs to the boundary when one
 /// face has it, and is not manifold when more than two have it. Degenerate faces name a vertex
-/// twice or have no area; concave faces have an angle of more than 180 degrees inside; the corners
-/// of non-planar faces do not lie in a plane. Duplicate vertices lie at the very place of an
-/// earlier one.
+/// twice or have no area; keyhole faces name vertices twice only since they run along an edge to a
+/// hole and back, and are regular; concave faces have an angle of more than 180 degrees inside; the
+/// corners of non-planar faces do not lie in a plane. Duplicate vertices lie at the very place of
+/// an earlier one.
 ///
 /// The verdict is good where the mesh is manifold and oriented, without degenerate faces, its file
 /// keeps to the format, and nothing that the file refers to is missing; else it is doubtful, and
@@ -89,7 +90,7 @@ impl frame::Report for Info {
         let genus = of
             .genus
             .map_or("undefined".to_owned(), |genus| genus.to_string());
-        let numbers: [(&str, &dyn Display); 29] = [
+        let numbers: [(&str, &dyn Display); 30] = [
             ("vertices", &of.vertices),
             ("faces", &of.faces),
             ("  triangles", &of.triangles),
@@ -110,6 +111,7 @@ impl frame::Report for Info {
             ("unreferenced vertices", &of.unreferenced_vertices),
             ("duplicate vertices", &of.duplicate_vertices),
             ("degenerate faces", &of.degenerate_faces),
+            ("keyhole faces", &of.keyhole_faces),
             ("concave faces", &of.concave_faces),
             ("non-planar faces", &of.non_planar_faces),
             ("duplicate faces", &of.duplicate_faces),

@@ -50,8 +50,8 @@
 //!
 //! Colours of vertices are taken as sRGB, as most programs write them, and become linear light.
 //! Their numbers are from 0 to 1. Where one is above 1 and all of the file are whole numbers from 0
-//! to 255, they are divided by 255, with a [`Warning`]; the same holds for opacities. Other numbers
-//! are an error.
+//! to 255, a tolerant reading divides them by 255; the same holds for opacities. Other numbers are
+//! an error.
 //! Where some vertices have a colour, those without are white. `usemtl` without a name or with the
 //! name `(null)` stands for no material.
 //!
@@ -71,6 +71,7 @@
 //! Source: Wavefront, *Advanced Visualizer* manual, appendix B1, "Object Files".
 
 mod check;
+mod colours;
 mod corner;
 mod lines;
 pub mod mtl;

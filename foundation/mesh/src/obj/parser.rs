@@ -7,6 +7,7 @@ use ga_runtime::vga3::Vector;
 
 use super::ObjProblem;
 use super::check::{check_indices, drop_indices_without_list};
+use super::colours::scale_colours;
 use super::corner::{Element, corner, lone_vertex, short_corner};
 use super::lines::Lines;
 use super::statements::{List, Statements};
@@ -374,6 +375,7 @@ impl Parser {
         }
         read.last_line = last_line;
         check_indices(read, bytes)?;
+        scale_colours(read, &mut self.deviations)?;
         Ok((self.read, self.deviations.into_list()))
     }
 }

@@ -112,6 +112,12 @@ pub enum ObjProblem {
         /// The red, green, blue or alpha of the line.
         value: f64,
     },
+    /// The colours of the vertices, or their opacities, are whole numbers up to 255.
+    #[error("{value} is no part of a colour, which is from 0 to 1")]
+    ByteColours {
+        /// The first number beyond 1.
+        value: f64,
+    },
     /// The mesh is too large.
     #[error(transparent)]
     Mesh(MeshError),
@@ -164,6 +170,7 @@ impl Tolerated for ObjProblem {
             Self::NoFaces => "points_alone",
             Self::NoVertices => "no_vertices",
             Self::ColourOutOfRange { .. } => "colour_range",
+            Self::ByteColours { .. } => "byte_colours",
             Self::TooManyGroups | Self::Mesh(_) => "too_large",
             Self::LibraryUnreadable { .. } | Self::Library { .. } => "library",
         }
@@ -180,6 +187,9 @@ impl Tolerated for ObjProblem {
             Self::IndexOutOfRange { what: "vn", .. } => "such corners have no normal",
             Self::IndexOutOfRange { what: "vt", .. } => "such corners have no texture coordinates",
             Self::NoFaces => "its vertices are read as points",
+            Self::ByteColours { .. } => {
+                "all numbers of colours are whole and up to 255, by which they are divided"
+            }
             _ => "it is left out",
         }
         .into()

@@ -11,7 +11,6 @@ use super::ObjProblem;
 use super::mtl::{self, MtlProblem};
 use super::parser::statements;
 use super::statements::Statements;
-use crate::colour_range::{BYTE_COLOURS, ColourOutOfRange, part};
 use crate::colour_space::linear_from_srgb;
 use crate::{CornerAttribute, FormatError, Image, Material, Mesh, MeshError};
 
@@ -56,9 +55,6 @@ pub enum Warning {
         /// How many lines.
         count: usize,
     },
-    /// The colours of the vertices, or their opacities, are whole numbers up to 255 instead of
-    /// parts of 1. They are divided by 255.
-    ByteColours,
 }
 
 impl fmt::Display for Warning {
@@ -84,7 +80,6 @@ impl fmt::Display for Warning {
                 "line {line}: {count} normals are zero vectors; corners that refer to them have no \
                  normal"
             ),
-            Warning::ByteColours => f.write_str(BYTE_COLOURS),
         }
     }
 }
@@ -97,7 +92,6 @@ impl Warning {
             Warning::Deviation(deviation) => deviation.problem.kind(),
             Warning::Library { deviation, .. } => deviation.problem.kind(),
             Warning::ZeroNormals { .. } => "zero_normals",
-            Warning::ByteColours => "byte_colours",
             Warning::MissingLibrary { .. }
             | Warning::UndefinedMaterial { .. }
             | Warning::MissingTexture { .. } => "missing_part",
@@ -122,9 +116,7 @@ impl Warning {
             | Warning::MissingLibrary { line, .. }
             | Warning::UndefinedMaterial { line, .. }
             | Warning::ZeroNormals { line, .. } => warning(Some(*line), self.to_string()),
-            Warning::MissingTexture { .. } | Warning::ByteColours => {
-                warning(None, self.to_string())
-            }
+            Warning::MissingTexture { .. } => warning(None, self.to_string()),
         }
     }
 }
@@ -240,7 +232,6 @@ pub fn decode_with_libraries(
     }
     let face_materials = resolve(&mut read, &mut materials, &mut warnings);
     drop_zero_normals(&mut read, &mut warnings);
-    scale_colours(&mut read, &mut warnings)?;
     let line = read.last_line;
     let mesh = mesh(read, materials, face_materials).map_err(|error| FormatError::Obj {
         line,
@@ -375,27 +366,6 @@ fn drop_zero_normals(read: &mut Statements, warnings: &mut Vec<Warning>) {
     for corner in &mut read.normal_corners {
         *corner = corner.and_then(|index| numbers[index as usize]);
     }
-}
-
-/// Makes the colours parts of 1.
-fn scale_colours(read: &mut Statements, warnings: &mut Vec<Warning>) -> Result<(), FormatError> {
-    let out_of_range = |ColourOutOfRange { place, value }| FormatError::Obj {
-        line: place,
-        problem: ObjProblem::ColourOutOfRange { value },
-    };
-    let ranges = [&mut read.colour_range, &mut read.alpha_range].map(std::mem::take);
-    let [of_colour, of_alpha] = ranges.map(|range| range.full_scale().map_err(out_of_range));
-    let (of_colour, of_alpha) = (of_colour?, of_alpha?);
-    if of_colour.max(of_alpha) > 1.0 {
-        warnings.push(Warning::ByteColours);
-    }
-    for [red, green, blue, alpha] in &mut read.colours {
-        for number in [red, green, blue] {
-            *number = part(*number, of_colour);
-        }
-        *alpha = part(*alpha, of_alpha);
-    }
-    Ok(())
 }
 
 fn mesh(

@@ -12,8 +12,9 @@
 //! | `edge` | `vertex1 vertex2` | a polyline of two vertices |
 //!
 //! Colours of integer types are parts of the greatest value of the type; others are from 0 to 1.
-//! Where one of them is above 1 and all are whole numbers from 0 to 255, they are divided by 255,
-//! with a [`Warning`]; the same holds for opacities. Other numbers are an error.
+//! Where one of them is above 1 and all are whole numbers from 0 to 255, a
+//! [tolerant](ga_files::Reading) reading divides them by 255, with a [`Warning`]; the same holds
+//! for opacities. Other numbers are an error.
 //!
 //! Other elements and properties are read over and dropped: materials and pictures
 //! (`comment TextureFile` included), colours of faces, confidence and quality. A file may have
@@ -43,7 +44,7 @@ mod write;
 
 use std::path::Path;
 
-use ga_files::{ReadError, WriteError};
+use ga_files::{ReadError, Reading, WriteError};
 
 use crate::{FormatError, Mesh};
 
@@ -52,7 +53,7 @@ pub use problem::{Place, PlyProblem};
 pub use warning::Warning;
 pub use write::encode;
 
-/// Reads the mesh in a file.
+/// Reads the mesh in a file tolerantly.
 ///
 /// # Errors
 ///
@@ -68,11 +69,12 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
 /// As [`read`].
 pub fn read_with_warnings(
     path: impl AsRef<Path>,
+    reading: Reading,
 ) -> Result<(Mesh, Vec<Warning>), ReadError<FormatError>> {
-    ga_files::read(path, read::mesh)
+    ga_files::read(path, |bytes| read::mesh(bytes, reading))
 }
 
-/// Reads a mesh from the bytes of a file.
+/// Reads a mesh from the bytes of a file tolerantly.
 ///
 /// # Errors
 ///
@@ -89,7 +91,7 @@ pub fn read_with_warnings(
 /// # Ok::<(), ga_mesh::FormatError>(())
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<Mesh, FormatError> {
-    read::mesh(bytes).map(|(mesh, _)| mesh)
+    read::mesh(bytes, Reading::Tolerant).map(|(mesh, _)| mesh)
 }
 
 /// Writes a mesh to a file, whole or not at all.

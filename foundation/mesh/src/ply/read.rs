@@ -1,22 +1,23 @@
 //! The elements of a PLY file as a mesh.
 
+use ga_files::Reading;
 use ga_runtime::vga3::Vector;
 
 use super::body::Body;
 use super::header::{Element, Property, Scalar, header};
 use super::problem::{Place, PlyProblem};
 use super::warning::Warning;
-use crate::colour_range::{ColourOutOfRange, ColourRange, part};
+use crate::colour_range::{ByteColours, ColourOutOfRange, ColourRange, part};
 use crate::colour_space::linear_from_srgb;
 use crate::{CornerAttribute, Faces, FormatError, Mesh, MeshError, Normals, Polylines, Rgba};
 
-pub(super) fn mesh(bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), FormatError> {
+pub(super) fn mesh(bytes: &[u8], reading: Reading) -> Result<(Mesh, Vec<Warning>), FormatError> {
     let header = header(bytes)?;
     let mut body = Body::new(&header, bytes);
     let mut read = Elements::default();
     for element in &header.elements {
         match element.name.as_str() {
-            "vertex" => read.vertices = Some(vertices(element, &mut body)?),
+            "vertex" => read.vertices = Some(vertices(element, &mut body, reading)?),
             "face" => read.read_faces(element, &mut body)?,
             "edge" => read.read_edges(element, &mut body)?,
             "tristrips" => read.read_strips(element, &mut body)?,
@@ -91,7 +92,11 @@ fn slot(name: &str) -> Option<usize> {
     })
 }
 
-fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatError> {
+fn vertices(
+    element: &Element,
+    body: &mut Body<'_>,
+    reading: Reading,
+) -> Result<Vertices, FormatError> {
     let slots: Vec<Option<usize>> = element
         .properties
         .iter()
@@ -151,14 +156,21 @@ fn vertices(element: &Element, body: &mut Body<'_>) -> Result<Vertices, FormatEr
         problem: PlyProblem::ColourOutOfRange { value },
     };
     let ranges = [colour_range, alpha_range];
-    let [of_colour, of_alpha] = ranges.map(|range| range.full_scale().map_err(out_of_range));
-    let (of_colour, of_alpha) = (of_colour?, of_alpha?);
-    vertices.has_bytes = of_colour.max(of_alpha) > 1.0;
+    let [of_colour, of_alpha] = ranges.map(|range| range.bytes().map_err(out_of_range));
+    let bytes = [of_colour?, of_alpha?];
+    let [is_colour_byte, is_alpha_byte] = [0, 1].map(|part| bytes[part].is_some());
+    if let Some(ByteColours { place, value, .. }) = bytes.into_iter().flatten().next() {
+        if reading == Reading::Strict {
+            let problem = PlyProblem::ByteColours { value };
+            return Err(FormatError::Ply { place, problem });
+        }
+        vertices.has_bytes = true;
+    }
     for [red, green, blue, alpha] in &mut vertices.colours {
         for number in [red, green, blue] {
-            *number = linear_from_srgb(part(*number, of_colour));
+            *number = linear_from_srgb(part(*number, is_colour_byte));
         }
-        *alpha = part(*alpha, of_alpha);
+        *alpha = part(*alpha, is_alpha_byte);
     }
     Ok(vertices)
 }

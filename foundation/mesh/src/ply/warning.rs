@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use crate::colour_range::BYTE_COLOURS;
-
 /// What a reader of PLY has decided where the file is not clear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warning {
@@ -36,7 +34,10 @@ impl From<&Warning> for crate::Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Warning::ByteColours => f.write_str(BYTE_COLOURS),
+            Warning::ByteColours => f.write_str(
+                "the colours of the vertices go beyond 1 and are whole numbers up to 255; they are \
+                 divided by 255",
+            ),
         }
     }
 }

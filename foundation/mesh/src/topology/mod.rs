@@ -20,6 +20,7 @@ mod components;
 mod corners;
 mod edges;
 mod neighbours;
+mod outline;
 mod report;
 mod rings;
 mod sides;

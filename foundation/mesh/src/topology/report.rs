@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use ga_runtime::vga3::Vector;
 
+use super::outline::Outline;
 use super::union::DisjointSets;
 use super::{Components, Edges, VertexRings};
 use crate::places::first_of_equal;
@@ -65,10 +66,15 @@ pub struct Report {
     pub unreferenced_vertices: Vec<u32>,
     /// The vertices at the very place of an earlier one.
     pub duplicate_vertices: Vec<u32>,
-    /// The faces that name a vertex twice or have the area vector 0, as faces whose corners lie on
-    /// one line. A quadrilateral that crosses itself in its middle, a bow tie, is among them: the
-    /// areas of its two halves have opposite signs.
+    /// The faces that name a vertex twice, but for those with a keyhole, or have the area vector 0,
+    /// as faces whose corners lie on one line. A quadrilateral that crosses itself in its middle, a
+    /// bow tie, is among them: the areas of its two halves have opposite signs.
     pub degenerate_faces: Vec<u32>,
+    /// The faces with a hole to which a bridge leads: an edge along which the face runs to the ring
+    /// of vertices around the hole, and back after it, so that the list of its corners names both
+    /// ends twice. Apart from bridges every vertex is named once. They are regular: a bridge is an
+    /// edge with two sides, and each ring is a boundary of its own unless other faces are there.
+    pub keyhole_faces: Vec<u32>,
     /// The faces that have, seen along their area vector, an angle of more than 180° inside at a
     /// corner, which lies by more than 10⁻⁵ of the face's size on the inner side of the line
     /// through its neighbours.
@@ -113,6 +119,7 @@ impl Report {
             unreferenced_vertices,
             duplicate_vertices: duplicate_vertices(mesh),
             degenerate_faces: Vec::new(),
+            keyhole_faces: Vec::new(),
             concave_faces: Vec::new(),
             non_planar_faces: Vec::new(),
             duplicate_faces: duplicate_faces(faces),
@@ -132,8 +139,11 @@ impl Report {
         for (number, face) in (0..).zip(mesh.faces()) {
             let position = |&vertex: &u32| Vector::from(mesh.positions()[vertex as usize]);
             plane.set(face.iter().map(position));
-            if has_repeated(face) || plane.is_degenerate() {
-                self.degenerate_faces.push(number);
+            match Outline::of(face) {
+                _ if plane.is_degenerate() => self.degenerate_faces.push(number),
+                Outline::Repeated => self.degenerate_faces.push(number),
+                Outline::Keyhole => self.keyhole_faces.push(number),
+                Outline::Simple => {}
             }
             if face.len() > 3 && !plane.is_degenerate() {
                 if plane.is_concave() {
@@ -252,15 +262,6 @@ fn duplicate_vertices(mesh: &Mesh) -> Vec<u32> {
         .filter(|(vertex, first)| vertex != first)
         .map(|(vertex, _)| vertex)
         .collect()
-}
-
-fn has_repeated(face: &[u32]) -> bool {
-    if let [a, b, c] = face {
-        return a == b || b == c || c == a;
-    }
-    let mut sorted = face.to_vec();
-    sorted.sort_unstable();
-    sorted.windows(2).any(|pair| pair[0] == pair[1])
 }
 
 fn duplicate_faces(faces: &Faces) -> Vec<u32> {

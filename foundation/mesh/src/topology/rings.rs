@@ -258,11 +258,13 @@ impl Walk<'_> {
             return None;
         };
         let face = self.edges.face_of_corner(corner);
-        let side = if self.edges.face_of_corner(one) == face {
-            other
-        } else {
-            one
+        let [of_one, of_other] = [one, other].map(|side| self.edges.face_of_corner(side));
+        // A face that runs along the edge there and back has both sides.
+        let is_one = match of_one == of_other {
+            true => one == corner || (other != corner && one == self.previous(corner)),
+            false => of_one == face,
         };
+        let side = if is_one { other } else { one };
         let vertex = self.faces.corners()[corner as usize];
         let at_vertex = self.faces.corners()[side as usize] == vertex;
         Some(if at_vertex { side } else { self.next(side) })

@@ -1,5 +1,6 @@
 //! PLY: strips of triangles, and colours without a full scale.
 
+use ga_files::Reading;
 use ga_mesh::ply;
 
 /// Two strips in one list, as in Stanford's files, the first with a vertex twice where it turns.
@@ -42,12 +43,20 @@ fn colours_up_to_255_are_bytes() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.ply");
         std::fs::write(&path, file(colours)).unwrap();
-        let (mesh, warnings) = ply::read_with_warnings(path).unwrap();
+        let (mesh, warnings) = ply::read_with_warnings(&path, Reading::Tolerant).unwrap();
         let [red, green, blue, alpha] = mesh.colours().unwrap()[0];
         assert_eq!([red, blue, alpha], [1.0, 0.0, 1.0]);
         assert!((green - grey).abs() < 1e-7);
         let expected = colours.contains("255").then_some(ply::Warning::ByteColours);
         assert_eq!(warnings, Vec::from_iter(expected));
+        let strict = ply::read_with_warnings(&path, Reading::Strict).map_err(|e| e.to_string());
+        match expected {
+            Some(_) => {
+                let end = "line 11: 255 is no part of a colour, which is from 0 to 1";
+                assert!(strict.unwrap_err().ends_with(end));
+            }
+            None => assert!(strict.is_ok()),
+        }
     }
     let error = ply::decode(file("0 0 0 255 0.5 0\n0 0 0 0 0 1\n").as_bytes()).unwrap_err();
     let error = error.to_string();

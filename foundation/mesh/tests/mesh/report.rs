@@ -123,6 +123,40 @@ fn irregular_elements_are_named() {
     assert!(!nothing.is_closed());
 }
 
+/// A square plate with a square hole: one face, whose outline runs along an edge to the hole and
+/// back. It is a ring: two boundaries, no handle.
+#[test]
+fn a_face_with_a_keyhole_is_regular() {
+    let text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n\
+                f 1 2 3 4 1 5 6 7 8 5\n";
+    let plate = Report::of_mesh(&obj::decode(text.as_bytes()).unwrap());
+    assert_eq!(
+        (&plate.keyhole_faces[..], plate.degenerate_faces.len()),
+        (&[0][..], 0)
+    );
+    assert!(plate.is_manifold() && plate.is_oriented() && plate.orientable);
+    assert_eq!((plate.edges, plate.euler_characteristic), (9, 0));
+    assert_eq!((plate.boundary_edges, plate.genus), (8, Some(0)));
+    assert_eq!(plate.boundary_loops, [[0, 1, 2, 3], [4, 5, 6, 7]]);
+
+    // A plate with a thickness is a torus: a face with a keyhole above and one below, four walls
+    // around and four in the hole.
+    let top = vec![0, 1, 2, 3, 0, 4, 7, 6, 5, 4];
+    let bottom = top.iter().rev().map(|vertex| vertex + 8).collect();
+    let mut faces: Vec<Vec<u32>> = vec![top, bottom];
+    for side in 0..4_u32 {
+        let next = (side + 1) % 4;
+        faces.push(vec![side, side + 8, next + 8, next]);
+        faces.push(vec![side + 4, next + 4, next + 12, side + 12]);
+    }
+    let faces: Vec<&[u32]> = faces.iter().map(Vec::as_slice).collect();
+    let torus = report(16, &faces);
+    assert_eq!(torus.keyhole_faces, [0, 1]);
+    assert!(torus.degenerate_faces.is_empty() && torus.non_manifold_vertices.is_empty());
+    assert!(torus.is_closed() && torus.orientable);
+    assert_eq!((torus.euler_characteristic, torus.genus), (0, Some(1)));
+}
+
 /// The numbers are those of the literature: the bunny has 34,834 vertices in use and five holes;
 /// the cow is a sphere.
 #[test]

@@ -4,7 +4,7 @@
 //! [`to_document`] makes a [`Document`] of them and [`encode`] a file, which passes the Khronos
 //! validator without errors or warnings. Skin and animations are plain data here: joints with
 //! names, parents and motors at rest, weights as lists, tracks of times and motors. The crate
-//! ga-anim makes them from its skeletons and clips.
+//! ga-anim makes joints and weights from its skeletons and skins.
 //!
 //! Coordinates are written as they are, in single precision. A motor is written as its translation
 //! and its quaternion *(x, y, z, w)*, which for a rotation by the angle α about the unit axis *n*

@@ -6,6 +6,7 @@ mod properties;
 mod tolerant;
 mod tolerant_libraries;
 
+use ga_files::{Deviation, Reading};
 use ga_mesh::obj::{self, ObjProblem};
 use ga_mesh::{FormatError, Mesh};
 use ga_runtime::vga3::Vector;
@@ -278,23 +279,42 @@ fn colours_up_to_255_are_bytes() {
         let [a, b, c] = colours;
         format!("v 0 0 0 {a}\nv 1 0 0 {b}\nv 0 1 0 {c}\nf 1 2 3\n")
     };
-    let read = |colours| {
-        obj::decode_with_libraries(
-            file(colours).as_bytes(),
-            ga_files::Reading::Tolerant,
-            |_| Err(std::io::ErrorKind::NotFound.into()),
-        )
+    let read_as = |colours, reading| {
+        obj::decode_with_libraries(file(colours).as_bytes(), reading, |_| {
+            Err(std::io::ErrorKind::NotFound.into())
+        })
     };
+    let read = |colours| read_as(colours, Reading::Tolerant);
     let grey = 0.215_860_500;
-    let bytes = [obj::Warning::ByteColours];
+    // The first number beyond 1, its line, and how many lines have one.
     for (colours, alpha, expected) in [
-        (["255 128 0", "1 1 1", ""], 1.0, &bytes[..]),
-        (["255 128.0 0 0.5", "1 1 1 1", ""], 0.5, &bytes),
-        (["1 0.50196078 0 51", "1 1 1 255", ""], 0.2, &bytes),
-        (["1.000001 0.50196078 0", "", ""], 1.0, &[]),
+        (["255 128 0", "1 1 1", ""], 1.0, Some((255.0, 1, 1))),
+        (["255 128.0 0 0.5", "1 1 1 1", ""], 0.5, Some((255.0, 1, 1))),
+        (
+            ["1 0.50196078 0 51", "1 1 1 255", ""],
+            0.2,
+            Some((51.0, 1, 2)),
+        ),
+        (["255 128 0 1", "1 1 2 1", ""], 1.0, Some((255.0, 1, 2))),
+        (["1.000001 0.50196078 0", "", ""], 1.0, None),
     ] {
         let (mesh, warnings) = read(colours).unwrap();
-        assert_eq!(warnings, expected, "{colours:?}");
+        let expected = expected.map(|(value, line, count)| {
+            let problem = ObjProblem::ByteColours { value };
+            obj::Warning::Deviation(Deviation {
+                line,
+                count,
+                problem,
+            })
+        });
+        assert_eq!(warnings, Vec::from_iter(expected.clone()), "{colours:?}");
+        let strict = read_as(colours, Reading::Strict).map(|(_, warnings)| warnings);
+        let refused = expected.map(|_| "is no part of a colour, which is from 0 to 1");
+        match (strict, refused) {
+            (Err(error), Some(end)) => assert!(error.to_string().ends_with(end), "{error}"),
+            (found, None) => assert_eq!(found, Ok(vec![])),
+            (found, _) => panic!("{colours:?} is read strictly: {found:?}"),
+        }
         let [red, green, blue, opacity] = mesh.colours().unwrap()[0];
         assert_eq!([red, blue, opacity], [1.0, 0.0, alpha]);
         assert!((green - grey).abs() < 1e-7);

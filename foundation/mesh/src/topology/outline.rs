@@ -1,0 +1,92 @@
+//! How a face names its vertices.
+
+use std::collections::{HashMap, HashSet};
+
+/// How a face names its vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outline {
+    /// Each once.
+    Simple,
+    /// Each once on one of several rings, which are joined by bridges: edges along which the face
+    /// runs there and back.
+    Keyhole,
+    /// Some twice, without need.
+    Repeated,
+}
+
+impl Outline {
+    /// The outline of a face with these vertices.
+    pub(super) fn of(face: &[u32]) -> Self {
+        if let [a, b, c] = face {
+            let is_repeated = a == b || b == c || c == a;
+            return if is_repeated {
+                Self::Repeated
+            } else {
+                Self::Simple
+            };
+        }
+        let mut sorted = face.to_vec();
+        sorted.sort_unstable();
+        match sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+            true if is_keyhole(face) => Self::Keyhole,
+            true => Self::Repeated,
+            false => Self::Simple,
+        }
+    }
+}
+
+/// Whether the face is rings and bridges. Along a bridge it is cut into two closed ways, so that
+/// each bridge lies between two parts with a ring each where none ends without one.
+fn is_keyhole(face: &[u32]) -> bool {
+    let next = face.iter().cycle().skip(1);
+    let sides: Vec<[u32; 2]> = face.iter().zip(next).map(|(&a, &b)| [a, b]).collect();
+    let known: HashSet<[u32; 2]> = sides.iter().copied().collect();
+    let is_plain = sides.iter().all(|[a, b]| a != b) && known.len() == sides.len();
+    let is_bridge = |&&[a, b]: &&[u32; 2]| known.contains(&[b, a]);
+    let mut on_ring = HashSet::new();
+    let mut rings = sides.iter().filter(|side| !is_bridge(side));
+    let is_once = rings.all(|&[from, _]| on_ring.insert(from));
+    let mut bridges_at: HashMap<u32, usize> = HashMap::new();
+    for [from, _] in sides.iter().filter(is_bridge) {
+        *bridges_at.entry(*from).or_default() += 1;
+    }
+    let goes_on = |(vertex, &count): (&u32, &usize)| count > 1 || on_ring.contains(vertex);
+    is_plain && is_once && !on_ring.is_empty() && bridges_at.iter().all(goes_on)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holes_behind_bridges_are_told_from_vertices_that_are_named_twice() {
+        // One hole, two holes from one vertex, a hole behind a hole, a bridge of two edges.
+        for face in [
+            &[0, 1, 2, 3, 0, 4, 5, 6, 7, 4][..],
+            &[0, 1, 2, 0, 3, 4, 5, 3, 0, 6, 7, 8, 6],
+            &[0, 1, 2, 0, 3, 4, 6, 7, 8, 6, 4, 5, 3],
+            &[0, 1, 2, 0, 9, 3, 4, 5, 3, 9],
+        ] {
+            assert_eq!(Outline::of(face), Outline::Keyhole, "{face:?}");
+            let mut reversed = face.to_vec();
+            reversed.reverse();
+            reversed.rotate_left(3);
+            assert_eq!(Outline::of(&reversed), Outline::Keyhole, "{face:?}");
+        }
+        // A corner twice in a row, a vertex on two rings without a bridge, a way there and back
+        // to a vertex alone, the same side twice, and no ring at all.
+        for face in [
+            &[0, 0, 1, 2][..],
+            &[0, 1, 2, 0, 3, 4],
+            &[0, 1, 2, 3, 2],
+            &[0, 1, 2, 0, 1, 3],
+            &[0, 1, 0, 1],
+            &[0, 1, 2, 1],
+            &[0, 1, 0],
+        ] {
+            assert_eq!(Outline::of(face), Outline::Repeated, "{face:?}");
+        }
+        assert_eq!(Outline::of(&[0, 1, 2]), Outline::Simple);
+        assert_eq!(Outline::of(&[0, 1, 2, 3]), Outline::Simple);
+    }
+}
