@@ -1,6 +1,6 @@
 //! Homographies: maps between a plane and its picture.
 
-use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 use nalgebra_035::{DMatrix, Matrix3};
 
@@ -85,6 +85,79 @@ impl Homography {
         let image = self.matrix * nalgebra_035::Vector3::new(x, y, 1.0);
         let pixel = [image.x / image.z, image.y / image.z];
         pixel.iter().all(|u| u.is_finite()).then_some(pixel)
+    }
+
+    /// The two motions of a camera that sees a plane in two views, by the map from the directions
+    /// (x, y, 1) of one view to those of the other. A translation has the distance of the first
+    /// camera from the plane as its unit; with the opposite translation and the plane on the other
+    /// side a motion has the same map.
+    ///
+    /// A point x of the plane `n · x = 1` moves to `R x + t = (R + t nᵀ) x`, so that H is a multiple
+    /// of `R + t nᵀ`, which rotates the vectors across n and keeps their length. The vectors that H
+    /// makes neither longer nor shorter, beside its other singular values, are those of two planes
+    /// through its middle singular vector: each of them is across the normal of one solution (O. D.
+    /// Faugeras and F. Lustman, "Motion and structure from motion in a piecewise planar
+    /// environment", 1988). Both explain the views of the plane alike.
+    ///
+    /// `None` where the cameras are in one place, which shows no plane.
+    ///
+    /// ```
+    /// use ga_vision::homography::Homography;
+    ///
+    /// // A wall at z = 1 and a camera that moves to its right by a half: x' = x − 0.5 z.
+    /// let directions = [[-0.3, -0.2], [0.4, -0.1], [-0.2, 0.3], [0.1, 0.2]];
+    /// let moved = directions.map(|[x, y]| [x - 0.5, y]);
+    /// let seen = Homography::from_pairs(&directions, &moved).ok_or("on one line")?;
+    /// let motions = seen.motions().ok_or("no translation")?;
+    /// let along = motions.map(|motor| motor.translator().displacement()[0].abs());
+    /// assert!(along.iter().any(|x| (x - 0.5).abs() < 1e-9));
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    pub fn motions(&self) -> Option<[Motor<f64>; 2]> {
+        /// The least change of length, as a part of it, that is not rounding.
+        const LEAST: f64 = 1e-9;
+        let matrix = match self.matrix.determinant() < 0.0 {
+            true => -self.matrix,
+            false => self.matrix,
+        };
+        let decomposed = (matrix.transpose() * matrix).symmetric_eigen();
+        let mut order = [0, 1, 2];
+        order.sort_by(|a, b| decomposed.eigenvalues[*b].total_cmp(&decomposed.eigenvalues[*a]));
+        let [longest, middle, shortest] = order.map(|k| decomposed.eigenvalues[k]);
+        let [first, axis, last] = order.map(|k| decomposed.eigenvectors.column(k).into_owned());
+        let matrix = matrix / middle.sqrt();
+        let shrinks = (1.0 - shortest / middle).max(0.0).sqrt();
+        let grows = (longest / middle - 1.0).max(0.0).sqrt();
+        let whole = shrinks.hypot(grows);
+        if whole.is_nan() || whole * whole <= LEAST {
+            return None;
+        }
+        let motion = |sign: f64| {
+            let across = (first * shrinks + last * (sign * grows)) / whole;
+            let normal = axis.cross(&across);
+            let (axis_image, across_image) = (matrix * axis, matrix * across);
+            let pairs = [
+                (axis, axis_image),
+                (across, across_image),
+                (normal, axis_image.cross(&across_image)),
+            ];
+            let pairs = pairs.map(|(from, to)| (from.into(), to.into()));
+            let rotor = Rotor::from_direction_pairs(&pairs).ok()?.motion;
+            let rotated = Direction::from_vector(normal.into());
+            let rotated = Vector::from(rotor.transform(rotated));
+            let displacement = Vector::from(<[f64; 3]>::from(matrix * normal)) - rotated;
+            Some(Translator::from_displacement(displacement.coordinates()) * rotor)
+        };
+        Some([motion(1.0)?, motion(-1.0)?])
+    }
+
+    /// `H d` for a direction d, with the sign for which what is in front of one camera is in front
+    /// of the other.
+    pub(crate) fn image(&self, direction: Vector<f64>) -> Vector<f64> {
+        let [first, second, third] = [0, 1, 2].map(|column| self.column(column));
+        let image = first * direction.e1 + second * direction.e2 + third * direction.e3;
+        image * first.cross(second).dot(third).signum()
     }
 
     /// The column of the matrix with an index below 3.

@@ -36,6 +36,7 @@ mod normalisation;
 pub mod perspective_n_point;
 pub mod rectification;
 pub mod relative_pose;
+mod rival;
 pub mod surface;
 pub mod texture;
 

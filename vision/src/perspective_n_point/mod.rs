@@ -13,12 +13,13 @@ use ga_runtime::vga3::Vector;
 pub use three_points::three_points;
 
 use crate::geometry_error::ViewGeometryError;
+use crate::rival::is_rival;
 use ga_camera::{Camera, Intrinsics};
 use ga_numerics::least_squares::{
     self, Columns, Covariance, Equations, Minimum, Problem, minimise,
 };
 pub use ga_numerics::ransac::PoseOptions as Options;
-use ga_numerics::ransac::{Consensus, Search};
+use ga_numerics::ransac::{Consensus, Search, SelectedNoise};
 
 /// Three points have up to four poses; a fourth selects one of them.
 const NEEDED: usize = 4;
@@ -33,17 +34,53 @@ pub struct PerspectivePose {
     /// The root mean square of the distances of their pixels from those of the pose, in pixels.
     pub root_mean_square: f64,
     /// The covariance of a small motion that follows the pose, `exp(B) M`, with the rotation vector
-    /// of B in radians and then its velocity of the origin in the unit of the points; to first
-    /// order, from the distances that remain.
+    /// of B in radians and then its velocity of the origin in the unit of the points; to second
+    /// order, from the distances that remain. `None` where the points do not show their noise.
     pub covariance: Option<[[f64; 6]; 6]>,
+    /// Other poses that explain the pixels as well, within noise: the best first, and each without
+    /// alternatives of its own. A plane that is small against its distance is seen almost alike
+    /// from two places, which are nearly mirror images of each other.
+    pub alternatives: Vec<PerspectivePose>,
+}
+
+impl PerspectivePose {
+    /// Whether other poses explain the pixels as well.
+    #[must_use]
+    pub fn is_ambiguous(&self) -> bool {
+        !self.alternatives.is_empty()
+    }
+
+    /// The standard deviation of the rotation in radians: the root of the sum of the variances
+    /// about three axes.
+    #[must_use]
+    pub fn rotation_deviation(&self) -> Option<f64> {
+        let covariance = self.covariance?;
+        let sum: f64 = (0..3).map(|k| covariance[k][k]).sum();
+        Some(sum.max(0.0).sqrt())
+    }
+
+    /// Whether another pose is within the deviations of this one, and so the same.
+    fn is_near(&self, other: &Self) -> bool {
+        /// How many standard deviations are within.
+        const DEVIATIONS: f64 = 3.0;
+        /// An angle in radians that may be rounding.
+        const ROUNDING: f64 = 1e-6;
+        let [a, b] = [self, other].map(|pose| pose.world_to_camera.rotor());
+        let (_, angle) = (a * b.reverse()).canonical().to_axis_angle();
+        angle <= DEVIATIONS * self.rotation_deviation().unwrap_or(0.0) + ROUNDING
+    }
 }
 
 /// The pose of a camera that sees known points at given pixels. The threshold of the options is in
 /// pixels.
 ///
 /// Random samples of three points give poses ([`three_points`]). From the best of them Levenberg
-/// and Marquardt's method makes the sum of the squared distances in the picture least, over motors;
-/// several starts are refined, since points near a plane may have two local minima.
+/// and Marquardt's method makes the sum of the squared distances in the picture least, over motors.
+/// Several starts are refined, and the mirror image of the best pose, since points near a plane may
+/// have two local minima (G. Schweighofer and A. Pinz, "Robust pose estimation from a planar
+/// target", IEEE Transactions on Pattern Analysis and Machine Intelligence 28, 2006). Where another
+/// pose explains the pixels as well, it is among the
+/// [alternatives](PerspectivePose::alternatives).
 ///
 /// # Errors
 /// [`ViewGeometryError`]: fewer than four points, numbers that are not finite, points on a line, a
@@ -91,32 +128,35 @@ pub fn estimate(
         samples: options.samples,
         seed: options.seed,
     };
-    let refined = refine_best(&problem, &search).ok_or(ViewGeometryError::PoseUndetermined)?;
-    let Refined { minimum, inliers } = refined;
+    let minima = minima(&problem, &search);
+    let best = minima.first().ok_or(ViewGeometryError::PoseUndetermined)?;
     let needed = match options.threshold {
         Some(_) => NEEDED + 1,
         None => points.len(),
     };
-    if inliers.len() < needed.min(points.len()) {
+    if best.inliers.len() < needed.min(points.len()) {
         return Err(ViewGeometryError::NoPointConsensus {
-            agreeing: inliers.len(),
+            agreeing: best.inliers.len(),
             points: points.len(),
         });
     }
-    let agreeing: Vec<_> = inliers.iter().map(|&k| points[k]).collect();
+    let agreeing: Vec<_> = best.inliers.iter().map(|&k| points[k]).collect();
     check_line(&agreeing)?;
-    let covariance = minimum
-        .variance()
-        .and_then(|variance| minimum.covariance(variance));
-    let entry = |covariance: Covariance| {
-        std::array::from_fn(|row| std::array::from_fn(|column| covariance.shared(row, column)))
-    };
-    Ok(PerspectivePose {
-        world_to_camera: minimum.state,
-        root_mean_square: (minimum.cost / inliers.len() as f64).sqrt(),
-        inliers,
-        covariance: covariance.map(entry),
-    })
+    let mut found = best.pose(&problem, options.threshold);
+    let variance = best.minimum.variance().unwrap_or(f64::INFINITY);
+    let squares = |one: &Refined| problem.squares(one.minimum.state, search.threshold);
+    let best_squares = squares(best);
+    for rival in &minima[1..] {
+        if is_rival(&best_squares, &squares(rival), variance, 2) {
+            let rival = rival.pose(&problem, options.threshold);
+            let is_known =
+                found.is_near(&rival) || found.alternatives.iter().any(|one| one.is_near(&rival));
+            if !is_known {
+                found.alternatives.push(rival);
+            }
+        }
+    }
+    Ok(found)
 }
 
 /// A known point, the pixel at which it is seen, and the unit direction of that.
@@ -181,50 +221,133 @@ fn check_line(points: &[Point<f64>]) -> Result<(), ViewGeometryError> {
 
 /// The least sum of squares over the points that agree.
 struct Refined {
+    /// The cost to random samples.
+    cost: f64,
     minimum: Minimum<Motor<f64>>,
     inliers: Vec<usize>,
 }
 
-/// Refines the best poses of random samples with all points that agree.
-fn refine_best(problem: &Observed<'_>, search: &Search) -> Option<Refined> {
-    /// Poses that are refined.
-    const STARTS: usize = 12;
-    /// How often the points that agree are collected anew.
-    const ROUNDS: usize = 10;
-    let mut best: Option<(f64, Refined)> = None;
-    for start in search.run(problem, STARTS) {
-        let mut motor = start.model;
-        let mut last = Vec::new();
-        for _ in 0..ROUNDS {
-            let inliers = search.inliers(problem, &motor);
-            if inliers == last || inliers.len() < NEEDED {
-                break;
-            }
-            last.clone_from(&inliers);
-            let selected: Vec<_> = inliers.iter().map(|&k| problem.observations[k]).collect();
-            let part = Observed {
-                observations: &selected,
-                ..*problem
-            };
-            let Ok(minimum) = minimise(&part, motor, &least_squares::Options::default()) else {
-                break;
-            };
-            motor = minimum.state;
-            let Some(rated) = search.rate(problem, motor, f64::INFINITY) else {
-                break;
-            };
-            if best.as_ref().is_none_or(|(least, _)| rated.cost < *least) {
-                best = Some((rated.cost, Refined { minimum, inliers }));
-            }
+impl Refined {
+    fn pose(&self, problem: &Observed<'_>, threshold: Option<f64>) -> PerspectivePose {
+        let selected = problem.selected(&self.inliers);
+        let part = Observed {
+            observations: &selected,
+            ..*problem
+        };
+        let variance = self.minimum.variance();
+        let variance = variance.and_then(|variance| match threshold {
+            Some(threshold) => Some(SelectedNoise::new(variance, threshold, 2)?.of_estimate),
+            None => Some(variance),
+        });
+        let covariance =
+            variance.and_then(|variance| self.minimum.curved_covariance(&part, variance));
+        let entries = |covariance: Covariance| {
+            std::array::from_fn(|row| std::array::from_fn(|column| covariance.shared(row, column)))
+        };
+        PerspectivePose {
+            world_to_camera: self.minimum.state,
+            root_mean_square: (self.minimum.cost / self.inliers.len() as f64).sqrt(),
+            inliers: self.inliers.clone(),
+            covariance: covariance.map(entries),
+            alternatives: Vec::new(),
         }
     }
-    best.map(|(_, refined)| refined)
+}
+
+/// The local minima that the best poses of random samples lead to, and the mirror image of the best
+/// one: the best first, and any several times.
+fn minima(problem: &Observed<'_>, search: &Search) -> Vec<Refined> {
+    /// Poses that are refined.
+    const STARTS: usize = 12;
+    let starts = search.run(problem, STARTS).into_iter();
+    let mut found: Vec<Refined> = starts
+        .filter_map(|start| refine(problem, search, start.model))
+        .collect();
+    // The sort is stable, so that equal costs keep the order of the samples.
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mirrored = found
+        .first()
+        .and_then(|best| mirrored(problem, best))
+        .and_then(|start| refine(problem, search, start));
+    found.extend(mirrored);
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
+}
+
+/// The pose that looks most alike: the points reflected in the plane through their middle across
+/// the line of sight. Points of one plane, reflected, are a rotated plane.
+fn mirrored(problem: &Observed<'_>, best: &Refined) -> Option<Motor<f64>> {
+    let world_to_camera = best.minimum.state;
+    let seen = problem.selected(&best.inliers);
+    let placed = seen
+        .iter()
+        .map(|one| (one.point, world_to_camera.transform(one.point)));
+    let placed: Vec<(Point<f64>, Point<f64>)> = placed.collect();
+    let sum = placed
+        .iter()
+        .fold(Vector::ZERO, |sum, (_, place)| sum + Vector::from(*place));
+    let middle = sum / placed.len() as f64;
+    let across = Plane::from_point_normal(middle.into(), middle.coordinates());
+    let pairs = placed
+        .into_iter()
+        .map(|(point, place)| Some((point, place.reflect_in(across)?)));
+    let pairs: Option<Vec<_>> = pairs.collect();
+    Some(Motor::from_point_pairs(&pairs?).ok()?.motion)
+}
+
+/// Refines a pose with all points that agree, which are collected anew after each search.
+fn refine(problem: &Observed<'_>, search: &Search, start: Motor<f64>) -> Option<Refined> {
+    /// How often the points that agree are collected anew.
+    const ROUNDS: usize = 10;
+    let mut best: Option<Refined> = None;
+    let mut motor = start;
+    let mut last = Vec::new();
+    for _ in 0..ROUNDS {
+        let inliers = search.inliers(problem, &motor);
+        if inliers == last || inliers.len() < NEEDED {
+            break;
+        }
+        last.clone_from(&inliers);
+        let selected = problem.selected(&inliers);
+        let part = Observed {
+            observations: &selected,
+            ..*problem
+        };
+        let Ok(minimum) = minimise(&part, motor, &least_squares::Options::default()) else {
+            break;
+        };
+        motor = minimum.state;
+        let Some(rated) = search.rate(problem, motor, f64::INFINITY) else {
+            break;
+        };
+        if best.as_ref().is_none_or(|best| rated.cost < best.cost) {
+            best = Some(Refined {
+                cost: rated.cost,
+                minimum,
+                inliers,
+            });
+        }
+    }
+    best
 }
 
 /// Known points and their pixels in one camera.
 struct Observed<'a> {
     observations: &'a [Observation],
     intrinsics: &'a Intrinsics,
+}
+
+impl Observed<'_> {
+    fn selected(&self, chosen: &[usize]) -> Vec<Observation> {
+        chosen.iter().map(|&k| self.observations[k]).collect()
+    }
+
+    /// The squared distances in the picture, at most the square of the threshold.
+    fn squares(&self, motor: Motor<f64>, threshold: f64) -> Vec<f64> {
+        let greatest = threshold * threshold;
+        let square = |index| greatest.min(self.squared_error(&motor, index));
+        (0..self.observations.len()).map(square).collect()
+    }
 }
 
 impl Consensus for Observed<'_> {

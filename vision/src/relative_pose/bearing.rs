@@ -65,6 +65,22 @@ impl Bearing {
             .ok_or(CameraError::NotFinite(direction.coordinates()))
     }
 
+    /// Half the squared distance, in square pixels, of the pixel from that of another direction: the
+    /// least sum of squares by which the pixels of two views move onto each other. To first order
+    /// by the derivatives; infinite for a direction on the other side of the camera.
+    pub(super) fn half_squared_distance(&self, other: Vector<f64>) -> f64 {
+        if other.dot(self.direction) <= 0.0 {
+            return f64::INFINITY;
+        }
+        // The other direction as a combination of this one and its derivatives.
+        let [along_u, along_v] = self.derivatives;
+        let volume = |a: Vector<f64>, b: Vector<f64>, c: Vector<f64>| a.dot(b.cross(c));
+        let whole = volume(other, along_u, along_v);
+        let u = volume(self.direction, other, along_v) / whole;
+        let v = volume(self.direction, along_u, other) / whole;
+        0.5 * (u * u + v * v)
+    }
+
     /// The ray as a line through the origin, which is the camera's centre: `eo ∧ d ∧ ei`.
     #[must_use]
     pub fn line(&self) -> Line<f64> {

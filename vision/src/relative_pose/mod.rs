@@ -10,18 +10,18 @@
 //! - [`five_point`], [`seven_point`], [`eight_point`]: matrices of few pairs.
 
 mod bearing;
+mod candidate;
 mod cheirality;
 mod degenerate;
+mod deviation;
 mod five_point;
 mod fundamental;
 mod matrix;
+mod planar;
 mod rotation;
 mod sampson;
 mod summary;
 pub(crate) mod view;
-
-use ga_runtime::cga3::Motor;
-use ga_runtime::vga3::Vector;
 
 pub use bearing::Bearing;
 pub use five_point::five_point;
@@ -30,16 +30,18 @@ pub use fundamental::{
 };
 pub use matrix::{EssentialMatrix, FundamentalMatrix};
 pub use sampson::BearingPair;
-pub use summary::MotionSummary;
+pub use summary::{AlternativeMotion, MotionSummary};
 pub use view::View;
 
 use crate::feature::PixelPair;
 use crate::geometry_error::ViewGeometryError;
+use crate::rival::is_rival;
+use candidate::{Candidate, Settled, angles_between, candidates};
 use ga_camera::Intrinsics;
 use ga_camera::frame::{LeftCamera, Pose, RightCamera};
-use ga_numerics::least_squares::{self, Covariance, Minimum, minimise};
-use ga_numerics::ransac::{Consensus, Search};
-use sampson::{SampsonCost, across_translation};
+use ga_numerics::least_squares::{self, minimise};
+use ga_numerics::ransac::Search;
+use sampson::SampsonCost;
 
 /// How a relative pose is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,13 +82,26 @@ pub struct RelativePose {
     pub root_mean_square: f64,
     /// The covariance of a small motion that follows the result, `exp(B) M`, with the rotation
     /// vector of B in radians and then its velocity of the origin, which is across the translation;
-    /// to first order, from the distances that remain. `None` where there are no more than five
-    /// pairs. Pairs count as independent: where one corner was paired in several scales of the
-    /// views, as [`match_views`](crate::feature::match_views) does, the variances are too small.
+    /// to second order, from the distances that remain. `None` where there are no more than five
+    /// pairs, or the threshold is too small against the noise for the pairs to show it. Pairs that
+    /// show one corner, as those that [`match_views`](crate::feature::match_views) finds in several
+    /// scales, count once. The errors are normally distributed with it; for few pairs, n, the
+    /// region that contains 95 % of them is that of the F distribution with 5 and n − 5 degrees of
+    /// freedom.
     pub covariance: Option<[[f64; 6]; 6]>,
+    /// Other motions that explain the pairs as well, within noise, with points in front of both
+    /// cameras: the best first, and each without alternatives of its own. Two views of a plane
+    /// often have two motions.
+    pub alternatives: Vec<RelativePose>,
 }
 
 impl RelativePose {
+    /// Whether other motions explain the pairs as well.
+    #[must_use]
+    pub fn is_ambiguous(&self) -> bool {
+        !self.alternatives.is_empty()
+    }
+
     /// The standard deviation of the rotation in radians: the root of the sum of the variances
     /// about three axes.
     #[must_use]
@@ -120,9 +135,11 @@ pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &In
 ///
 /// Random samples of five pairs give essential matrices ([`five_point`]). From the best of them
 /// Levenberg and Marquardt's method makes the sum of the squared Sampson distances of the pairs
-/// that agree least, over motors; several starts are refined, since that sum has local minima. Of
-/// the four motions with the resulting essential matrix, that one is taken which has the points in
-/// front of both cameras.
+/// that agree least, over motors; several starts are refined, since that sum has local minima. Two
+/// more starts are the motions of the [homography](crate::homography::Homography::motions) with
+/// which most of these pairs agree. Of the four motions with each of the essential matrices, that
+/// one is taken which explains the pairs best with points in front of both cameras. Where others
+/// explain them as well, they are its [alternatives](RelativePose::alternatives).
 ///
 /// # Errors
 /// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite or on one line, a
@@ -204,15 +221,16 @@ pub fn estimate_from_bearings(
         samples: options.samples,
         seed: options.seed,
     };
-    let Some(refined) = refine_best(pairs, &search) else {
+    let (minima, candidates) = candidates(pairs, &search);
+    let Some(best) = candidates.first() else {
         check_rotation(pairs, &search, NEEDED, f64::INFINITY)?;
         return Err(ViewGeometryError::Undetermined);
     };
-    let Refined {
+    let Settled {
         minimum,
         inliers,
         selected,
-    } = refined;
+    } = &minima[best.settled];
     if !degenerate::is_consensus(pixels, inliers.len(), options.threshold) {
         return Err(ViewGeometryError::NoConsensus {
             agreeing: inliers.len(),
@@ -221,109 +239,69 @@ pub fn estimate_from_bearings(
     }
     let agreeing: Vec<PixelPair> = inliers.iter().map(|&k| pixels[k]).collect();
     degenerate::check_lines(&agreeing, minimum.root_mean_square())?;
-    let variance = minimum.variance();
-    check_rotation(
-        &selected,
-        &search,
-        inliers.len(),
-        variance.unwrap_or(f64::INFINITY),
-    )?;
-
-    let essential = EssentialMatrix::from_motor(minimum.state);
-    let motors = essential.and_then(|essential| essential.motors());
-    let motors = motors.ok_or(ViewGeometryError::Undetermined)?;
-    let (nearest, in_front) = cheirality::most_in_front(motors, &selected);
-    if 2 * in_front <= inliers.len() {
+    let variance = minimum.variance().unwrap_or(f64::INFINITY);
+    check_rotation(selected, &search, inliers.len(), variance)?;
+    if 2 * best.in_front <= inliers.len() {
         return Err(ViewGeometryError::Behind {
-            in_front,
+            in_front: best.in_front,
             pairs: inliers.len(),
         });
     }
-    // The same minimum, in the coordinates of the motion that was chosen.
-    let problem = SampsonCost { pairs: &selected };
-    let minimum = minimise(&problem, nearest, &least_squares::Options::default())
-        .map_err(|_| ViewGeometryError::Undetermined)?;
-    let covariance = variance.and_then(|variance| minimum.covariance(variance));
-    Ok(RelativePose {
-        left_to_right: Pose::new(minimum.state),
-        in_front,
-        root_mean_square: minimum.root_mean_square(),
-        covariance: covariance.map(|covariance| of_twist(&covariance, minimum.state)),
-        inliers,
-    })
-}
-
-/// The least sum of squares over the pairs that agree.
-struct Refined {
-    minimum: Minimum<Motor<f64>>,
-    inliers: Vec<usize>,
-    selected: Vec<BearingPair>,
-}
-
-/// Refines the best essential matrices of random samples, and then the best results with all pairs
-/// that agree.
-fn refine_best(pairs: &[BearingPair], search: &Search) -> Option<Refined> {
-    /// Starts for a first refinement.
-    const STARTS: usize = 16;
-    /// Pairs that take part in a first refinement.
-    const FEW: usize = 300;
-    /// Results of it that are refined with all pairs that agree.
-    const FINALISTS: usize = 3;
-    /// How often the pairs that agree are collected anew.
-    const ROUNDS: usize = 10;
-
-    let problem = Bearings(pairs);
-    let options = least_squares::Options::default();
-    let rate = |motor: Motor<f64>| {
-        let essential = EssentialMatrix::from_motor(motor)?;
-        let candidate = search.rate(&problem, essential, f64::INFINITY)?;
-        Some((candidate.cost, motor))
-    };
-    let starts = search
-        .run(&problem, STARTS)
-        .into_iter()
-        .filter_map(|candidate| {
-            let agreeing = search.inliers(&problem, &candidate.model);
-            let stride = agreeing.len().div_ceil(FEW).max(1);
-            let few: Vec<_> = agreeing.iter().step_by(stride).map(|&k| pairs[k]).collect();
-            let start = candidate.model.motors()?[0];
-            let refined = minimise(&SampsonCost { pairs: &few }, start, &options);
-            rate(refined.map_or(start, |minimum| minimum.state))
-        });
-    let mut starts: Vec<_> = starts.collect();
-    // The sort is stable, so that equal costs keep the order of the samples.
-    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    starts.truncate(FINALISTS);
-
-    let mut best: Option<(f64, Refined)> = None;
-    for (_, mut motor) in starts {
-        let mut last = Vec::new();
-        for _ in 0..ROUNDS {
-            let Some(essential) = EssentialMatrix::from_motor(motor) else {
-                break;
-            };
-            let inliers = search.inliers(&problem, &essential);
-            if inliers == last {
-                break;
-            }
-            let selected: Vec<_> = inliers.iter().map(|&k| pairs[k]).collect();
-            last.clone_from(&inliers);
-            let Ok(minimum) = minimise(&SampsonCost { pairs: &selected }, motor, &options) else {
-                break;
-            };
-            motor = minimum.state;
-            let Some((cost, _)) = rate(motor) else { break };
-            let refined = Refined {
-                minimum,
-                inliers,
-                selected,
-            };
-            if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                best = Some((cost, refined));
-            }
+    let pose = |one: &Candidate| RelativePose::new(one, &minima[one.settled], pixels, options);
+    let mut found = pose(best).ok_or(ViewGeometryError::Undetermined)?;
+    for rival in &candidates[1..] {
+        let is_front = 2 * rival.in_front > minima[rival.settled].inliers.len();
+        if is_front && is_rival(&best.squares, &rival.squares, variance, 1) {
+            let rival = pose(rival).filter(|rival| !found.is_near(rival));
+            let known = &found.alternatives;
+            let rival = rival.filter(|rival| !known.iter().any(|one| one.is_near(rival)));
+            found.alternatives.extend(rival);
         }
     }
-    best.map(|(_, refined)| refined)
+    Ok(found)
+}
+
+impl RelativePose {
+    /// The motion of a candidate, which explains the same as the minimum that it belongs to.
+    fn new(
+        candidate: &Candidate,
+        settled: &Settled,
+        pixels: &[PixelPair],
+        options: &Options,
+    ) -> Option<Self> {
+        let problem = SampsonCost {
+            pairs: &settled.selected,
+        };
+        // The same minimum, in the coordinates of the motion that was chosen.
+        let minimum = minimise(
+            &problem,
+            candidate.motor,
+            &least_squares::Options::default(),
+        );
+        let minimum = minimum.ok()?;
+        let agreeing: Vec<PixelPair> = settled.inliers.iter().map(|&k| pixels[k]).collect();
+        Some(Self {
+            left_to_right: Pose::new(minimum.state),
+            in_front: candidate.in_front,
+            root_mean_square: minimum.root_mean_square(),
+            covariance: deviation::covariance(&problem, &minimum, &agreeing, options.threshold),
+            inliers: settled.inliers.clone(),
+            alternatives: Vec::new(),
+        })
+    }
+
+    /// Whether another motion is within the deviations of this one, and so the same.
+    fn is_near(&self, other: &Self) -> bool {
+        /// How many standard deviations are within.
+        const DEVIATIONS: f64 = 3.0;
+        /// Angles in radians that may be rounding.
+        const ROUNDING: f64 = 1e-6;
+        let motors = [self, other].map(|pose| pose.left_to_right.motor);
+        let angles = angles_between(motors[0], motors[1]);
+        let deviations = [self.rotation_deviation(), self.direction_deviation()];
+        let mut pairs = angles.into_iter().zip(deviations);
+        pairs.all(|(angle, one)| angle <= DEVIATIONS * one.unwrap_or(0.0) + ROUNDING)
+    }
 }
 
 /// Refuses pairs that a rotation explains about as well as a motion with a translation.
@@ -350,51 +328,4 @@ fn check_rotation(
         });
     }
     Ok(())
-}
-
-/// The covariance of a twist, from that of a rotation and two coordinates across the translation.
-fn of_twist(covariance: &Covariance, motor: Motor<f64>) -> [[f64; 6]; 6] {
-    let [a, b] = across_translation(motor);
-    let axes = [Vector::X, Vector::Y, Vector::Z].map(Vector::coordinates);
-    let (a, b) = (a.coordinates(), b.coordinates());
-    // The rows of the linear map from the five coordinates to the six of the twist.
-    let map: [[f64; 5]; 6] = std::array::from_fn(|row| match row {
-        0..3 => {
-            let [x, y, z] = axes[row];
-            [x, y, z, 0.0, 0.0]
-        }
-        _ => [0.0, 0.0, 0.0, a[row - 3], b[row - 3]],
-    });
-    let product = |row: usize, column: usize| -> f64 {
-        let terms = (0..25).map(|k| {
-            let (i, j) = (k / 5, k % 5);
-            map[row][i] * covariance.shared(i, j) * map[column][j]
-        });
-        terms.sum()
-    };
-    std::array::from_fn(|row| std::array::from_fn(|column| product(row, column)))
-}
-
-struct Bearings<'a>(&'a [BearingPair]);
-
-impl Consensus for Bearings<'_> {
-    type Model = EssentialMatrix;
-
-    const SAMPLE: usize = 5;
-
-    fn count(&self) -> usize {
-        self.0.len()
-    }
-
-    fn fit(&self, sample: &[usize], models: &mut Vec<EssentialMatrix>) {
-        let directions = |k: usize| {
-            let BearingPair { left, right } = &self.0[sample[k]];
-            [left.direction, right.direction]
-        };
-        models.extend(five_point(&std::array::from_fn(directions)));
-    }
-
-    fn squared_error(&self, model: &EssentialMatrix, observation: usize) -> f64 {
-        self.0[observation].sampson_distance_by(model).powi(2)
-    }
 }

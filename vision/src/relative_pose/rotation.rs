@@ -1,7 +1,6 @@
 //! Views that differ by a rotation alone, which have no epipolar geometry.
 
 use ga_runtime::cga3::{Direction, Rotor};
-use ga_runtime::vga3::Vector;
 
 use super::sampson::BearingPair;
 use ga_numerics::ransac::{Consensus, Search};
@@ -64,21 +63,10 @@ impl Consensus for Rotations<'_> {
         models.extend(Rotor::from_direction_pairs(&pairs).map(|fit| fit.motion));
     }
 
-    /// Half the squared distance of the right pixel from the rotated left one: pixels of both views
-    /// share the error.
+    /// The error is shared by the pixels of both views.
     fn squared_error(&self, rotor: &Rotor<f64>, observation: usize) -> f64 {
         let BearingPair { left, right } = &self.0[observation];
         let moved = rotor.transform(Direction::from_vector(left.direction.coordinates()));
-        let moved = Vector::from(moved);
-        if moved.dot(right.direction) <= 0.0 {
-            return f64::INFINITY;
-        }
-        // The rotated direction as a combination of the right one and its derivatives.
-        let [along_u, along_v] = right.derivatives;
-        let volume = |a: Vector<f64>, b: Vector<f64>, c: Vector<f64>| a.dot(b.cross(c));
-        let whole = volume(moved, along_u, along_v);
-        let u = volume(right.direction, moved, along_v) / whole;
-        let v = volume(right.direction, along_u, moved) / whole;
-        0.5 * (u * u + v * v)
+        right.half_squared_distance(moved.into())
     }
 }

@@ -161,7 +161,7 @@ pub(super) fn across_translation(motor: Motor<f64>) -> [Vector<f64>; 2] {
 }
 
 /// The motion with its translation scaled to length 1; `None` where it has none.
-fn with_unit_translation(motor: Motor<f64>) -> Option<Motor<f64>> {
+pub(super) fn with_unit_translation(motor: Motor<f64>) -> Option<Motor<f64>> {
     let unit = Vector::from(motor.translator().displacement()).normalized()?;
     let rotor = Quaternion::from(motor.rotor());
     let rotor = Rotor::normalize(rotor)?;

@@ -22,7 +22,44 @@ pub struct MotionSummary {
     pub direction_deviation_degrees: Option<f64>,
 }
 
+/// Another motion that explains two views as well.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct AlternativeMotion {
+    /// R by rows.
+    pub rotation: [[f64; 3]; 3],
+    /// t, of length 1.
+    pub direction: [f64; 3],
+    /// The standard deviation of the rotation, where it is known.
+    pub rotation_deviation_degrees: Option<f64>,
+    /// The standard deviation of the direction, where it is known.
+    pub direction_deviation_degrees: Option<f64>,
+    /// How many pairs agree.
+    pub inliers: usize,
+    /// How many of these are in front of both cameras.
+    pub in_front: usize,
+    /// The root mean square of the Sampson distances of the pairs that agree, in pixels.
+    pub rms_px: f64,
+}
+
 impl RelativePose {
+    /// The [alternatives](Self::alternatives) in numbers.
+    #[must_use]
+    pub fn alternative_summaries(&self) -> Vec<AlternativeMotion> {
+        let summary = |pose: &Self| {
+            let motion = pose.summary();
+            AlternativeMotion {
+                rotation: motion.rotation_matrix,
+                direction: motion.translation_direction,
+                rotation_deviation_degrees: motion.rotation_deviation_degrees,
+                direction_deviation_degrees: motion.direction_deviation_degrees,
+                inliers: pose.inliers.len(),
+                in_front: pose.in_front,
+                rms_px: pose.root_mean_square,
+            }
+        };
+        self.alternatives.iter().map(summary).collect()
+    }
+
     /// The motion in numbers.
     #[must_use]
     pub fn summary(&self) -> MotionSummary {

@@ -7,6 +7,7 @@ mod capture;
 mod capture_surface;
 mod chessboard;
 mod contour;
+mod coverage;
 mod dense;
 mod diagnosis;
 mod disparity;

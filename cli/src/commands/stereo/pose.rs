@@ -7,12 +7,14 @@ use anyhow::{Error, Result, ensure};
 use ga_camera::format::{self, NamedCamera};
 use ga_vision::ViewGeometryError;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
-use ga_vision::relative_pose::{MotionSummary, Options, estimate, retain_in_field};
+use ga_vision::relative_pose::{
+    AlternativeMotion, MotionSummary, Options, estimate, retain_in_field,
+};
 use serde::Serialize;
 
 use super::views;
 use crate::camera_file::{about, read_one};
-use crate::frame::{self, Command, Context};
+use crate::frame::{self, Command, Context, Warning};
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
 ///
@@ -27,12 +29,18 @@ use crate::frame::{self, Command, Context};
 /// prints {"rotation_matrix": [[…], […], […]], "rotation_axis": […], "rotation_degrees": …,
 /// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
 /// "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …, "rms_px": …,
-/// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations
-/// are standard deviations of the result, estimated from what remains as if the pairs were
-/// independent, which corners that are matched in several scales are not. pairs counts the matched
-/// corners, pairs_outside_field those of them that are left out because the distortion of a lens
-/// cannot be inverted there, inliers those that agree with the motion, and rms_px is the root mean
-/// square of their distances from the epipolar condition. Equal seeds give equal results.
+/// "ambiguous": …, "alternatives": [{"rotation": …, "direction": …, …}, …], "seconds": …}. The
+/// matrix is given by rows, and axis and direction have length 1. The deviations are standard
+/// deviations of the result, estimated from what remains; a corner that is matched in several
+/// scales counts once. pairs counts the matched corners, pairs_outside_field those of them that are
+/// left out because the distortion of a lens cannot be inverted there, inliers those that agree
+/// with the motion, and rms_px is the root mean square of their distances from the epipolar
+/// condition. Equal seeds give equal results.
+///
+/// Two views of a plane often have two motions that explain them alike. Then ambiguous is true, a
+/// warning says so, and alternatives has the others: the matrix of the rotation, the direction of
+/// the translation, their deviations, inliers, in_front and rms_px. A third view, or points beside
+/// the plane, would tell which is right.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -78,7 +86,11 @@ pub(crate) struct Report {
     inliers: usize,
     in_front: usize,
     rms_px: f64,
+    ambiguous: bool,
+    alternatives: Vec<AlternativeMotion>,
     seconds: f64,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
 }
 
 impl Command for Arguments {
@@ -143,6 +155,19 @@ impl Command for Arguments {
         let seconds = begin.elapsed().as_secs_f64();
         drop(progress);
 
+        let others = found.alternatives.len();
+        let warnings = found.is_ambiguous().then(|| {
+            let motions = match others {
+                1 => "another motion explains".to_owned(),
+                _ => format!("{others} other motions explain"),
+            };
+            let message = format!(
+                "{}: {motions} the views as well, as two views of a plane do; \
+                 the deviations hold for each by itself",
+                named()
+            );
+            Warning::new("ambiguous_motion", message)
+        });
         Ok(Report {
             motion: found.summary(),
             pairs: matched,
@@ -150,7 +175,10 @@ impl Command for Arguments {
             inliers: found.inliers.len(),
             in_front: found.in_front,
             rms_px: found.root_mean_square,
+            ambiguous: found.is_ambiguous(),
+            alternatives: found.alternative_summaries(),
             seconds,
+            warnings: warnings.into_iter().collect(),
         })
     }
 }
@@ -171,6 +199,10 @@ impl Arguments {
 }
 
 impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
     fn text(&self) -> String {
         let motion = &self.motion;
         let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
@@ -182,8 +214,17 @@ impl frame::Report for Report {
             0 => String::new(),
             count => format!("{count} pairs of corners are outside the field of a lens\n"),
         };
+        let alternatives = self.alternatives.iter().map(|other| {
+            format!(
+                "or translation along {}{}, with the rotation {:.4?}\n",
+                vector(other.direction),
+                deviation(other.direction_deviation_degrees),
+                other.rotation
+            )
+        });
+        let alternatives: String = alternatives.collect();
         format!(
-            "rotation {:.4}°{} about {}\ntranslation along {}{}\n\
+            "rotation {:.4}°{} about {}\ntranslation along {}{}\n{alternatives}\
              {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n{outside}",
             motion.rotation_degrees,
             deviation(motion.rotation_deviation_degrees),

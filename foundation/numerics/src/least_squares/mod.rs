@@ -11,6 +11,7 @@
 //! damped steps with any solver, a [`Descent`].
 
 mod covariance;
+mod curvature;
 mod descent;
 mod equations;
 mod loss;
@@ -101,6 +102,29 @@ impl<State> Minimum<State> {
     #[must_use]
     pub fn covariance(&self, variance: f64) -> Option<Covariance> {
         self.equations.covariance(variance).ok()
+    }
+
+    /// The covariance of the unknowns to second order, for a problem without groups: it also holds
+    /// where the valley of the cost bends within a standard deviation. For normally distributed
+    /// errors of the unknowns to first order, their second moments about the minimum, as third
+    /// derivatives of the cost change them. `None` where the residuals do not determine the
+    /// unknowns, or do not exist one standard deviation away.
+    #[must_use]
+    pub fn curved_covariance<P: Problem<State = State>>(
+        &self,
+        problem: &P,
+        variance: f64,
+    ) -> Option<Covariance>
+    where
+        State: Clone,
+    {
+        let first = self.covariance(variance)?;
+        let mut equations = self.equations.clone();
+        curvature::curved(&first, self.unknowns, variance, |step| {
+            let state = problem.stepped(&self.state, step)?;
+            evaluate(problem, &state, &mut equations)?;
+            Some(equations.cost())
+        })
     }
 
     /// Where there is no [`covariance`](Self::covariance), an unknown that the residuals do not

@@ -8,8 +8,12 @@
 //! Understanding 78, 2000: the sum of the squared errors, each cut off at the square of the
 //! threshold.
 
+mod selection;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
+
+pub use selection::SelectedNoise;
 
 /// Observations, and the models that a few of them determine.
 pub trait Consensus {

@@ -1,0 +1,30 @@
+//! Explanations of the same observations that these do not tell apart.
+
+/// Whether observations do not tell an explanation from the one that is best, from the squared
+/// errors that both leave, observation by observation; `variance` is that of one of the
+/// `components` of an error of the best explanation.
+///
+/// The difference of the sums of squares is compared with its own standard deviation, which the
+/// differences of the single squares show (Q. H. Vuong, "Likelihood ratio tests for model selection
+/// and non-nested hypotheses", Econometrica 57, 1989). Noise alone does not make these vary by more
+/// than `4 · components · variance²`: what goes beyond speaks against the explanation. A difference
+/// of less than nine variances, a ratio of the likelihoods below e^4.5, never decides.
+pub(crate) fn is_rival(best: &[f64], other: &[f64], variance: f64, components: usize) -> bool {
+    /// The standard deviations within which explanations are equal.
+    const DEVIATIONS: f64 = 3.0;
+    /// The variances within which they are.
+    const VARIANCES: f64 = 9.0;
+    /// The square of what rounding may do to an error, in pixels.
+    const ROUNDING: f64 = 1e-14;
+    let count = best.len() as f64;
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for (best, other) in best.iter().zip(other) {
+        let difference = other - best;
+        sum += difference;
+        squares += difference * difference;
+    }
+    let noise = 4.0 * components as f64 * variance * variance;
+    let spread = (squares / count - (sum / count).powi(2)).clamp(0.0, noise);
+    let equal = (DEVIATIONS * (count * spread).sqrt()).max(VARIANCES * variance);
+    sum <= equal + count * ROUNDING
+}

@@ -1,0 +1,168 @@
+//! Cameras and rigs from boards: each parameter against its deviation.
+
+use ga_camera::Camera;
+use ga_camera::Intrinsics;
+use ga_runtime::cga3::{Motor, Point, Translator};
+use ga_vision::calibration::{CameraOptions, StereoOptions, calibrate_camera, calibrate_stereo};
+use ga_vision::chessboard::BoardSize;
+
+use super::super::motor;
+use super::{Coverage, Random, runs};
+
+const SIZE: [usize; 2] = [640, 480];
+
+fn places() -> Vec<Point<f64>> {
+    BoardSize::new(9, 6).unwrap().places(0.025)
+}
+
+/// A board about the optical axis at a depth, rolled and tilted.
+fn board(random: &mut Random, depth: f64, tilt: f64, aside: f64) -> Motor<f64> {
+    let mut within = |size: f64| random.within(-size, size);
+    let roll = motor(
+        [0.0, 0.0, 1.0],
+        within(1.5),
+        [within(aside), within(0.8 * aside), depth],
+    );
+    let centre = Translator::from_displacement([-0.1, -0.0625, 0.0]);
+    let tilts = motor([1.0, 0.0, 0.0], within(tilt), [0.0; 3])
+        * motor([0.0, 1.0, 0.0], within(tilt), [0.0; 3]);
+    roll * tilts * centre
+}
+
+fn seen(camera: &Camera, board: Motor<f64>, random: &mut Random) -> Vec<[f64; 2]> {
+    let corners: Vec<Point<f64>> = places().iter().map(|p| board.transform(*p)).collect();
+    let pixels = camera.project_all(&corners).unwrap();
+    pixels
+        .into_iter()
+        .map(|pixel| random.noisy(pixel))
+        .collect()
+}
+
+/// A scene: focal length, depth of the boards and how far they are tilted and aside.
+struct Scene {
+    name: &'static str,
+    focal: f64,
+    depth: f64,
+    tilt: f64,
+    aside: f64,
+}
+
+fn one_camera(scene: &Scene) {
+    let intrinsics = Intrinsics::new([scene.focal, 1.01 * scene.focal], [322.0, 238.0]).unwrap();
+    let camera = Camera {
+        intrinsics,
+        world_to_camera: Motor::default(),
+    };
+    let mut coverage = Coverage::default();
+    let options = CameraOptions {
+        terms: "k1,k2".parse().unwrap(),
+        ..CameraOptions::default()
+    };
+    for run in 0..runs() {
+        let mut random = Random::new(run);
+        let views: Vec<_> = (0..8)
+            .map(|_| {
+                let depth = random.within(0.8, 1.2) * scene.depth;
+                let board = board(&mut random, depth, scene.tilt, scene.aside);
+                seen(&camera, board, &mut random)
+            })
+            .collect();
+        let Ok(found) = calibrate_camera(&views, &places(), SIZE, &options) else {
+            coverage.refused += 1;
+            continue;
+        };
+        let errors = found.intrinsics.parameters().into_iter();
+        let errors = errors.zip(intrinsics.parameters());
+        for ((found, truth), deviation) in errors.zip(found.deviations).take(6) {
+            coverage.add(((found - truth) / deviation).powi(2), 1);
+        }
+    }
+    coverage.check(&format!("calibration, {}", scene.name));
+}
+
+#[test]
+fn cameras() {
+    let general = Scene {
+        name: "general",
+        focal: 700.0,
+        depth: 0.4,
+        tilt: 0.5,
+        aside: 0.04,
+    };
+    let narrow = Scene {
+        name: "narrow",
+        focal: 3000.0,
+        depth: 1.8,
+        ..general
+    };
+    let scenes = [
+        Scene {
+            name: "little tilt",
+            tilt: 0.2,
+            ..general
+        },
+        Scene {
+            name: "wide",
+            focal: 400.0,
+            depth: 0.25,
+            aside: 0.02,
+            ..general
+        },
+    ];
+    for scene in [general, narrow].iter().chain(&scenes) {
+        one_camera(scene);
+    }
+}
+
+#[test]
+fn rigs() {
+    let intrinsics = Intrinsics::new([700.0, 705.0], [322.0, 238.0]).unwrap();
+    let truth = motor([0.3, 1.0, -0.2], 0.06, [-0.12, 0.003, 0.01]);
+    let [left, right] = [Motor::default(), truth].map(|world_to_camera| Camera {
+        intrinsics,
+        world_to_camera,
+    });
+    let options = StereoOptions {
+        cameras: [CameraOptions {
+            terms: "k1,k2".parse().unwrap(),
+            ..CameraOptions::default()
+        }; 2],
+        ..StereoOptions::default()
+    };
+    let mut coverage = Coverage::default();
+    for run in 0..runs() {
+        let mut random = Random::new(run);
+        let boards: Vec<_> = (0..8)
+            .map(|_| {
+                let depth = random.within(0.4, 0.6);
+                Motor::from(Translator::from_displacement([0.05, 0.0, 0.0]))
+                    * board(&mut random, depth, 0.5, 0.04)
+            })
+            .collect();
+        let views = [&left, &right].map(|camera| -> Vec<_> {
+            let board = |board: &Motor<f64>| seen(camera, *board, &mut random);
+            boards.iter().map(board).collect()
+        });
+        let views = [&views[0][..], &views[1][..]];
+        let Ok(found) = calibrate_stereo(views, &places(), SIZE, &options) else {
+            coverage.refused += 1;
+            continue;
+        };
+        let cameras = [&found.rig.left, &found.rig.right];
+        for (camera, deviations) in cameras.into_iter().zip(found.deviations) {
+            let errors = camera.intrinsics.parameters().into_iter();
+            let errors = errors.zip(intrinsics.parameters());
+            for ((found, truth), deviation) in errors.zip(deviations).take(6) {
+                coverage.add(((found - truth) / deviation).powi(2), 1);
+            }
+        }
+        let [x, y, z] = truth.translator().displacement();
+        let error = found.rig.baseline() - (x * x + y * y + z * z).sqrt();
+        coverage.add((error / found.baseline_deviation).powi(2), 1);
+        let between = super::rotation_between(found.rig.left_to_right().motor, truth);
+        for (error, deviation) in between.coordinates().into_iter().zip(found.rig_deviations) {
+            coverage.add((error / deviation).powi(2), 1);
+        }
+    }
+    coverage.check("calibration, rig");
+}

@@ -1,0 +1,124 @@
+//! The pose of a camera that sees known points.
+
+use ga_camera::{Camera, Intrinsics};
+use ga_runtime::cga3::{Motor, MotorGenerator, Point};
+use ga_vision::perspective_n_point::{Options, PerspectivePose, estimate};
+
+use super::super::motor;
+use super::{Coverage, Random, mahalanobis, runs};
+
+/// The squared Mahalanobis distance of the twist from a pose to the truth.
+fn distance(found: &PerspectivePose, truth: Motor<f64>) -> Option<f64> {
+    let covariance = found.covariance?;
+    let mut between = truth * found.world_to_camera.reverse();
+    if between.rotor().scalar() < 0.0 {
+        between = -between;
+    }
+    let twist: MotorGenerator<f64> = between.log();
+    let [x, y, z] = twist.angular_velocity().vector();
+    let [u, v, w] = twist.velocity_at(Point::ORIGIN).vector();
+    let error = [x, y, z, u, v, w];
+    Some(mahalanobis(&error, |i, j| covariance[i][j]))
+}
+
+fn coverage(
+    name: &str,
+    focal: f64,
+    options: Options,
+    truth: Motor<f64>,
+    points: impl Fn(&mut Random) -> Vec<[f64; 3]>,
+) {
+    let intrinsics = Intrinsics::new([focal; 2], [319.5, 239.5]).unwrap();
+    let camera = Camera {
+        intrinsics,
+        world_to_camera: truth,
+    };
+    let mut coverage = Coverage::default();
+    for run in 0..runs() {
+        let mut random = Random::new(run);
+        let points: Vec<_> = points(&mut random).into_iter().map(Point::from).collect();
+        let pixels = camera.project_all(&points).unwrap();
+        let pixels: Vec<_> = pixels
+            .into_iter()
+            .map(|pixel| random.noisy(pixel))
+            .collect();
+        let found = estimate(&points, &pixels, &intrinsics, &options).ok();
+        let first = found.as_ref().and_then(|found| distance(found, truth));
+        let (Some(found), Some(first)) = (found, first) else {
+            coverage.refused += 1;
+            continue;
+        };
+        let others = found.alternatives.iter();
+        let others = others.filter_map(|other| distance(other, truth));
+        let nearest = others.fold(first, f64::min);
+        coverage.ambiguous += usize::from(found.is_ambiguous());
+        coverage.second += usize::from(nearest < first);
+        coverage.add(nearest, 6);
+    }
+    coverage.check(&format!("known points, {name}"));
+}
+
+/// The corners of a board of 9 × 6, with steps out of its plane.
+fn board(random: &mut Random, relief: f64) -> Vec<[f64; 3]> {
+    let corner = |k: usize| {
+        let [x, y] = [(k % 9) as f64 - 4.0, (k / 9) as f64 - 2.5];
+        [0.025 * x, 0.025 * y, relief * random.normal()]
+    };
+    (0..54).map(corner).collect()
+}
+
+fn inclined(depth: f64) -> Motor<f64> {
+    motor([1.0, 0.5, 0.2], 0.6, [0.02, -0.01, depth])
+}
+
+#[test]
+fn general_scenes() {
+    let cloud = |random: &mut Random| {
+        let point = |_| [0; 3].map(|_| random.within(-0.1, 0.1));
+        (0..50).map(point).collect()
+    };
+    let truth = inclined(0.6);
+    coverage("general", 700.0, Options::default(), truth, cloud);
+    let threshold = Options {
+        threshold: Some(1.0),
+        ..Options::default()
+    };
+    coverage(
+        "general, threshold 2 deviations",
+        700.0,
+        threshold,
+        truth,
+        cloud,
+    );
+}
+
+#[test]
+fn boards() {
+    let flat = |random: &mut Random| board(random, 0.0);
+    let options = Options::default();
+    coverage("planar", 700.0, options, inclined(0.5), flat);
+    coverage("planar, far away", 700.0, options, inclined(3.0), flat);
+    let facing = motor([1.0, 0.5, 0.2], 0.02, [0.02, -0.01, 0.5]);
+    coverage("planar, facing the camera", 700.0, options, facing, flat);
+    let rough = |random: &mut Random| board(random, 0.002);
+    coverage("nearly planar", 700.0, options, inclined(0.5), rough);
+    coverage("planar, narrow", 4000.0, options, inclined(4.0), flat);
+}
+
+/// A road of points on both sides, along which the camera looks.
+#[test]
+fn forward_views() {
+    let road = |random: &mut Random| {
+        let point = |k: usize| {
+            let side = if k % 2 == 0 { -1.0 } else { 1.0 };
+            [
+                side + random.within(-0.2, 0.2),
+                random.within(-0.5, 0.5),
+                random.within(3.0, 30.0),
+            ]
+        };
+        (0..50).map(point).collect()
+    };
+    let truth = motor([0.3, 1.0, -0.2], 0.03, [0.05, 0.02, 0.5]);
+    coverage("forward", 700.0, Options::default(), truth, road);
+}
