@@ -87,7 +87,7 @@ mod tests {
         let identity = std::array::from_fn(|level| level as u8);
         for mirrored in [false, true] {
             let mut view = View::new(20, 9, mirrored);
-            view.fill(plane.view(), &identity);
+            view.fill(plane.view(), &identity, 0);
             let mut features = Features::new(20, 32);
             features.compute(&view, 4);
             let column = if mirrored { 19 - 10 } else { 10 };

@@ -4,6 +4,7 @@ use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
 use ga_image::pyramid::halved;
 use ga_numerics::order_statistics::Sorted;
 
+use crate::disparity::range::GREATEST_RANGE;
 use crate::disparity::{DisparityMap, StereoError};
 use crate::matcher::{Matcher, MatcherOptions, Mode};
 
@@ -11,16 +12,14 @@ use crate::matcher::{Matcher, MatcherOptions, Mode};
 const COLUMNS: usize = 320;
 /// Views are not halved to fewer rows than this: a matcher compares windows of several rows.
 const ROWS: usize = 16;
-/// No matcher accepts a greater range.
-const GREATEST_RANGE: usize = 2047;
 /// The part of the pixels whose disparity the range holds.
 const PART: f64 = 0.995;
 /// Pixels are counted whose confidence is at least this.
 const CONFIDENCE: f32 = 0.1;
 
-/// A range of disparities that holds those of two rectified views, for
-/// [`MatcherOptions::max_disparity`]: a multiple of 16 px, or the greatest range that a
-/// [`Matcher`] accepts for views of this width.
+/// A range of disparities from 0 that holds those of two rectified views, for
+/// [`MatcherOptions::range`]: a multiple of 16 px, or the greatest range that a [`Matcher`] accepts
+/// for views of this width.
 ///
 /// The views are matched at a small size over two thirds of their width. The range ends a tenth
 /// beyond the disparity that 99.5 % of the confident pixels stay below. The rule is our own.
@@ -54,8 +53,9 @@ pub fn disparity_range(
         small = [halved(&small[0]), halved(&small[1])];
         factor *= 2;
     }
+    let reach = (small[0].width() * 2 / 3).clamp(1, GREATEST_RANGE);
     let options = MatcherOptions {
-        max_disparity: (small[0].width() * 2 / 3).clamp(1, GREATEST_RANGE),
+        range: [0, reach as i32],
         mode: Mode::Fast,
         threads,
     };

@@ -21,7 +21,7 @@ fn the_truth_of_the_motorcycle_is_upright() {
     let Some(path) = shared("data/vision/middlebury/motorcycle_disp.pfm") else {
         return;
     };
-    let truth = file::read(path).unwrap();
+    let truth = file::read(path, None).unwrap();
     assert_eq!((truth.width(), truth.height()), (741, 500));
     for (column, row, disparity) in [
         (0, 0, None),
@@ -43,27 +43,38 @@ fn rows_are_stored_from_the_bottom_in_either_order_of_bytes() {
     let little = b"Pf\n2 2\n-1.0\n\0\0\x40\x40\0\0\x80\x7f\0\0\x80\x3f\0\0\0\x40";
     let big = b"Pf\n2 2\n1.0\n\x40\x40\0\0\x7f\x80\0\0\x3f\x80\0\0\x40\0\0\0";
     assert_eq!(file::encode(&expected).unwrap(), little);
-    assert_eq!(file::decode(little).unwrap(), expected);
-    assert_eq!(file::decode(big).unwrap(), expected);
+    assert_eq!(file::decode(little, None).unwrap(), expected);
+    assert_eq!(file::decode(big, None).unwrap(), expected);
 }
 
 #[test]
 fn truths_are_stored_as_multiples() {
     let deep = Plane::from_fn(3, 2, |column, row| (1000 * column + 7 * row) as u16);
-    let truth = file::decode_truth(&png::encode(&deep).unwrap(), 256.0).unwrap();
-    assert_eq!(truth.get(2, 1), Some(2007.0 / 256.0));
-    assert_eq!(truth.get(0, 0), Some(0.0));
-    let shallow = file::decode_truth(b"P5 2 1 255\n\x09\xff", 3.0).unwrap();
-    assert_eq!(shallow, map(2, &[3.0, 85.0]));
+    // Without a scale, 16 bits are those of KITTI. 0 is unknown.
+    let deep = png::encode(&deep).unwrap();
+    for scale in [None, Some(256.0)] {
+        let truth = file::decode(&deep, scale).unwrap();
+        assert_eq!(truth.get(2, 1), Some(2007.0 / 256.0));
+        assert_eq!(truth.get(0, 0), None);
+    }
+    assert_eq!(
+        file::decode(&deep, Some(1.0)).unwrap().get(2, 1),
+        Some(2007.0)
+    );
+    let shallow = b"P5 3 1 255\n\x09\xff\0";
+    let expected = map(3, &[3.0, 85.0, f32::NAN]);
+    assert_eq!(file::decode(shallow, Some(3.0)).unwrap(), expected);
+    let expected = map(3, &[9.0, 255.0, f32::NAN]);
+    assert_eq!(file::decode(shallow, None).unwrap(), expected);
     let floats = Plane::from_values(2, 1, vec![5.0, f32::INFINITY]).unwrap();
     let bytes = pfm::encode(&floats, ByteOrder::Big).unwrap();
     assert_eq!(
-        file::decode_truth(&bytes, 2.0).unwrap(),
+        file::decode(&bytes, Some(2.0)).unwrap(),
         map(2, &[2.5, f32::NAN])
     );
     // Beyond the range of floats a disparity is unknown.
     let huge = pfm::encode(&Plane::filled(1, 1, 3e38f32), ByteOrder::Big).unwrap();
-    assert_eq!(file::decode_truth(&huge, 1e-3).unwrap().known(), 0);
+    assert_eq!(file::decode(&huge, Some(1e-3)).unwrap().known(), 0);
 }
 
 #[test]
@@ -72,22 +83,19 @@ fn what_is_no_map_is_named() {
     let colour = pfm::encode(&colour, ByteOrder::Little).unwrap();
     let picture = png::encode(&Plane::filled(2, 2, [1u8; 4])).unwrap();
     for (error, part) in [
-        (file::decode(&colour), "this picture is RGB of floats"),
-        (file::decode(b"Pf\n2 2\n-1.0\nabc"), "too many for 3 bytes"),
+        (file::decode(&colour, None), "this picture is RGB of floats"),
         (
-            file::decode(b"Pf\n2 2\n0\n"),
+            file::decode(b"Pf\n2 2\n-1.0\nabc", None),
+            "16 bytes, and 3 bytes follow",
+        ),
+        (
+            file::decode(b"Pf\n2 2\n0\n", None),
             "neither positive nor negative",
         ),
-        (file::decode(&picture), "PFM"),
-        (file::decode(b""), "PFM"),
-        (
-            file::decode(b"P5 1 1 255\n\x09\0\0\0"),
-            "begins with PF or Pf",
-        ),
-        (file::decode_truth(&picture, 1.0), "8-bit RGBA"),
-        (file::decode_truth(b"none", 1.0), "not a picture"),
-        (file::decode_truth(&picture, 0.0), "the scale 0"),
-        (file::decode_truth(&picture, f64::NAN), "the scale NaN"),
+        (file::decode(&picture, Some(1.0)), "8-bit RGBA"),
+        (file::decode(b"none", None), "not a picture"),
+        (file::decode(&picture, Some(0.0)), "the scale 0"),
+        (file::decode(&picture, Some(f64::NAN)), "the scale NaN"),
     ] {
         let error = error.unwrap_err().to_string();
         assert!(error.contains(part), "{error}");
@@ -192,6 +200,6 @@ proptest! {
     ) {
         prop_assume!(values.len() >= width);
         let map = map(width, &values[..values.len() / width * width]);
-        prop_assert_eq!(file::decode(&file::encode(&map).unwrap()).unwrap(), map);
+        prop_assert_eq!(file::decode(&file::encode(&map).unwrap(), None).unwrap(), map);
     }
 }

@@ -9,9 +9,9 @@ use nullcone_shared_data::shared;
 
 const MODES: [Mode; 3] = [Mode::Fast, Mode::Balanced, Mode::Best];
 
-fn options(max_disparity: usize, mode: Mode, threads: usize) -> MatcherOptions {
+fn options(max_disparity: i32, mode: Mode, threads: usize) -> MatcherOptions {
     MatcherOptions {
-        max_disparity,
+        range: [0, max_disparity],
         mode,
         threads,
     }
@@ -201,7 +201,7 @@ fn what_cannot_be_matched_is_named() {
 fn bad_2(
     folder: &str,
     [left, right, truth]: [&str; 3],
-    (scale, range, mode): (f64, usize, Mode),
+    (scale, range, mode): (f64, i32, Mode),
 ) -> Option<f64> {
     let path = |name: &str| shared(&format!("data/vision/{folder}/{name}"));
     let grey = |name: &str| {
@@ -209,7 +209,7 @@ fn bad_2(
         Some(picture.to_grey::<u8>(Luma::Bt601))
     };
     let views = [grey(left)?, grey(right)?];
-    let truth = file::read_truth(path(truth)?, scale).expect("a truth");
+    let truth = file::read(path(truth)?, Some(scale)).expect("a truth");
     let found = matched(&views, options(range, mode, 2));
     let errors = ErrorMap::new(&found.disparity, &truth).expect("sizes");
     Some(errors.bad(2.0))

@@ -224,7 +224,7 @@ fn the_range_of_disparities_is_found() {
     assert!(range > 100 && range <= 160, "{range}");
     let wide = Plane::filled(3100, 10, 90);
     let options = MatcherOptions {
-        max_disparity: disparity_range(&wide, &wide, 1).unwrap(),
+        range: [0, disparity_range(&wide, &wide, 1).unwrap() as i32],
         mode: Mode::Fast,
         threads: 1,
     };
@@ -318,17 +318,21 @@ fn faulty_surfaces_are_errors() {
             depths: [3.0, 4.0],
             ..all
         }),
-        DisparityMapError::Empty { pixels }
+        DisparityMapError::Empty {
+            pixels,
+            uncertain: 0
+        }
     );
     // At infinity and behind the cameras there are no points.
     for disparity in [f32::NAN, -2.5, -10.0] {
         let map = DisparityMap::new(Plane::filled(4, 4, disparity));
         let error = Surface::new(&map, &rig, &all).unwrap_err();
-        assert_eq!(error, DisparityMapError::Empty { pixels: 16 });
+        let (pixels, uncertain) = (16, 0);
+        assert_eq!(error, DisparityMapError::Empty { pixels, uncertain });
     }
     assert!(matches!(
         Surface::new(&DisparityMap::default(), &rig, &all),
-        Err(DisparityMapError::Empty { pixels: 0 })
+        Err(DisparityMapError::Empty { pixels: 0, .. })
     ));
     let surface = Surface::new(&map, &rig, &all).unwrap();
     let small = Plane::filled(4, 4, [0u8; 3]);
@@ -368,19 +372,21 @@ fn a_rectified_pair_has_its_disparities_where_they_are_certain() {
         threads: 1,
         ..PairOptions::default()
     };
-    let (map, range) = pair.disparities(&options).unwrap();
-    assert!(range > 21, "{range}");
+    let found = pair.disparities(&options).unwrap();
+    let (map, [least, beyond]) = (found.disparity, found.range);
+    assert!(least == 0 && beyond > 21, "{beyond}");
+    assert_eq!(found.faults, []);
     let right = (0..160).flat_map(|v| (40..400).map(move |u| (u, v)));
     let near = right.filter(|&(u, v)| map.get(u, v).is_some_and(|d| (d - 21.0).abs() < 0.5));
     assert!(near.count() > 160 * 360 * 9 / 10);
-    let (none, range) = pair
+    let none = pair
         .disparities(&PairOptions {
             max_disparity: Some(32),
             least_confidence: 1.5,
             ..options
         })
         .unwrap();
-    assert_eq!((none.known(), range), (0, 32));
+    assert_eq!((none.disparity.known(), none.range), (0, [0, 32]));
 }
 
 #[test]
