@@ -4,7 +4,7 @@ use ga_runtime::cga2::{self, Point};
 use serde::Serialize;
 
 use super::fit::{Ellipse, ellipse};
-use super::picture_border::is_at_border;
+use super::picture_border::{REACH_OF_SNAKES, is_at_border};
 use super::polygon::{perimeter, signed_area};
 
 /// What is known of a closed curve. Serialised, lengths have `px` and areas `px2` in their names.
@@ -46,7 +46,7 @@ pub struct NearestCircle {
 }
 
 impl MeasuredContour {
-    /// Measures a curve of a picture with these columns and rows.
+    /// Measures the border of a region in a picture with these columns and rows.
     ///
     /// ```
     /// use ga_vision::contour::MeasuredContour;
@@ -67,8 +67,25 @@ impl MeasuredContour {
         parent: Option<usize>,
         size: [usize; 2],
     ) -> Self {
+        let is_inside = |point: &[f64; 2]| !is_at_border(*point, size, 0.0);
+        Self::measured(points, is_hole, parent, is_inside)
+    }
+
+    /// Measures a snake in a picture with these columns and rows.
+    #[must_use]
+    pub fn of_snake(points: Vec<[f64; 2]>, size: [usize; 2]) -> Self {
+        let is_inside = |point: &[f64; 2]| !is_at_border(*point, size, REACH_OF_SNAKES);
+        Self::measured(points, false, None, is_inside)
+    }
+
+    fn measured(
+        points: Vec<[f64; 2]>,
+        is_hole: bool,
+        parent: Option<usize>,
+        is_inside: impl Fn(&[f64; 2]) -> bool,
+    ) -> Self {
         let mut inside = points.clone();
-        inside.retain(|point| !is_at_border(*point, size));
+        inside.retain(is_inside);
         let places: Vec<_> = inside.iter().copied().map(Point::from).collect();
         let circle = cga2::Circle::fit(&places).ok().map(|fit| {
             let [u, v, _] = fit.origin().coordinates();

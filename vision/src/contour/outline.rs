@@ -41,7 +41,7 @@ pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, ContourE
         .filter(|contour| !is_background(contour) && contour.area() >= least_area)
         .max_by(|a, b| a.area().total_cmp(&b.area()))
         .ok_or(ContourError::NoBorder { least_area })?;
-    let touches = |pixel: &&[u32; 2]| is_at_border(pixel.map(f64::from), size);
+    let touches = |pixel: &&[u32; 2]| is_at_border(pixel.map(f64::from), size, 0.0);
     let touching = largest.pixels.iter().find(touches).copied();
     match touching {
         None => Ok(largest),

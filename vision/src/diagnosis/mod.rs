@@ -52,6 +52,8 @@ pub const RECTIFIED_LIMIT: f64 = 1.0;
 const LEAST_AGREEMENT: f64 = 0.3;
 /// The part of the pairs that are in one column where the views are rotated by a quarter turn.
 const IN_COLUMNS: f64 = 0.5;
+/// Points whose columns differ by less than this number of pixels are in one column.
+const COLUMN_TOLERANCE: f64 = 1.5;
 
 /// How a pair of views is diagnosed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -221,7 +223,7 @@ impl Diagnosis {
         }
         let agreeing = rows.agreeing(&model, threshold);
         let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
-        let in_column = |pair: &&PixelPair| (pair.left[0] - pair.right[0]).abs() < threshold;
+        let in_column = |pair: &&PixelPair| (pair.left[0] - pair.right[0]).abs() < COLUMN_TOLERANCE;
         let in_columns = pairs.iter().filter(in_column).count() as f64;
         let are_in_columns = in_columns > IN_COLUMNS * pairs.len() as f64;
         if (agreeing.len() as f64) < least && !are_in_columns {

@@ -4,8 +4,7 @@ use ga_image::plane::Plane;
 use ga_numerics::order_statistics::Sorted;
 
 use super::{Diagnosis, DiagnosisFault, DiagnosisOptions};
-use crate::disparity::range::along_rows;
-use crate::feature::{ViewOptions, match_views};
+use crate::disparity::range::{along_rows, points_of_both};
 use crate::geometry_error::ViewGeometryError;
 use crate::matcher::Match;
 
@@ -20,8 +19,10 @@ const HOPELESS: f64 = 0.12;
 const LEAST_TEXTURE: f64 = 0.01;
 /// The part of the points that may be outside the range of disparities: mismatches.
 const OUTSIDE: f64 = 0.1;
-/// Fewer points in one row say nothing of the range.
-const LEAST_POINTS: usize = 20;
+/// The part of the confirmed disparities that may be at an end of the range.
+const AT_END: f64 = 0.05;
+/// Fewer points say nothing.
+const LEAST_POINTS: usize = 10;
 
 /// Why views are matched badly.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -100,7 +101,7 @@ impl MatchFault {
 /// let options = MatcherOptions { range, mode: Mode::Fast, threads: 1 };
 /// let mut matcher = Matcher::new(options, 240, 200)?;
 /// let found = matcher.run(&left, &right)?;
-/// assert_eq!(faults_of_match([&left, &right], &found, range), []);
+/// assert!(faults_of_match([&left, &right], &found, range).is_empty());
 /// let found = matcher.run(&right, &left)?;
 /// let faults = faults_of_match([&right, &left], &found, range);
 /// assert_eq!(faults[0].kind(), "views_exchanged");
@@ -119,13 +120,22 @@ pub fn faults_of_match(
     }
     let sum: f64 = pixels.iter().map(|c| f64::from(*c)).sum();
     let confidence = sum / found.textured as f64;
-    if confidence >= SUSPICIOUS {
+    if confidence >= SUSPICIOUS && at_ends(found, range) < AT_END {
         return Vec::new();
     }
-    let pairs = match_views(left, right, &ViewOptions::default());
+    let pairs = points_of_both(left, right);
     let size = [left.width(), left.height()];
     let (mut faults, reason) = match Diagnosis::new(&pairs, size, DiagnosisOptions::default()) {
-        Ok(diagnosis) => (diagnosis.faults(), None),
+        Ok(diagnosis) if diagnosis.agreeing >= LEAST_POINTS || diagnosis.is_sideways => {
+            (diagnosis.faults(), None)
+        }
+        Ok(diagnosis) => {
+            let (found, needed) = (diagnosis.agreeing, LEAST_POINTS);
+            (
+                Vec::new(),
+                Some(ViewGeometryError::TooFewMatches { found, needed }),
+            )
+        }
         Err(error) => (Vec::new(), Some(error)),
     };
     let is_rectified = faults
@@ -133,7 +143,8 @@ pub fn faults_of_match(
         .all(|fault| *fault == DiagnosisFault::Exchanged);
     let beside = outside(&along_rows(&pairs), range).filter(|_| is_rectified && reason.is_none());
     // Cameras that are turned towards each other see negative disparities as well.
-    faults.retain(|fault| *fault != DiagnosisFault::Exchanged || beside.is_some());
+    let is_within = is_rectified && beside.is_none();
+    faults.retain(|fault| *fault != DiagnosisFault::Exchanged || !is_within);
     let mut faults: Vec<_> = faults
         .into_iter()
         .map(MatchFault::Pair)
@@ -143,6 +154,18 @@ pub fn faults_of_match(
         faults.push(MatchFault::Unclear { confidence, reason });
     }
     faults
+}
+
+/// The part of the confirmed disparities that are at an end of the range, as those beyond it are;
+/// at 0 they may be far away.
+fn at_ends(found: &Match, [least, beyond]: [i32; 2]) -> f64 {
+    let values = found.disparity.plane().values().iter();
+    let confirmed = values
+        .zip(found.confidence.values())
+        .filter(|(_, c)| **c > 0.0);
+    let is_at_end = |d: f32| d >= (beyond - 1) as f32 || least != 0 && d <= least as f32;
+    let at_end = confirmed.clone().filter(|(d, _)| is_at_end(**d)).count();
+    at_end as f64 / confirmed.count().max(1) as f64
 }
 
 /// That disparities of points are not in a range.

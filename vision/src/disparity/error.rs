@@ -115,7 +115,7 @@ pub enum StereoError {
     /// Too few points of the views are found to tell the range of their disparities.
     #[error(
         "{found} points that both views show in one row are too few to tell the range of \
-         disparities; at least {needed} are needed: give the range, as in --max-disparity 64"
+         disparities; at least {needed} are needed"
     )]
     FewPoints {
         /// How many are found.

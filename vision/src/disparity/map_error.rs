@@ -63,8 +63,8 @@ pub enum DisparityMapError {
     DepthDeviation(f64),
     /// No pixel has a disparity with a depth in the range and of the accuracy that is asked for.
     #[error(
-        "none of the {pixels} pixels has a disparity with a depth in the range; {uncertain} of them \
-         are left out because the deviation of their depth is too great"
+        "none of the {pixels} pixels has a disparity with a depth in the range{}",
+        left_out(*uncertain)
     )]
     Empty {
         /// How many pixels the map has.
@@ -92,4 +92,11 @@ pub enum DisparityMapError {
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+}
+
+fn left_out(uncertain: usize) -> String {
+    match uncertain {
+        0 => String::new(),
+        count => format!(" whose deviation is small enough: {count} of them are left out for it"),
+    }
 }

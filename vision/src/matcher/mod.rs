@@ -64,7 +64,6 @@ mod winner;
 use ga_image::plane::{Plane, PlaneView};
 use rayon::{ThreadPool, ThreadPoolBuilder, join};
 
-use crate::disparity::range::GREATEST_RANGE;
 use crate::disparity::{DisparityMap, StereoError};
 use path::Penalties;
 use refine::speckle::Islands;
@@ -177,6 +176,8 @@ impl Match {
 const LEAST_SIDE: usize = 9;
 /// The greatest number of pixels, for which places fit in 31 bits.
 const MOST_PIXELS: usize = 1 << 30;
+/// The greatest number of disparities that are looked for: they fit in 16 bits, in 1/32 px.
+pub const GREATEST_RANGE: usize = 2047;
 /// Islands of fewer pixels are removed.
 const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.

@@ -26,8 +26,8 @@ pub struct SurfaceOptions {
     pub depth_deviation: f64,
 }
 
-/// The standard deviation of the disparities of a matcher, in pixels. On the pairs with known truth
-/// that it is tested with, half of the confirmed errors are below 0.1 to 0.2 px.
+/// The standard deviation of the disparities of a matcher, in pixels: on the pairs motorcycle of
+/// Middlebury and terrace of ETH3D, 68 % of the confirmed errors are below 0.19 to 0.26 px.
 pub const DISPARITY_DEVIATION: f64 = 0.25;
 
 impl Default for SurfaceOptions {

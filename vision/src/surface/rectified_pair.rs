@@ -7,9 +7,8 @@ use ga_runtime::cga3::Motor;
 
 use super::pair::{disparity_range, seen_by_both};
 use crate::diagnosis::of_match::{MatchFault, faults_of_match};
-use crate::disparity::range::GREATEST_RANGE;
 use crate::disparity::{DisparityMap, StereoError};
-use crate::matcher::{Matcher, MatcherOptions, Mode};
+use crate::matcher::{GREATEST_RANGE, Matcher, MatcherOptions, Mode};
 use crate::rectification::{Rectification, RectificationOptions};
 
 /// Two rectified views in colour, which of their pixels were seen, and the cameras.

@@ -2,10 +2,12 @@
 //! definitions written out.
 
 use ga_image::pfm::{self, ByteOrder};
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_vision::disparity::evaluation::ErrorMap;
+use ga_vision::disparity::evaluation::{ErrorMap, ErrorMeasures, Evaluation};
 use ga_vision::disparity::picture::ColourScale;
+use ga_vision::disparity::visibility::Visibility;
 use ga_vision::disparity::{DisparityMap, DisparityMapError, file};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -202,4 +204,76 @@ proptest! {
         let map = map(width, &values[..values.len() / width * width]);
         prop_assert_eq!(file::decode(&file::encode(&map).unwrap(), None).unwrap(), map);
     }
+}
+
+/// By hand: KITTI's file has 256 × the disparity, and 0 for what is unknown.
+#[test]
+fn maps_are_stored_as_kitti_has_them() {
+    let found = map(4, &[0.0, 12.25, f32::NAN, 255.99]);
+    let Picture::Grey16(stored) = png::decode(&file::encode_png(&found).unwrap()).unwrap() else {
+        panic!("not 16 bits of grey")
+    };
+    assert_eq!(stored.values(), [1, 3136, 0, 65533]);
+    for disparity in [-0.5, 256.0] {
+        let error = file::encode_png(&map(2, &[disparity, 3.0])).unwrap_err();
+        let part = format!("from 0 to 255.996 px, and the map has {disparity:.3} px");
+        assert!(error.to_string().contains(&part), "{error}");
+    }
+    assert!(file::encode_png(&DisparityMap::default()).is_err());
+}
+
+/// By hand: 3 px of 60 are 5 %.
+#[test]
+fn d1_counts_errors_that_are_large_in_pixels_and_in_percent() {
+    let truth = map(6, &[60.0, 60.0, 100.0, 100.0, 10.0, 0.0]);
+    let found = map(6, &[63.0, 63.5, 104.5, 105.5, f32::NAN, 99.0]);
+    let errors = ErrorMap::new(&found, &truth).unwrap();
+    assert_eq!(errors.d1(), 60.0);
+    assert_eq!(errors.bad(3.0), 80.0);
+    let part = errors.within(|column, _| column < 3).unwrap();
+    assert_eq!((part.pixels(), part.d1()), (3, 100.0 / 3.0));
+    assert!(errors.within(|column, _| column == 5).is_none());
+}
+
+#[test]
+fn visible_and_occluded_pixels_are_told_apart() {
+    let truth = map(5, &[10.0, 10.0, 10.0, 10.0, f32::NAN]);
+    let found = map(5, &[10.5, 14.0, 10.0, f32::NAN, 3.0]);
+    let mask = |levels: &[u8]| {
+        let plane = Plane::from_values(levels.len(), 1, levels.to_vec()).unwrap();
+        Visibility::decode_mask(&png::encode(&plane).unwrap()).unwrap()
+    };
+    let with = |visibility: &Visibility| Evaluation::new(&found, &truth, Some(visibility));
+    let counts = |found: &Evaluation| {
+        let pixels = |part: Option<ErrorMeasures>| part.map_or(0, |part| part.truth_pixels);
+        [
+            found.all.truth_pixels,
+            pixels(found.visible),
+            pixels(found.occluded),
+        ]
+    };
+    let middlebury = with(&mask(&[255, 128, 0, 128, 255])).unwrap();
+    assert_eq!(counts(&middlebury), [3, 1, 2]);
+    assert_eq!(middlebury.visible.unwrap().average_px, Some(0.5));
+    assert_eq!(middlebury.occluded.unwrap().bad_3, 100.0);
+    assert_eq!(middlebury.errors.pixels(), 3);
+    // In black and white, and with 0 and 1, only what counts is told.
+    for levels in [[255, 0, 255, 0, 0], [1, 0, 1, 0, 0]] {
+        let found = with(&mask(&levels)).unwrap();
+        assert_eq!((counts(&found), found.occluded), ([2, 2, 0], None));
+    }
+    let kitti = map(5, &[10.0, f32::NAN, 10.0, 0.0, f32::NAN]);
+    let kitti = with(&Visibility::from_truth_of_visible(&kitti)).unwrap();
+    assert_eq!(counts(&kitti), [4, 2, 2]);
+    let without = Evaluation::new(&found, &truth, None).unwrap();
+    assert_eq!((counts(&without), without.visible), ([4, 0, 0], None));
+    assert!(matches!(
+        with(&mask(&[255; 4])),
+        Err(DisparityMapError::MaskSize(_))
+    ));
+    let nothing = with(&mask(&[0, 0, 0, 0, 9])).unwrap_err();
+    assert_eq!(nothing, DisparityMapError::NoTruth);
+    let colour = png::encode(&Plane::filled(2, 2, [1u8; 3])).unwrap();
+    let error = Visibility::decode_mask(&colour).unwrap_err().to_string();
+    assert!(error.contains("this picture is 8-bit RGB"), "{error}");
 }

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Res
         let settled = snake.settle(&picture, false, least_area, &progress);
         let settled = settled.with_context(named)?;
         let points = settled.points.clone();
-        report.contours = vec![MeasuredContour::new(points, false, None, size)];
+        report.contours = vec![MeasuredContour::of_snake(points, size)];
         report.warnings = settled.warnings(image);
         report.snake = Some(settled);
     } else {

@@ -168,11 +168,13 @@ impl Command for Arguments {
         let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
 
         progress.step("finding the range");
+        let threads = self.threads.map_or(0, usize::from);
         let (range, range_points) = match self.max_disparity {
             Some(beyond) => ([self.min_disparity, beyond], None),
             None => {
-                let found =
-                    DisparityRange::of(&left, &right).with_context(|| self.views.named())?;
+                let found = DisparityRange::of(&left, &right, threads).with_context(|| {
+                    format!("{}: --max-disparity gives the range", self.views.named())
+                })?;
                 (found.ends, Some(found.points))
             }
         };
@@ -181,7 +183,7 @@ impl Command for Arguments {
         let options = MatcherOptions {
             range,
             mode: self.mode.into(),
-            threads: self.threads.map_or(0, usize::from),
+            threads,
         };
         let found = Matcher::new(options, left.width(), left.height())
             .and_then(|mut matcher| matcher.run(&left, &right))

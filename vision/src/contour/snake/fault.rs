@@ -1,13 +1,13 @@
 //! Snakes that have settled where there is no edge.
 
 use super::Settled;
-use crate::contour::picture_border::is_at_border;
+use crate::contour::picture_border::{REACH_OF_SNAKES, is_at_border};
 use crate::contour::polygon::signed_area;
 
 /// A snake that encloses fewer pixels has found nothing.
 const LEAST_AREA: f64 = 4.0;
 /// The part of the points that may be at the border of the picture.
-const AT_BORDER: f64 = 0.01;
+const AT_BORDER: f64 = 0.05;
 
 /// Why a snake is not the outline of a thing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -27,7 +27,7 @@ pub enum SnakeFault {
          it is not the outline of what the picture shows"
     )]
     AtBorder {
-        /// How many points are on the outermost pixels.
+        /// How many points are within 1.5 px of the centres of the outermost pixels.
         points: usize,
         /// The number of all points.
         count: usize,
@@ -64,7 +64,7 @@ impl Settled {
     pub fn faults(&self, size: [usize; 2]) -> Vec<SnakeFault> {
         let area = signed_area(&self.points).abs();
         let collapsed = (area < LEAST_AREA).then_some(SnakeFault::Collapsed { area });
-        let at_border = |place: &&[f64; 2]| is_at_border(**place, size);
+        let at_border = |place: &&[f64; 2]| is_at_border(**place, size, REACH_OF_SNAKES);
         let (points, count) = (
             self.points.iter().filter(at_border).count(),
             self.points.len(),
