@@ -61,7 +61,7 @@ fn stereo(criterion: &mut Criterion) {
         group.sample_size(10).warm_up_time(Duration::from_millis(1));
         for (contender, mode) in MODES {
             let options = MatcherOptions {
-                max_disparity: range,
+                range: [0, range as i32],
                 mode,
                 threads: 1,
             };

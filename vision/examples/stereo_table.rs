@@ -35,7 +35,7 @@ type Pair = (
     &'static str,
     &'static str,
     f64,
-    usize,
+    i32,
 );
 
 const PAIRS: [Pair; 10] = [
@@ -132,9 +132,9 @@ fn grey(path: &str) -> Result<Plane<u8>, Failure> {
 fn row(pair: Pair, change: &str, mode: Mode, threads: usize) -> Result<[f64; COLUMNS], Failure> {
     let (name, left, right, truth, scale, max_disparity) = pair;
     let (left, right) = changed(change, grey(left)?, grey(right)?);
-    let truth: DisparityMap = file::read_truth(folder().join(truth), scale)?;
+    let truth: DisparityMap = file::read(folder().join(truth), Some(scale))?;
     let options = MatcherOptions {
-        max_disparity,
+        range: [0, max_disparity],
         mode,
         threads,
     };

@@ -98,6 +98,86 @@ fn snakes_of_the_oracle_settle_at_its_shapes() {
     }
 }
 
+/// A disc about (6, 30) of radius 16, of which the left border of the picture cuts off a part, and
+/// one that lies whole in the picture.
+#[test]
+fn what_the_border_of_the_picture_cuts_is_marked() {
+    let folder = tempdir().unwrap();
+    let discs = Plane::from_fn(80, 60, |column, row| {
+        let is_inside = |u: f64, radius: f64| (column as f64 - u).hypot(row as f64 - 30.0) < radius;
+        u8::from(is_inside(6.0, 16.0) || is_inside(50.0, 14.0)) * 255
+    });
+    file::write(folder.path().join("cut.png"), &discs).unwrap();
+    let report = json(folder.path(), &["contour", "cut.png"]);
+    assert_eq!(report["verdict"], "good");
+    let contours = report["contours"].as_array().unwrap();
+    for (contour, (u, radius, is_cut)) in contours
+        .iter()
+        .zip([(6.0, 16.0, true), (50.0, 14.0, false)])
+    {
+        assert!(
+            (number(contour, "/circle/centre_px/0") - u).abs() < 0.3,
+            "{contour}"
+        );
+        assert!((number(contour, "/circle/radius_px") + 0.5 - radius).abs() < 0.4);
+        assert_eq!(number(contour, "/points_at_border") > 0.0, is_cut);
+    }
+    let output = nullcone(folder.path(), ["contour", "cut.png"]);
+    let lines = text(&output.stdout);
+    assert_eq!(
+        lines.matches("cut by the border of the picture").count(),
+        1,
+        "{lines}"
+    );
+}
+
+#[test]
+fn snakes_that_hold_on_to_nothing_are_told() {
+    let folder = tempdir().unwrap();
+    file::write(folder.path().join("grey.png"), &Plane::filled(80, 60, 90u8)).unwrap();
+    let disc = Plane::from_fn(80, 60, |column, row| {
+        let is_inside = (column as f64 - 2.0).hypot(row as f64 - 30.0) < 16.0;
+        if is_inside { 220u8 } else { 30 }
+    });
+    file::write(folder.path().join("cut.png"), &disc).unwrap();
+    write_ring(folder.path());
+    for (arguments, kind) in [
+        (["grey.png", "--circle=40,30,15"], Some("collapsed")),
+        (["grey.png", "--circle=40,30,29"], Some("collapsed")),
+        (["ring.png", "--circle=50,40,4"], Some("collapsed")),
+        (["ring.png", "--circle=50,40,38"], None),
+        (["cut.png", "--circle=20,30,20"], Some("collapsed")),
+    ] {
+        let report = json(
+            folder.path(),
+            &[&["contour", "--snake"], &arguments[..]].concat(),
+        );
+        let warnings = report["warnings"].as_array().unwrap();
+        let kinds: Vec<_> = warnings
+            .iter()
+            .map(|w| w["kind"].as_str().unwrap())
+            .collect();
+        assert_eq!(kinds, kind.into_iter().collect::<Vec<_>>(), "{arguments:?}");
+        assert_eq!(
+            report["verdict"],
+            if kind.is_none() { "good" } else { "doubtful" }
+        );
+        assert!(
+            warnings
+                .iter()
+                .all(|warning| warning["file"] == arguments[0])
+        );
+        let check = [&["contour", "--snake", "--check"], &arguments[..]].concat();
+        let status = nullcone(folder.path(), check).status.code();
+        assert_eq!(status, Some(if kind.is_none() { 0 } else { 3 }));
+    }
+    // It settles along the disc, and where the border cuts it, along that.
+    let circle = ["cut.png", "--snake", "--circle=20,30,20", "--tension=0.01"];
+    let report = json(folder.path(), &[&["contour"], &circle[..]].concat());
+    assert_eq!(report["warnings"][0]["kind"], "at_border", "{report}");
+    assert!(number(&report, "/contours/0/points_at_border") > 20.0);
+}
+
 #[test]
 fn bad_input_leaves_nothing() {
     let folder = tempdir().unwrap();

@@ -15,7 +15,7 @@ use ga_runtime::geometry::ray::Ray;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{assert_failure, assert_success, names, nullcone, number};
+use crate::common::{assert_failure, assert_success, names, nullcone, number, text};
 
 const SIZE: [usize; 2] = [256, 192];
 
@@ -204,6 +204,64 @@ fn surfaces_are_cut_around_the_board() {
     assert_eq!(number(&report, "/triangles"), 0.0);
 }
 
+/// Views of parallel cameras with a focal length of 221 px, 10 cm apart, whose rows have these
+/// disparities, with noise.
+fn of_rows(disparity: impl Fn(usize) -> f64) -> TempDir {
+    let folder = tempdir().unwrap();
+    for (name, part, seed) in [("left.png", 0.0, 900), ("right.png", 1.0, 4000)] {
+        let view = Plane::from_fn(SIZE[0], SIZE[1], |column, row| {
+            let x = column as f64 + part * disparity(row);
+            let level = noise(0.35 * x + 300.0, 0.35 * row as f64 + 300.0);
+            let grain = noise((column + seed) as f64, (3 * row + 5 * seed) as f64);
+            [(30.0 + 170.0 * level + 30.0 * grain) as u8; 3]
+        });
+        std::fs::write(folder.path().join(name), png::encode(&view).unwrap()).unwrap();
+    }
+    let camera = "[[221, 0, 127.5], [0, 221, 95.5], [0, 0, 1]]";
+    let rig = format!(
+        "%YAML:1.0\n---\nM1: {camera}\nM2: {camera}\n\
+         R: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nT: [[-0.1], [0], [0]]\n"
+    );
+    std::fs::write(folder.path().join("rig.yml"), rig).unwrap();
+    folder
+}
+
+/// What one view shows further left, the other shows further right where the views are exchanged.
+#[test]
+fn exchanged_views_are_told() {
+    for (sign, kind) in [(1.0, None), (-1.0, Some("views_exchanged"))] {
+        let folder = of_rows(|row| sign * if row < 96 { 8.0 } else { 15.0 });
+        let arguments = ["--out", "m.ply", "--max-disparity", "48"];
+        let report = reconstruct(folder.path(), &arguments);
+        assert_eq!(report["warnings"][0]["kind"].as_str(), kind, "{report}");
+        let verdict = if kind.is_none() { "good" } else { "doubtful" };
+        assert_eq!(report["verdict"], verdict);
+    }
+}
+
+/// A wall at 40 baselines, which is a disparity of 5.5 px, and a sky whose disparities are noise
+/// around 0: without a bound, the scene would be hundreds of metres deep.
+#[test]
+fn depths_that_noise_decides_are_not_drawn() {
+    let folder = of_rows(|row| if row < 96 { 0.5 } else { 5.5 });
+    let found = |more: &[&str]| reconstruct(folder.path(), &[&["--out", "m.ply"], more].concat());
+    let bounded = found(&[]);
+    // A quarter is 1 px: 221 · 0.1 / 1 = 22.1 m.
+    assert!(number(&bounded, "/farthest_metres") <= 22.1, "{bounded}");
+    assert!((number(&bounded, "/median_metres") - 22.1 / 5.5).abs() < 0.2);
+    let left_out = number(&bounded, "/left_out_by_depth_deviation");
+    let all = found(&["--depth-deviation", "inf"]);
+    assert!(number(&all, "/farthest_metres") > 200.0, "{all}");
+    assert_eq!(number(&all, "/left_out_by_depth_deviation"), 0.0);
+    assert!(left_out > 1000.0);
+    assert_eq!(
+        number(&all, "/points"),
+        number(&bounded, "/points") + left_out
+    );
+    let strict = found(&["--depth-deviation", "0.05"]);
+    assert!(number(&strict, "/farthest_metres") <= 4.42, "{strict}");
+}
+
 /// A scene with files beside it that cannot be used with its views or its rig.
 fn scene_with_faulty_files() -> TempDir {
     let folder = scene();
@@ -264,9 +322,12 @@ fn bad_input_writes_nothing() {
         ("left.png right.png --rig behind.yml", "look too far apart"),
         // Without disparities, the rays of all pairs are parallel.
         ("left.png left.png --rig parallel.yml", "none of the 49152"),
-        ("flat.png flat.png --rig parallel.yml", "none of the 49152"),
         ("left.png right.png --rig rig.yml --out m.stl", "m.stl"),
         ("left.png right.png --rig rig.yml --near 90", "none of the"),
+        (
+            "left.png right.png --rig rig.yml --depth-deviation 0",
+            "relative deviation of depths of 0",
+        ),
         (
             "left.png right.png --rig rig.yml --out m.ply --texture",
             "the format holds no pictures; --texture needs .glb, .gltf or .obj",
@@ -280,4 +341,16 @@ fn bad_input_writes_nothing() {
         assert_failure(&nullcone(folder.path(), &all), &[message]);
         assert_eq!(names(folder.path()), before, "{arguments}");
     }
+    // What is known of the views is said before the error.
+    let flat = "stereo reconstruct flat.png flat.png --rig parallel.yml --out m.glb";
+    let output = nullcone(folder.path(), flat.split(' '));
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    let [warning, error] = [0, 1].map(|line| message.lines().nth(line).unwrap());
+    assert!(
+        warning.starts_with("warning: 0.00 % of the pixels"),
+        "{message}"
+    );
+    assert!(error.contains("none of the 49152 pixels"), "{message}");
+    assert_eq!(names(folder.path()), before);
 }

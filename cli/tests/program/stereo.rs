@@ -41,6 +41,7 @@ fn evaluate_prints_the_measures() {
             ("/bad_1", 75.0),
             ("/bad_2", 50.0),
             ("/bad_3", 50.0),
+            ("/d1", 50.0),
             ("/average_px", (0.5 + 2.0 + 3.25) / 3.0),
             ("/density", 75.0),
             ("/truth_pixels", 4.0),
@@ -53,6 +54,54 @@ fn evaluate_prints_the_measures() {
     let table = text(&output.stdout);
     assert!(table.contains("bad 2      50.000 %\n"), "{table}");
     assert!(table.contains("75.000 % of 4 pixels with truth"), "{table}");
+}
+
+/// Maps and truths as KITTI stores them, those with the line ends of Windows, and masks.
+#[test]
+fn evaluate_takes_maps_of_every_format_and_masks() {
+    let folder = maps();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let deep = |name: &str, values: [u16; 6]| {
+        let picture = ga_image::plane::Plane::from_values(3, 2, values.to_vec()).unwrap();
+        write(name, &ga_image::png::encode(&picture).unwrap());
+    };
+    deep("d.png", [1280, 1280, 1280, 0, 1280, 1280]);
+    deep("truth.png", [1152, 1792, 2112, 1280, 0, 0]);
+    deep("visible.png", [1152, 1792, 0, 0, 0, 0]);
+    let lines = std::fs::read(folder.path().join("d.pfm")).unwrap();
+    let header = b"Pf\n3 2\n-1.0\n";
+    let data = &lines[header.len()..];
+    write("windows.pfm", &[b"Pf\r\n3 2\r\n-1.0\r\n", data].concat());
+    write("mask.pgm", b"P5 3 2 255\n\xff\xff\x80\x80\0\0");
+    let evaluate = |map: &str, truth: &str, more: &[&str]| -> Value {
+        let arguments = [&["stereo", "evaluate", map, truth, "--json"], more].concat();
+        let output = nullcone(folder.path(), arguments);
+        assert_success(&output);
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let expected = evaluate("d.pfm", "truth.pfm", &[]);
+    assert!(expected["visible"].is_null() && expected["occluded"].is_null());
+    for map in ["d.pfm", "d.png", "windows.pfm"] {
+        for (truth, more) in [
+            ("truth.png", &[][..]),
+            ("truth.png", &["--scale", "256"]),
+            ("truth.pfm", &[]),
+        ] {
+            assert_eq!(
+                evaluate(map, truth, more),
+                expected,
+                "{map} {truth} {more:?}"
+            );
+        }
+    }
+    let halved = evaluate("d.png", "truth.png", &["--map-scale", "512"]);
+    assert_eq!(number(&halved, "/average_px"), (2.0 + 4.5 + 5.75) / 3.0);
+    for more in [["--mask", "mask.pgm"], ["--visible", "visible.png"]] {
+        let found = evaluate("d.png", "truth.png", &more);
+        assert_eq!(found["truth_pixels"], 4);
+        assert_eq!(number(&found, "/visible/average_px"), 1.25, "{found}");
+        assert_eq!(number(&found, "/occluded/d1"), 100.0, "{found}");
+    }
 }
 
 #[test]
@@ -251,7 +300,26 @@ fn match_says_what_is_wrong_and_writes_nothing() {
         ),
         (
             "--max-disparity 16 --out d.tiff",
-            &["--out d.tiff: its name must end in .pfm"],
+            &["--out d.tiff: its name must end in .pfm or .png"],
+        ),
+        (
+            "--max-disparity 16 --min-disparity 16 --out d.pfm",
+            &["range of 0 px"],
+        ),
+        (
+            "--max-disparity -110 --min-disparity -140 --out d.pfm",
+            &[
+                "from -140 px up to, and without, -110 px",
+                "120 pixels wide",
+            ],
+        ),
+        (
+            "--max-disparity 16 --min-confidence 1.5 --out d.pfm",
+            &["--min-confidence 1.5"],
+        ),
+        (
+            "--max-disparity 4 --min-disparity -12 --out d.png",
+            &["d.png: a PNG file", "from 0 to 255.996 px"],
         ),
         (
             "--max-disparity 16 --out taken.pfm --picture d.png",
@@ -281,6 +349,8 @@ fn evaluate_says_what_is_wrong() {
     write("wide.pfm", &pfm(6, &[1.0; 6]));
     write("zero.pfm", &pfm(3, &[0.0; 6]));
     write("short.pfm", &pfm(3, &[1.0; 6])[..30]);
+    write("long.pfm", &[&pfm(3, &[1.0; 6])[..], b"more"].concat());
+    write("wide.pgm", b"P5 6 1 255\nabcdef");
     write("colour.ppm", b"P6 1 1 255\nabc");
     write("text.pfm", b"five");
     let before = names(folder.path());
@@ -290,11 +360,27 @@ fn evaluate_says_what_is_wrong() {
             &["cannot read nowhere.pfm: "][..],
         ),
         (&["d.pfm", "nowhere.png"], &["cannot read nowhere.png: "]),
-        (&["text.pfm", "truth.pfm"], &["text.pfm: PFM"]),
-        (&["truth.pgm", "truth.pfm"], &["truth.pgm: PFM"]),
+        (&["text.pfm", "truth.pfm"], &["text.pfm: not a picture"]),
+        (&["colour.ppm", "truth.pfm"], &["colour.ppm: ", "8-bit RGB"]),
         (
             &["short.pfm", "truth.pfm"],
-            &["short.pfm: PFM", "3 × 2 pixels"],
+            &["short.pfm: PFM", "3 × 2 pixels, which are 24 bytes, and 18"],
+        ),
+        (
+            &["long.pfm", "truth.pfm"],
+            &["long.pfm: PFM", "3 × 2 pixels, which are 24 bytes, and 28"],
+        ),
+        (
+            &["d.pfm", "truth.pfm", "--mask", "wide.pgm"],
+            &["d.pfm and truth.pfm: the mask", "3 × 2 and 6 × 1"],
+        ),
+        (
+            &["d.pfm", "truth.pfm", "--mask", "zero.pfm"],
+            &["zero.pfm: a mask is"],
+        ),
+        (
+            &["d.pfm", "truth.pfm", "--map-scale", "0"],
+            &["--map-scale 0"],
         ),
         (&["d.pfm", "colour.ppm"], &["colour.ppm: ", "8-bit RGB"]),
         (&["d.pfm", "text.pfm"], &["text.pfm: not a picture"]),
@@ -320,5 +406,140 @@ fn evaluate_says_what_is_wrong() {
         };
         assert_failure(&nullcone(folder.path(), all), parts);
         assert_eq!(names(folder.path()), before);
+    }
+}
+
+/// The views of a texture without repetition, whose right one is moved by a number of columns, and
+/// one of a single level.
+fn textures(folder: &Path, shift: i64) {
+    let write = |name: &str, level: &dyn Fn(i64, i64) -> f64| {
+        let level = |u: u32, v: u32| level(u.into(), v.into()).round().clamp(0.0, 255.0) as u8;
+        let picture = image::GrayImage::from_fn(320, 240, |u, v| image::Luma([level(u, v)]));
+        picture.save(folder.join(name)).unwrap();
+    };
+    let wave = |u: i64, v: i64| {
+        let waves = (1..24).map(f64::from).map(|k| {
+            let (angle, wave) = (2.4 * k, 0.09 + 0.019 * k);
+            let along = u as f64 * angle.cos() + v as f64 * angle.sin();
+            14.0 * (wave * along + 1.7 * k * k).sin()
+        });
+        128.0 + waves.sum::<f64>()
+    };
+    write("left.png", &wave);
+    write("right.png", &|u, v| wave(u + shift, v));
+    write("grey.png", &|_, _| 90.0);
+}
+
+fn matched(folder: &Path, arguments: &str) -> Value {
+    let all = ["stereo", "match", "--json"].into_iter();
+    let output = nullcone(folder, all.chain(arguments.split(' ')));
+    assert_success(&output);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn match_finds_negative_disparities() {
+    let folder = tempdir().unwrap();
+    textures(folder.path(), -20);
+    for (range, least) in [
+        ("--min-disparity -32 --max-disparity 0", -32.0),
+        ("--min-disparity -32 --max-disparity -8", -32.0),
+        ("--auto-range", -26.0),
+    ] {
+        let out = "--out d.pfm --min-confidence 0.1";
+        let report = matched(folder.path(), &format!("left.png right.png {range} {out}"));
+        assert_eq!(report["verdict"], "good", "{report}");
+        let from = number(&report, "/min_disparity_px");
+        assert!((from - least).abs() <= if range == "--auto-range" { 4.0 } else { 0.0 });
+        assert_eq!(report["range_points"].is_null(), range != "--auto-range");
+        assert!(number(&report, "/greatest_px") < -15.0, "{report}");
+        let map = ga_vision::disparity::file::read(folder.path().join("d.pfm"), None).unwrap();
+        assert!((map.get(150, 120).unwrap() + 20.0).abs() < 0.2);
+        // What is outside the right view is not known.
+        let right = (0..240).filter(|row| map.get(318, *row).is_none()).count();
+        assert!(right > 120, "{right}");
+        let density = 100.0 * map.known() as f64 / (320.0 * 240.0);
+        assert!((number(&report, "/density") - density).abs() < 1e-9);
+        assert!((80.0..99.0).contains(&density), "{density}");
+    }
+}
+
+#[test]
+fn match_says_why_a_pair_fails() {
+    let folder = tempdir().unwrap();
+    textures(folder.path(), 9);
+    for (arguments, kinds) in [
+        ("left.png right.png --max-disparity 32", &[][..]),
+        ("left.png right.png --auto-range", &[]),
+        (
+            "right.png left.png --max-disparity 32",
+            &["views_exchanged", "outside_range"],
+        ),
+        ("right.png left.png --auto-range", &[]),
+        (
+            "left.png right.png --min-disparity 32 --max-disparity 64",
+            &["outside_range"],
+        ),
+        ("grey.png grey.png --max-disparity 32", &["no_texture"]),
+    ] {
+        let report = matched(folder.path(), &format!("{arguments} --out d.pfm"));
+        let warnings = report["warnings"].as_array().unwrap().iter();
+        let found: Vec<_> = warnings
+            .map(|warning| warning["kind"].as_str().unwrap())
+            .collect();
+        assert_eq!(found, kinds, "{report}");
+        let expected = if kinds.is_empty() { "good" } else { "doubtful" };
+        assert_eq!(report["verdict"], expected);
+    }
+    let grey = matched(
+        folder.path(),
+        "grey.png grey.png --max-disparity 32 --min-confidence 0.01 --out d.png",
+    );
+    assert_eq!(number(&grey, "/mean_confidence"), 0.0);
+    assert_eq!(
+        (number(&grey, "/density"), &grey["least_px"]),
+        (0.0, &Value::Null)
+    );
+    let stored = image::open(folder.path().join("d.png")).unwrap();
+    assert!(stored.to_luma16().pixels().all(|pixel| pixel.0 == [0]));
+    let arguments = ["stereo", "match", "grey.png", "grey.png", "--out", "d.pfm"];
+    let few = nullcone(folder.path(), arguments.iter().chain(&["--auto-range"]));
+    assert_failure(
+        &few,
+        &[
+            "grey.png and grey.png: --max-disparity",
+            "0 points",
+            "at least 20",
+        ],
+    );
+    let check = nullcone(
+        folder.path(),
+        arguments
+            .iter()
+            .chain(&["--max-disparity", "16", "--check"]),
+    );
+    assert_eq!(check.status.code(), Some(3));
+}
+
+/// 256 × the disparity, as KITTI has it: the file is evaluated as the map that it is.
+#[test]
+fn match_writes_maps_as_png() {
+    let folder = tempdir().unwrap();
+    textures(folder.path(), 9);
+    for out in ["d.pfm", "d.png"] {
+        let report = matched(
+            folder.path(),
+            &format!("left.png right.png --max-disparity 32 --min-confidence 0.2 --out {out}"),
+        );
+        assert!(number(&report, "/density") < 100.0);
+    }
+    let maps = ["d.pfm", "d.png"];
+    let [floats, whole] =
+        maps.map(|name| ga_vision::disparity::file::read(folder.path().join(name), None).unwrap());
+    for (a, b) in floats.plane().values().iter().zip(whole.plane().values()) {
+        assert!(
+            a.is_nan() && b.is_nan() || (a - b).abs() <= 1.0 / 256.0,
+            "{a} {b}"
+        );
     }
 }

@@ -38,6 +38,23 @@ pub enum FormatError {
         /// The length of the file.
         length: usize,
     },
+    /// What follows the header is not as long as the size that it states.
+    #[error(
+        "{format}: the header claims {width} × {height} pixels, which are {expected} bytes, and \
+         {found} bytes follow it"
+    )]
+    Length {
+        /// The format.
+        format: Format,
+        /// Columns as stated.
+        width: usize,
+        /// Rows as stated.
+        height: usize,
+        /// The bytes of so many pixels.
+        expected: usize,
+        /// The bytes behind the header.
+        found: usize,
+    },
     /// The format allows it, this reader does not.
     #[error("{format}: {what} is not supported")]
     Unsupported {

@@ -23,7 +23,10 @@ impl<'a> Header<'a> {
     pub(crate) fn magic(&mut self) -> Result<u8, FormatError> {
         match self.word()? {
             [b'P', kind] => Ok(*kind),
-            _ => Err(self.error("the file does not begin with P and one letter or digit")),
+            _ => {
+                self.at = 0;
+                Err(self.error("the file does not begin with P and one letter or digit"))
+            }
         }
     }
 
@@ -55,6 +58,19 @@ impl<'a> Header<'a> {
             [space, data @ ..] if space.is_ascii_whitespace() => Ok(data),
             _ => Err(self.error("white space is expected after the header")),
         }
+    }
+
+    /// What follows the line end after the last word, where that should be `length` bytes.
+    ///
+    /// Where the last word is followed by CR LF, the LF may be the first byte of the data. It is
+    /// part of the line end where lines before have one, and otherwise where the length asks for it.
+    pub(crate) fn data_of(&self, length: usize) -> Result<&'a [u8], FormatError> {
+        let data = self.data()?;
+        let (header, rest) = self.bytes.split_at(self.at);
+        Ok(match rest {
+            [b'\r', b'\n', rest @ ..] if header.contains(&b'\n') || rest.len() == length => rest,
+            _ => data,
+        })
     }
 
     pub(crate) fn error(&self, problem: &'static str) -> FormatError {

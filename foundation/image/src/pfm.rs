@@ -22,12 +22,12 @@ pub enum ByteOrder {
 
 /// The picture in the bytes of a PFM file. Floats are returned as they are, infinities and NaN
 /// included; the scale of the header is not applied, apart from its sign, which tells the order of
-/// the bytes.
+/// the bytes. The lines of the header may end in CR LF.
 ///
 /// # Errors
 ///
-/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Claim`] when the file is
-/// shorter than its header states.
+/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Length`] when the file is
+/// shorter or longer than its header states.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut header = Header::new(Format::Pfm, bytes);
     let colour = match header.magic()? {
@@ -42,14 +42,19 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
         scale if scale > 0.0 => ByteOrder::Big,
         _ => return Err(header.error("the scale is neither positive nor negative")),
     };
-    let data = header.data()?;
-    let bytes_a_pixel = if colour { 12.0 } else { 4.0 };
-    check_claim(
-        Format::Pfm,
-        [width, height],
-        data.len(),
-        1.0 / bytes_a_pixel,
-    )?;
+    let size = [width, height];
+    let pixels = check_claim(Format::Pfm, size, header.length(), 1.0)?;
+    let expected = pixels.saturating_mul(if colour { 12 } else { 4 });
+    let data = header.data_of(expected)?;
+    if data.len() != expected {
+        return Err(FormatError::Length {
+            format: Format::Pfm,
+            width,
+            height,
+            expected,
+            found: data.len(),
+        });
+    }
     let floats = data.as_chunks::<4>().0.iter().map(|bytes| match order {
         ByteOrder::Little => f32::from_le_bytes(*bytes),
         ByteOrder::Big => f32::from_be_bytes(*bytes),

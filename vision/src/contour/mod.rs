@@ -17,6 +17,7 @@ mod error;
 pub mod fit;
 mod measured;
 mod outline;
+mod picture_border;
 mod polygon;
 mod regions;
 pub mod snake;

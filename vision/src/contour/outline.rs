@@ -4,6 +4,7 @@ use ga_image::plane::Plane;
 use ga_image::threshold::{above, otsu};
 
 use super::border::{Contour, borders};
+use super::picture_border::is_at_border;
 use crate::contour::ContourError;
 
 /// The border that encloses the largest area: the outer border of a bright region or of a hole in
@@ -40,11 +41,8 @@ pub fn outline(picture: &Plane<u8>, least_area: f64) -> Result<Contour, ContourE
         .filter(|contour| !is_background(contour) && contour.area() >= least_area)
         .max_by(|a, b| a.area().total_cmp(&b.area()))
         .ok_or(ContourError::NoBorder { least_area })?;
-    let is_at_border = |pixel: &&[u32; 2]| {
-        let mut axes = pixel.iter().zip(size);
-        axes.any(|(place, length)| *place == 0 || *place as usize + 1 == length)
-    };
-    let touching = largest.pixels.iter().find(is_at_border).copied();
+    let touches = |pixel: &&[u32; 2]| is_at_border(pixel.map(f64::from), size, 0.0);
+    let touching = largest.pixels.iter().find(touches).copied();
     match touching {
         None => Ok(largest),
         Some(pixel) => Err(ContourError::LeavesPicture { pixel, size }),

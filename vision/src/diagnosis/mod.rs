@@ -12,6 +12,8 @@
 //! plays no part, and the three numbers follow from matched points without a calibration. They are
 //! found by random sampling and then by least squares over the pairs that agree.
 //!
+//! Where both views are rotated by a quarter turn, the two images of a point are in one column.
+//!
 //! What this does not explain, such as a perspective distortion by axes that are not parallel,
 //! stays in [`Diagnosis::residual_rms`].
 //!
@@ -33,6 +35,7 @@
 //! # Ok::<(), ga_vision::ViewGeometryError>(())
 //! ```
 
+pub mod of_match;
 pub mod row_model;
 
 use crate::feature::PixelPair;
@@ -47,6 +50,10 @@ pub const RECTIFIED_LIMIT: f64 = 1.0;
 
 /// The part of the pairs that must agree on a model.
 const LEAST_AGREEMENT: f64 = 0.3;
+/// The part of the pairs that are in one column where the views are rotated by a quarter turn.
+const IN_COLUMNS: f64 = 0.5;
+/// Points whose columns differ by less than this number of pixels are in one column.
+const COLUMN_TOLERANCE: f64 = 1.5;
 
 /// How a pair of views is diagnosed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,6 +101,10 @@ pub struct Diagnosis {
     /// How many agree with the model; the others are taken for mismatches.
     #[serde(rename = "matches_used")]
     pub agreeing: usize,
+    /// Whether the images of most points are in one column and not in one row: both views are
+    /// rotated by a quarter turn. Then the numbers above mean little.
+    #[serde(rename = "sideways")]
+    pub is_sideways: bool,
 }
 
 /// Vertical disparities of a pair of views, in pixels.
@@ -130,12 +141,26 @@ pub enum DiagnosisFault {
     /// The vertical disparities are too large.
     #[error(
         "the views are not rectified: 95 % of the vertical disparities are below {most:.3} px, and \
-         should be below {RECTIFIED_LIMIT} px"
+         should be below {RECTIFIED_LIMIT} px; the right view is rotated by {:.2}°, {offset:.2} px \
+         lower and {zoom:.4} times as large",
+        rotation.to_degrees()
     )]
     NotRectified {
         /// What 95 % of the absolute values stay below, in pixels.
         most: f64,
+        /// [`Diagnosis::rotation`].
+        rotation: f64,
+        /// [`Diagnosis::vertical_offset`].
+        offset: f64,
+        /// [`Diagnosis::zoom`].
+        zoom: f64,
     },
+    /// Both views are rotated by a quarter turn.
+    #[error(
+        "the images of a point are in one column of both views and not in one row: the views seem \
+         to be rotated by 90°"
+    )]
+    Sideways,
     /// Most disparities are negative.
     #[error("the disparities are negative: the views seem to be exchanged")]
     Exchanged,
@@ -147,6 +172,7 @@ impl DiagnosisFault {
     pub fn kind(self) -> &'static str {
         match self {
             Self::NotRectified { .. } => "not_rectified",
+            Self::Sideways => "sideways",
             Self::Exchanged => "views_exchanged",
         }
     }
@@ -197,13 +223,18 @@ impl Diagnosis {
         }
         let agreeing = rows.agreeing(&model, threshold);
         let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
-        if (agreeing.len() as f64) < least {
+        let in_column = |pair: &&PixelPair| (pair.left[0] - pair.right[0]).abs() < COLUMN_TOLERANCE;
+        let in_columns = pairs.iter().filter(in_column).count() as f64;
+        let are_in_columns = in_columns > IN_COLUMNS * pairs.len() as f64;
+        if (agreeing.len() as f64) < least && !are_in_columns {
             return Err(ViewGeometryError::NoMatchConsensus {
                 agreeing: agreeing.len(),
                 pairs: pairs.len(),
             });
         }
-        Ok(Self::of(pairs, &rows, &model, &agreeing))
+        let mut found = Self::of(pairs, &rows, &model, &agreeing);
+        found.is_sideways = are_in_columns && !found.is_rectified();
+        Ok(found)
     }
 
     fn of(pairs: &[PixelPair], rows: &Rows, model: &RowModel, agreeing: &[usize]) -> Self {
@@ -235,6 +266,7 @@ impl Diagnosis {
                 median: disparity(0.5),
                 greatest: disparity(1.0),
             },
+            is_sideways: false,
         }
     }
 
@@ -254,8 +286,15 @@ impl Diagnosis {
     /// What is wrong with the views.
     #[must_use]
     pub fn faults(&self) -> Vec<DiagnosisFault> {
-        let most = self.vertical.most;
-        let uneven = (!self.is_rectified()).then_some(DiagnosisFault::NotRectified { most });
+        if self.is_sideways {
+            return vec![DiagnosisFault::Sideways];
+        }
+        let uneven = (!self.is_rectified()).then_some(DiagnosisFault::NotRectified {
+            most: self.vertical.most,
+            rotation: self.rotation,
+            offset: self.vertical_offset,
+            zoom: self.zoom,
+        });
         let exchanged = self.is_exchanged().then_some(DiagnosisFault::Exchanged);
         uneven.into_iter().chain(exchanged).collect()
     }

@@ -16,9 +16,20 @@ pub enum StereoError {
     )]
     Range {
         /// The number of disparities.
-        range: usize,
+        range: i64,
         /// The greatest possible number.
         greatest: usize,
+        /// Columns.
+        width: usize,
+    },
+    /// Some of the disparities to be looked for point from every pixel out of the other view.
+    #[error(
+        "disparities from {} px up to, and without, {} px point out of views {width} pixels wide",
+        range[0], range[1]
+    )]
+    OutOfView {
+        /// The first disparity, and the first one beyond the last.
+        range: [i32; 2],
         /// Columns.
         width: usize,
     },
@@ -78,11 +89,39 @@ pub enum StereoError {
         /// The kind of pixel.
         kind: &'static str,
     },
+    /// The picture is not a mask.
+    #[error("a mask is a grey picture of whole numbers, and this picture is {kind}")]
+    Mask {
+        /// The kind of pixel.
+        kind: &'static str,
+    },
     /// The scale by which the stored numbers are divided is 0, negative or not finite.
     #[error("the scale {scale} of the disparities is not positive and finite")]
     Scale {
         /// The scale.
         scale: f64,
+    },
+    /// A PNG file cannot hold the disparity.
+    #[error(
+        "a PNG file with 16 bits holds disparities from 0 to {greatest:.3} px, and the map has \
+         {disparity:.3} px: PFM holds all"
+    )]
+    NotInPng {
+        /// The disparity in pixels.
+        disparity: f32,
+        /// The greatest that it can hold.
+        greatest: f64,
+    },
+    /// Too few points of the views are found to tell the range of their disparities.
+    #[error(
+        "{found} points that both views show in one row are too few to tell the range of \
+         disparities; at least {needed} are needed"
+    )]
+    FewPoints {
+        /// How many are found.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
     },
     /// The cameras cannot be rectified.
     #[error(transparent)]

@@ -9,8 +9,11 @@ pub enum DisparityMapError {
     /// The map and the truth have different sizes.
     #[error("the map and the truth cannot be compared: {0}")]
     TruthSize(#[source] PlaneError),
-    /// No pixel of the truth has a disparity that is finite and not 0.
-    #[error("the truth has no pixel whose disparity is finite and not 0")]
+    /// The mask has another size.
+    #[error("the mask does not fit the truth: {0}")]
+    MaskSize(#[source] PlaneError),
+    /// No pixel that counts has a true disparity that is finite and not 0.
+    #[error("the truth has no pixel that counts and whose disparity is finite and not 0")]
     NoTruth,
     /// The map and the weights have different sizes.
     #[error("the disparities and their weights do not fit together: {0}")]
@@ -55,11 +58,19 @@ pub enum DisparityMapError {
     /// The range of depths is empty.
     #[error("no depth is from {0} to {1} m")]
     Depths(f64, f64),
-    /// No pixel has a disparity with a depth in the range.
-    #[error("none of the {pixels} pixels has a disparity with a depth in the range")]
+    /// The greatest relative deviation of a depth is not positive.
+    #[error("a relative deviation of depths of {0} is not positive")]
+    DepthDeviation(f64),
+    /// No pixel has a disparity with a depth in the range and of the accuracy that is asked for.
+    #[error(
+        "none of the {pixels} pixels has a disparity with a depth in the range{}",
+        left_out(*uncertain)
+    )]
     Empty {
         /// How many pixels the map has.
         pixels: usize,
+        /// How many have a depth in the range whose deviation is too great.
+        uncertain: usize,
     },
     /// There are more points than indices.
     #[error("{0} points are more than a mesh can number")]
@@ -81,4 +92,11 @@ pub enum DisparityMapError {
     /// The mesh is not valid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+}
+
+fn left_out(uncertain: usize) -> String {
+    match uncertain {
+        0 => String::new(),
+        count => format!(" whose deviation is small enough: {count} of them are left out for it"),
+    }
 }

@@ -5,9 +5,9 @@
 //! right view. The disparity *d* is large for what is near, and 0 at infinity for cameras with
 //! parallel optical axes and equal principal points.
 //!
-//! - [`DisparityMap`]: the map itself; [`file`](mod@file): maps in PFM files, and truths in files
-//!   of other kinds.
-//! - [`evaluation`]: how far a map is from a known truth.
+//! - [`DisparityMap`]: the map itself; [`file`](mod@file): maps in PFM, PNG and PGM files.
+//! - [`range`](mod@range): the range of the disparities of two views.
+//! - [`evaluation`]: how far a map is from a known truth; [`visibility`]: where both cameras see it.
 //! - [`picture`]: maps and their errors in colours.
 
 mod error;
@@ -15,6 +15,8 @@ pub mod evaluation;
 pub mod file;
 mod map_error;
 pub mod picture;
+pub mod range;
+pub mod visibility;
 
 pub use error::StereoError;
 pub use map_error::DisparityMapError;

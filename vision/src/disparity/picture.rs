@@ -131,13 +131,17 @@ pub fn comparison(map: &DisparityMap, truth: &DisparityMap, errors: &ErrorMap) -
         of_disparities("disparity", map, scale),
         of_disparities("truth", &truth, scale),
         Panel {
-            caption: format!("error, bad 2 = {:.2} %", errors.bad(2.0)),
+            caption: format!(
+                "error, bad 2 = {:.2} %, D1 = {:.2} %",
+                errors.bad(2.0),
+                errors.d1()
+            ),
             picture: of_errors.errors(errors),
             colours: Box::new(move |share| of_errors.colour(share * MOST_ERROR_PX)),
             ends: ["0.0 px".into(), format!("{MOST_ERROR_PX:.1} px or more")],
             marks: vec![
                 (ColourScale::unknown, "disparity unknown"),
-                (|_| ColourScale::left_out(), "no truth"),
+                (|_| ColourScale::left_out(), "left out"),
             ],
         },
     ])

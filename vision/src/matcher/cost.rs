@@ -1,7 +1,10 @@
 //! The matching cost of a pixel and its candidates.
 
+use std::ops::Range;
+
 use super::features::{Features, PLANES};
 use super::lanes::{Block, LANES};
+use super::view::View;
 
 /// The cost of a candidate that is not to be chosen: disparities beyond the range, up to a whole
 /// number of blocks.
@@ -63,25 +66,65 @@ pub(super) fn difference(a: u8, b: u8) -> u8 {
     a.max(b) - a.min(b)
 }
 
-/// The costs of a row of pixels, `stride` numbers for each, of which the first `range` are those of
-/// disparities 0 to `range` − 1. Candidates outside the other view cost `outside`, and numbers that
-/// are those of no candidate are set to `beyond`.
+/// Which of the candidates of a pixel lie in the other view, and what the others cost.
+#[derive(Clone, Debug)]
+pub(super) struct Candidates {
+    /// The columns of both views that show something; those of the other one are mirrored.
+    seen: [Range<usize>; 2],
+    width: usize,
+    range: usize,
+    outside: u8,
+}
+
+impl Candidates {
+    /// The candidates of pixels of a view for disparities from 0 to `range` − 1, of which those
+    /// outside the other view cost `outside`.
+    pub(super) fn new(views: [&View; 2], range: usize, outside: u8) -> Self {
+        Self {
+            seen: views.map(View::seen),
+            width: views[0].width(),
+            range,
+            outside,
+        }
+    }
+
+    /// The candidates of the pixels of a column that lie in the other view.
+    #[inline(always)]
+    pub(super) fn of(&self, column: usize) -> Range<usize> {
+        let [seen, other] = &self.seen;
+        let start = self.width - 1 - column;
+        let range = if seen.contains(&column) {
+            self.range
+        } else {
+            0
+        };
+        let place = |end: usize| end.saturating_sub(start).min(range);
+        place(other.start)..place(other.end)
+    }
+}
+
+/// The costs of a row of pixels, `stride` numbers for each, of which the first are those of the
+/// candidates. Numbers that are those of no candidate are set to `beyond`.
 #[inline(always)]
 pub(super) fn row_costs(
     left: &Features,
     right: &Features,
-    range: usize,
-    outside: u8,
+    candidates: &Candidates,
     beyond: u8,
     costs: &mut [u8],
     stride: usize,
 ) {
-    let width = costs.len() / stride;
+    let Candidates {
+        width,
+        range,
+        outside,
+        ..
+    } = *candidates;
     for (column, costs) in costs.chunks_exact_mut(stride).enumerate() {
         pixel_costs(left, right, width, column, costs);
-        if column + 1 < range {
-            costs[column + 1..range].fill(outside);
-        }
+        let inside = candidates.of(column);
+        costs[..inside.start].fill(outside);
+        costs[inside.end..range].fill(outside);
         costs[range..].fill(beyond);
     }
 }

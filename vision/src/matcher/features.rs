@@ -60,16 +60,43 @@ impl Features {
                 bit += 1;
             }
         }
+        self.compute_slopes(view, row);
+    }
+
+    /// The levels and slopes of a row.
+    #[inline(always)]
+    pub(super) fn compute_slopes(&mut self, view: &View, row: isize) {
+        let width = view.width();
+        let sign = if view.is_mirrored() { -1 } else { 1 };
+        let centre = &view.padded(row)[MARGIN..][..width];
         self.levels[..width].copy_from_slice(centre);
         let [above, middle, below] = [-1, 0, 1].map(|dy| &view.padded(row + dy)[MARGIN - 1..]);
         let slopes = &mut self.slopes[..width];
         for (x, slope) in slopes.iter_mut().enumerate() {
             let side =
                 |x: usize| i16::from(above[x]) + 2 * i16::from(middle[x]) + i16::from(below[x]);
-            let difference = (side(x + 2) - side(x)) * sign as i16;
+            let difference = (side(x + 2) - side(x)) * sign;
             *slope = ((difference >> 2).clamp(-128, 127) + 128) as u8;
         }
     }
+}
+
+/// Whether two pixels of a row have the same census.
+pub(super) fn is_same_census(view: &View, row: usize, columns: [usize; 2]) -> bool {
+    let row = row.cast_signed();
+    let centre = view.padded(row);
+    // From the middle outwards: rows near it differ first.
+    [0, -1, 1, -2, 2, -3, 3].into_iter().all(|dy| {
+        let line = view.padded(row + dy);
+        let [a, b] = columns.map(|column| {
+            let level = centre[column + MARGIN];
+            let start = column + MARGIN - REACH[0].unsigned_abs();
+            line[start..][..2 * REACH[0].unsigned_abs() + 1]
+                .iter()
+                .map(move |neighbour| *neighbour < level)
+        });
+        a.eq(b)
+    })
 }
 
 #[cfg(test)]
@@ -87,7 +114,7 @@ mod tests {
         let identity = std::array::from_fn(|level| level as u8);
         for mirrored in [false, true] {
             let mut view = View::new(20, 9, mirrored);
-            view.fill(plane.view(), &identity);
+            view.fill(plane.view(), &identity, 0);
             let mut features = Features::new(20, 32);
             features.compute(&view, 4);
             let column = if mirrored { 19 - 10 } else { 10 };

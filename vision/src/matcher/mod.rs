@@ -9,7 +9,8 @@
 //!    near its own (Zhang, Lu and Lafruit 2009).
 //! 4. The costs of smooth paths from five directions are added (Hirschmüller 2008), and the
 //!    candidate of the least sum is taken, to a fraction of a pixel.
-//! 5. What the right view does not confirm is removed, and so are small islands.
+//! 5. What the right view does not confirm is removed, and so are small islands. Where the costs
+//!    have no minimum, nothing is certain.
 //! 6. Holes are filled by smooth paths from the disparities around them, among the candidates that
 //!    the right view cannot see. Where most matches of a region of similar levels lie on a plane,
 //!    its holes and its matches without texture are on it.
@@ -35,7 +36,7 @@
 //! let level = |u: usize, v: usize| (u * u * 7 + v * v * 13 + u * v) as u8;
 //! let left = Plane::from_fn(120, 60, |column, row| level(column + 5, row));
 //! let right = Plane::from_fn(120, 60, |column, row| level(column + 10, row));
-//! let options = MatcherOptions { max_disparity: 16, mode: Mode::Fast, threads: 1 };
+//! let options = MatcherOptions { range: [0, 16], mode: Mode::Fast, threads: 1 };
 //! let mut matcher = Matcher::new(options, 120, 60)?;
 //! let found = matcher.run(&left, &right)?;
 //! let disparity = found.disparity.get(60, 30).unwrap();
@@ -50,6 +51,7 @@
 mod arms;
 mod cost;
 mod features;
+mod flat;
 mod lanes;
 mod parts;
 mod path;
@@ -92,13 +94,21 @@ pub enum Mode {
 /// What a matcher looks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MatcherOptions {
-    /// Disparities are looked for from 0 up to, and without, this number of pixels.
-    pub max_disparity: usize,
+    /// The least disparity that is looked for, in pixels, and the first one beyond the greatest.
+    /// Cameras that are turned towards each other see negative ones.
+    pub range: [i32; 2],
     /// How much work is done.
     pub mode: Mode,
     /// The number of threads; 0 for as many as the machine can run at the same time. Results do not
     /// depend on it.
     pub threads: usize,
+}
+
+impl MatcherOptions {
+    /// The number of disparities that are looked for.
+    fn candidates(&self) -> usize {
+        self.range[0].abs_diff(self.range[1]) as usize
+    }
 }
 
 /// What a matcher finds.
@@ -108,8 +118,11 @@ pub struct Match {
     pub disparity: DisparityMap,
     /// How clearly the best candidate of each pixel stands out, from 0 to 1: 1 − S / S′, where S is
     /// its cost and S′ the least cost of candidates that are not beside it. It is 0 where there are
-    /// none, and where the disparity was filled in.
+    /// none, where the costs have no minimum, as in areas of one level, and where the disparity was
+    /// filled in.
     pub confidence: Plane<f32>,
+    /// How many pixels have costs with a minimum.
+    pub textured: usize,
 }
 
 /// What a matcher finds in numbers, under the names of JSON.
@@ -125,6 +138,8 @@ pub struct MatchSummary {
     pub density: f64,
     /// The mean of the confidences, from 0 to 1.
     pub mean_confidence: f64,
+    /// The percentage of the pixels whose costs have a minimum.
+    pub textured: f64,
 }
 
 impl Match {
@@ -140,7 +155,22 @@ impl Match {
             greatest: range.map(|[_, greatest]| greatest),
             density: 100.0 * map.known() as f64 / pixels,
             mean_confidence: values.map(|c| f64::from(*c)).sum::<f64>() / pixels,
+            textured: 100.0 * self.textured as f64 / pixels,
         }
+    }
+
+    /// The same with disparities unknown that are less certain.
+    #[must_use]
+    pub fn at_least(mut self, least_confidence: f32) -> Self {
+        let mut pixels = self.disparity.into_plane();
+        let confidence = self.confidence.values();
+        for (disparity, confidence) in pixels.values_mut().iter_mut().zip(confidence) {
+            if *confidence < least_confidence {
+                *disparity = f32::NAN;
+            }
+        }
+        self.disparity = DisparityMap::new(pixels);
+        self
     }
 }
 
@@ -148,8 +178,8 @@ impl Match {
 const LEAST_SIDE: usize = 9;
 /// The greatest number of pixels, for which places fit in 31 bits.
 const MOST_PIXELS: usize = 1 << 30;
-/// The greatest disparity that fits in 16 bits, in 1/32 px.
-const GREATEST_RANGE: usize = 2047;
+/// The greatest number of disparities that are looked for: they fit in 16 bits, in 1/32 px.
+pub const GREATEST_RANGE: usize = 2047;
 /// Islands of fewer pixels are removed.
 const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.
@@ -169,6 +199,7 @@ pub struct Matcher {
     maps: [Vec<u16>; 2],
     opposite: Vec<u16>,
     confidence: Vec<u8>,
+    textured: usize,
     islands: Islands,
     weighted: WeightedMedian,
     visibility: VisibilityFill,
@@ -198,15 +229,20 @@ impl Matcher {
                 most,
             });
         };
-        let range = options.max_disparity;
+        let [least, beyond] = options.range.map(i64::from);
         let greatest = width.min(GREATEST_RANGE);
-        if !(1..=greatest).contains(&range) {
+        if !(1..=greatest as i64).contains(&(beyond - least)) {
             return Err(StereoError::Range {
-                range,
+                range: beyond - least,
                 greatest,
                 width,
             });
         }
+        if least <= -(width as i64) || beyond > width as i64 {
+            let range = options.range;
+            return Err(StereoError::OutOfView { range, width });
+        }
+        let range = options.candidates();
         let threads = ThreadPoolBuilder::new()
             .num_threads(options.threads)
             .build()?;
@@ -221,6 +257,7 @@ impl Matcher {
             maps: [vec![0; pixels], vec![0; pixels]],
             opposite: vec![0; pixels],
             confidence: vec![0; pixels],
+            textured: 0,
             islands: Islands::default(),
             weighted: WeightedMedian::new(),
             visibility: VisibilityFill::new(width, range),
@@ -260,7 +297,8 @@ impl Matcher {
         }
         let threads = &self.threads;
         let views = [&mut self.left, &mut self.right];
-        threads.install(|| view::fill([left, right], views));
+        let least = self.options.range[0] as isize;
+        threads.install(|| view::fill([left, right], views, least));
         Ok(self.matched())
     }
 
@@ -277,7 +315,12 @@ impl Matcher {
         let (mut disparity, mut clear) = (plane(), plane());
         let (map, confidence, width) = (&self.maps[0], &self.confidence, self.width);
         self.threads.install(|| {
-            smooth::smooth(map, width, disparity.values_mut());
+            smooth::smooth(
+                map,
+                width,
+                self.options.range[0] as f32,
+                disparity.values_mut(),
+            );
             refine::over_rows(clear.values_mut(), width, |first, rows| {
                 for (value, level) in rows.iter_mut().zip(&confidence[first * width..]) {
                     *value = f32::from(*level) / 255.0;
@@ -287,6 +330,7 @@ impl Matcher {
         Match {
             disparity: DisparityMap::new(disparity),
             confidence: clear,
+            textured: self.textured,
         }
     }
 
@@ -302,19 +346,21 @@ impl Matcher {
             maps: [map, spare],
             opposite,
             confidence,
+            textured,
             islands,
             ..
         } = self;
+        let range = options.candidates();
         let width = *width;
         threads.install(|| {
             let noise = join(|| view::noise(left), || view::noise(right));
             let noise = (noise.0.max(noise.1) - 1.5).max(0.0);
-            let median_cost = strips.median_cost(left, right, options.max_disparity);
+            let median_cost = strips.median_cost(left, right, range);
             let penalties = Penalties::new(median_cost, noise);
             let task = Task {
                 reference: left,
                 other: right,
-                range: options.max_disparity,
+                range,
                 penalties: &penalties,
                 outside: median_cost.saturating_add(OUTSIDE).min(cost::HIGHEST),
                 threshold: (3.0 + 1.7 * noise) as u8,
@@ -346,8 +392,10 @@ impl Matcher {
             if options.mode == Mode::Best {
                 check::to_pixels(opposite, width);
             }
+            check::hide(opposite, width, right.seen());
             confirm(map, opposite, spare, width, islands, options.mode);
             keep_confirmed(confidence, map, width);
+            *textured = flat::doubt(left, confidence);
         });
     }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use ga_runtime::batch::{Batch, Work};
 use rayon::prelude::*;
 
-use super::cost::pixel_costs;
+use super::cost::{Candidates, pixel_costs};
 use super::features::Features;
 use super::lanes::LANES;
 use super::parts::Spare;
@@ -136,15 +136,16 @@ impl Work for Sample<'_> {
         let width = self.reference.width();
         let stride = self.range.next_multiple_of(LANES);
         let [mut left, mut right] = [(); 2].map(|()| Features::new(width, stride));
+        let candidates = Candidates::new([self.reference, self.other], self.range, 0);
         let mut costs = vec![0; stride];
         for row in self.rows {
             left.compute(self.reference, *row);
             right.compute(self.other, *row);
             for column in 0..width {
                 pixel_costs(&left, &right, width, column, &mut costs);
-                let seen = self.range.min(column + 1);
-                let least = costs[..seen].iter().copied().min().unwrap_or(0);
-                self.counts[usize::from(least)] += 1;
+                if let Some(least) = costs[candidates.of(column)].iter().min() {
+                    self.counts[usize::from(*least)] += 1;
+                }
             }
         }
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use ga_runtime::batch::Work;
 
-use super::cost::{NEVER, row_costs};
+use super::cost::{Candidates, NEVER, row_costs};
 use super::features::Features;
 use super::lanes::{LANES, least_of_words};
 use super::path::{PathRow, Penalties};
@@ -155,10 +155,11 @@ impl Sweep<'_> {
             ..
         } = &mut *self.scratch;
         let stride = sums.len();
+        let candidates = Candidates::new([reference, other], range, outside);
         let Some(support) = support else {
             left.compute(reference, row);
             right.compute(other, row);
-            row_costs(left, right, range, outside, NEVER, costs, stride);
+            row_costs(left, right, &candidates, NEVER, costs, stride);
             return;
         };
         if is_first {
@@ -167,7 +168,7 @@ impl Sweep<'_> {
         while let Some(row) = support.wanted(row, reference.height()) {
             left.compute(reference, row);
             right.compute(other, row);
-            row_costs(left, right, range, outside, 0, costs, stride);
+            row_costs(left, right, &candidates, 0, costs, stride);
             support.add(reference, costs, threshold);
         }
         support.means(reference, row, threshold, range, means);
@@ -303,7 +304,7 @@ mod tests {
 
     fn view(plane: &Plane<u8>, mirrored: bool) -> View {
         let mut view = View::new(plane.width(), plane.height(), mirrored);
-        view.fill(plane.view(), &std::array::from_fn(|level| level as u8));
+        view.fill(plane.view(), &std::array::from_fn(|level| level as u8), 0);
         view
     }
 

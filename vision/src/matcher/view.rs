@@ -1,5 +1,7 @@
-//! The two views as the matcher reads them: brought to the same exposure, the right one mirrored,
-//! and with a margin on either side of each row.
+//! The two views as the matcher reads them: brought to the same exposure, the right one moved by the
+//! least disparity and mirrored, and with a margin on either side of each row.
+
+use std::ops::Range;
 
 use ga_image::plane::PlaneView;
 use rayon::join;
@@ -15,6 +17,8 @@ pub(super) struct View {
     width: usize,
     height: usize,
     mirrored: bool,
+    /// The columns that show something; others repeat the nearest of these.
+    seen: Range<usize>,
     levels: Vec<u8>,
 }
 
@@ -24,25 +28,37 @@ impl View {
             width,
             height,
             mirrored,
+            seen: 0..width,
             levels: vec![0; (width + 2 * MARGIN) * height],
         }
     }
 
-    /// Takes the pixels of a plane of this size, each changed by a table.
-    pub(super) fn fill(&mut self, plane: PlaneView<'_, u8>, table: &[u8; 256]) {
-        let rows = self.levels.chunks_exact_mut(self.width + 2 * MARGIN);
+    /// Takes the pixels of a plane of this size, each changed by a table and moved to the right by a
+    /// number of columns, less than the width.
+    pub(super) fn fill(&mut self, plane: PlaneView<'_, u8>, table: &[u8; 256], shift: isize) {
+        let width = self.width;
+        let seen = shift.max(0).cast_unsigned()..width.saturating_add_signed(shift.min(0));
+        let hidden = (-shift).max(0).cast_unsigned();
+        let rows = self.levels.chunks_exact_mut(width + 2 * MARGIN);
         for (row, source) in rows.zip(plane.rows()) {
-            let inside = &mut row[MARGIN..][..self.width];
-            for (level, value) in inside.iter_mut().zip(source) {
+            let inside = &mut row[MARGIN..][..width];
+            for (level, value) in inside[seen.clone()].iter_mut().zip(&source[hidden..]) {
                 *level = table[usize::from(*value)];
             }
+            let (first, last) = (inside[seen.start], inside[seen.end - 1]);
+            inside[..seen.start].fill(first);
+            inside[seen.end..].fill(last);
             if self.mirrored {
                 inside.reverse();
             }
-            let (first, last) = (inside[0], inside[self.width - 1]);
+            let (first, last) = (inside[0], inside[width - 1]);
             row[..MARGIN].fill(first);
-            row[MARGIN + self.width..].fill(last);
+            row[MARGIN + width..].fill(last);
         }
+        self.seen = match self.mirrored {
+            true => width - seen.end..width - seen.start,
+            false => seen,
+        };
     }
 
     pub(super) fn width(&self) -> usize {
@@ -51,6 +67,11 @@ impl View {
 
     pub(super) fn height(&self) -> usize {
         self.height
+    }
+
+    /// The columns that show something.
+    pub(super) fn seen(&self) -> Range<usize> {
+        self.seen.clone()
     }
 
     /// Whether columns count from the right.
@@ -73,13 +94,18 @@ impl View {
     }
 }
 
-/// Takes the left and the right view, the right one at the exposure of the left.
-pub(super) fn fill(planes: [PlaneView<'_, u8>; 2], [left, right]: [&mut View; 2]) {
+/// Takes the left and the right view, the right one at the exposure of the left and moved to the
+/// right by the least disparity. Then disparities count from that one.
+pub(super) fn fill(
+    planes: [PlaneView<'_, u8>; 2],
+    [left, right]: [&mut View; 2],
+    least_disparity: isize,
+) {
     let identity = std::array::from_fn(|level| level as u8);
     let table = exposure(planes);
     join(
-        || left.fill(planes[0], &identity),
-        || right.fill(planes[1], &table),
+        || left.fill(planes[0], &identity, 0),
+        || right.fill(planes[1], &table, least_disparity),
     );
 }
 
@@ -136,7 +162,7 @@ pub(super) fn noise(view: &View) -> f32 {
     // Every second row is more than enough for a quartile.
     for row in (1..height.saturating_sub(1)).step_by(2) {
         let [above, middle, below] = [row - 1, row, row + 1].map(|r| view.row(r));
-        for column in 1..view.width().saturating_sub(1) {
+        for column in view.seen.start + 1..view.seen.end.saturating_sub(1) {
             let second = |line: &[u8]| {
                 i32::from(line[column - 1]) - 2 * i32::from(line[column])
                     + i32::from(line[column + 1])

@@ -4,6 +4,13 @@
 //! depth `Z = f B/(d + c_right − c_left)` of a [`RectifiedRig`]. Neighbouring pixels are joined by
 //! triangles unless the surface is torn between them.
 //!
+//! # Which depths noise decides
+//!
+//! The disparities of a matcher have a standard deviation σ, [`DISPARITY_DEVIATION`], and so have
+//! depths one of `σ_Z = Z²/(f B) σ`, which relative to the depth is `σ/(d + c_right − c_left)`. Far
+//! away it grows beyond every bound: at a disparity of 0.05 px a depth is any number. Points whose
+//! relative deviation is greater than [`SurfaceOptions::depth_deviation`] are left out.
+//!
 //! # Where a surface is cut
 //!
 //! An edge of the grid joins two pixels if their disparities differ by no more than
@@ -43,6 +50,6 @@ mod model;
 mod pair;
 mod rectified_pair;
 
-pub use grid::{DepthSummary, Surface, SurfaceOptions};
+pub use grid::{DISPARITY_DEVIATION, DepthSummary, Surface, SurfaceOptions};
 pub use pair::{disparity_range, seen_by_both};
-pub use rectified_pair::{PairOptions, RectifiedPair};
+pub use rectified_pair::{PairMatch, PairOptions, RectifiedPair};

@@ -1,26 +1,20 @@
 //! What a pair of rectified views needs before its disparities are a surface.
 
 use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
-use ga_image::pyramid::halved;
 use ga_numerics::order_statistics::Sorted;
 
+use crate::disparity::range::clear_disparities;
 use crate::disparity::{DisparityMap, StereoError};
-use crate::matcher::{Matcher, MatcherOptions, Mode};
+use crate::matcher::GREATEST_RANGE;
 
-/// Views are halved to no more columns than this before their range is measured.
-const COLUMNS: usize = 320;
-/// Views are not halved to fewer rows than this: a matcher compares windows of several rows.
-const ROWS: usize = 16;
-/// No matcher accepts a greater range.
-const GREATEST_RANGE: usize = 2047;
 /// The part of the pixels whose disparity the range holds.
 const PART: f64 = 0.995;
 /// Pixels are counted whose confidence is at least this.
 const CONFIDENCE: f32 = 0.1;
 
-/// A range of disparities that holds those of two rectified views, for
-/// [`MatcherOptions::max_disparity`]: a multiple of 16 px, or the greatest range that a
-/// [`Matcher`] accepts for views of this width.
+/// A range of disparities from 0 that holds those of two rectified views, for
+/// [`MatcherOptions::range`](crate::matcher::MatcherOptions::range): a multiple of 16 px, or the
+/// greatest range that a matcher accepts for views of this width.
 ///
 /// The views are matched at a small size over two thirds of their width. The range ends a tenth
 /// beyond the disparity that 99.5 % of the confident pixels stay below. The rule is our own.
@@ -48,30 +42,13 @@ pub fn disparity_range(
     right: &Plane<u8>,
     threads: usize,
 ) -> Result<usize, StereoError> {
-    let width = left.width();
-    let (mut small, mut factor) = ([left.clone(), right.clone()], 1);
-    while small[0].width() > COLUMNS && small[0].height() >= 2 * ROWS {
-        small = [halved(&small[0]), halved(&small[1])];
-        factor *= 2;
-    }
-    let options = MatcherOptions {
-        max_disparity: (small[0].width() * 2 / 3).clamp(1, GREATEST_RANGE),
-        mode: Mode::Fast,
-        threads,
-    };
-    let mut matcher = Matcher::new(options, small[0].width(), small[0].height())?;
-    let found = matcher.run(&small[0], &small[1])?;
-    let pixels = found.disparity.plane().values().iter();
-    let confident = pixels.zip(found.confidence.values());
-    let mut disparities: Vec<f32> = confident
-        .filter(|(disparity, confidence)| disparity.is_finite() && **confidence >= CONFIDENCE)
-        .map(|(disparity, _)| *disparity)
-        .collect();
+    let reach = |width: f64| [0.0, width * 2.0 / 3.0];
+    let (mut disparities, factor) = clear_disparities(left, right, CONFIDENCE, threads, reach)?;
     let most = Sorted::new(&mut disparities).map_or(0.0, |sorted| sorted.quantile(PART));
-    let most = f64::from(most) * factor as f64;
     // One candidate of the small views is several of the large ones.
     let range = (1.1 * most) as usize + 2 * factor;
-    Ok(range.next_multiple_of(16).min(width).min(GREATEST_RANGE))
+    let greatest = left.width().min(GREATEST_RANGE);
+    Ok(range.next_multiple_of(16).min(greatest))
 }
 
 /// The disparities of pixels that both cameras see: others are made unknown. `inside` says of each

@@ -6,8 +6,9 @@ use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
 
 use super::pair::{disparity_range, seen_by_both};
+use crate::diagnosis::of_match::{MatchFault, faults_of_match};
 use crate::disparity::{DisparityMap, StereoError};
-use crate::matcher::{Matcher, MatcherOptions, Mode};
+use crate::matcher::{GREATEST_RANGE, Matcher, MatcherOptions, Mode};
 use crate::rectification::{Rectification, RectificationOptions};
 
 /// Two rectified views in colour, which of their pixels were seen, and the cameras.
@@ -22,14 +23,27 @@ pub struct RectifiedPair {
 /// How the disparities of a [`RectifiedPair`] are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairOptions {
+    /// The least disparity in pixels.
+    pub min_disparity: i32,
     /// Disparities are less than this number of pixels; without it, the views decide.
-    pub max_disparity: Option<usize>,
+    pub max_disparity: Option<i32>,
     /// How much work is done.
     pub mode: Mode,
     /// The number of threads; 0 for as many as the machine can run at the same time.
     pub threads: usize,
     /// Disparities that are less certain, from 0 to 1, are unknown.
     pub least_confidence: f32,
+}
+
+/// The disparities of a [`RectifiedPair`].
+#[derive(Clone, Debug)]
+pub struct PairMatch {
+    /// Those of what both cameras see.
+    pub disparity: DisparityMap,
+    /// The range that was looked at: the least one, and the first one beyond the greatest.
+    pub range: [i32; 2],
+    /// Why the views were matched badly, where they were.
+    pub faults: Vec<MatchFault>,
 }
 
 impl RectifiedPair {
@@ -85,33 +99,41 @@ impl RectifiedPair {
         self.to_left
     }
 
-    /// The disparities of what both cameras see, and the range they were looked for in.
+    /// The disparities of what both cameras see.
     ///
     /// # Errors
     /// [`StereoError`] for views that cannot be matched.
-    pub fn disparities(&self, options: &PairOptions) -> Result<(DisparityMap, usize), StereoError> {
-        let PairOptions { mode, threads, .. } = *options;
+    pub fn disparities(&self, options: &PairOptions) -> Result<PairMatch, StereoError> {
+        let PairOptions {
+            min_disparity,
+            mode,
+            threads,
+            ..
+        } = *options;
         let [left, right] = self.views.each_ref().map(|view| Luma::Bt601.plane(view));
-        let max_disparity = match options.max_disparity {
-            Some(range) => range,
-            None => disparity_range(&left, &right, threads)?,
+        let beyond = match options.max_disparity {
+            Some(beyond) => beyond,
+            None => {
+                let most = left.width().min(GREATEST_RANGE) as i32;
+                let found = disparity_range(&left, &right, threads)? as i32;
+                found.min(min_disparity.saturating_add(most))
+            }
         };
+        let range = [min_disparity, beyond];
         let of_matcher = MatcherOptions {
-            max_disparity,
+            range,
             mode,
             threads,
         };
         let mut matcher = Matcher::new(of_matcher, left.width(), left.height())?;
         let found = matcher.run(&left, &right)?;
-        let [left, right] = &self.inside;
-        let seen = seen_by_both(&found.disparity, [left.view(), right.view()])?;
-        let mut pixels = seen.into_plane();
-        let confidence = found.confidence.values();
-        for (disparity, confidence) in pixels.values_mut().iter_mut().zip(confidence) {
-            if *confidence < options.least_confidence {
-                *disparity = f32::NAN;
-            }
-        }
-        Ok((DisparityMap::new(pixels), max_disparity))
+        let faults = faults_of_match([&left, &right], &found, range);
+        let [left, right] = self.inside.each_ref().map(Plane::view);
+        let certain = found.at_least(options.least_confidence).disparity;
+        Ok(PairMatch {
+            disparity: seen_by_both(&certain, [left, right])?,
+            range,
+            faults,
+        })
     }
 }

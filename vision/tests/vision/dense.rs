@@ -26,7 +26,7 @@ fn board_before_wall(wall: f64, board: f64, corners: [[f64; 2]; 2], seed: u64) -
 
 fn matched(views: &Views, mode: Mode) -> Match {
     let options = MatcherOptions {
-        max_disparity: 32,
+        range: [0, 32],
         mode,
         threads: 1,
     };

@@ -1,8 +1,13 @@
 //! Diagnoses of pairs of points with known deviations.
 
+use ga_image::plane::Plane;
 use ga_vision::ViewGeometryError;
-use ga_vision::diagnosis::{Diagnosis, DiagnosisOptions, HorizontalDisparity};
+use ga_vision::diagnosis::of_match::{MatchFault, faults_of_match};
+use ga_vision::diagnosis::{Diagnosis, DiagnosisFault, DiagnosisOptions, HorizontalDisparity};
+use ga_vision::disparity::StereoError;
+use ga_vision::disparity::range::DisparityRange;
 use ga_vision::feature::PixelPair;
+use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
 use proptest::prelude::*;
 
 const SIZE: [usize; 2] = [640, 480];
@@ -166,5 +171,128 @@ fn pairs_that_cannot_be_diagnosed() {
     assert!(matches!(
         Diagnosis::new(&good, SIZE, options),
         Err(ViewGeometryError::MatchThreshold(_))
+    ));
+}
+
+/// Cameras above each other, or views rotated by a quarter turn: columns agree, and rows do not.
+#[test]
+fn views_on_their_side_are_recognised() {
+    let mut next = random(8);
+    let pairs: Vec<PixelPair> = (0..100)
+        .map(|index| {
+            let [u, v, d] = [639.0 * next(), 479.0 * next(), 60.0 * next()];
+            let right = match index % 5 {
+                0 => [639.0 * next(), 479.0 * next()],
+                _ => [u, v - d],
+            };
+            PixelPair {
+                left: [u, v],
+                right,
+            }
+        })
+        .collect();
+    let found = Diagnosis::new(&pairs, SIZE, DiagnosisOptions::default()).unwrap();
+    assert!(found.is_sideways && !found.is_rectified());
+    assert_eq!(found.faults(), [DiagnosisFault::Sideways]);
+    // Two views of what is far away are rectified, though columns agree as well.
+    let far: Vec<PixelPair> = pairs
+        .iter()
+        .map(|pair| PixelPair {
+            left: pair.left,
+            right: pair.left,
+        })
+        .collect();
+    let found = Diagnosis::new(&far, SIZE, DiagnosisOptions::default()).unwrap();
+    assert!(!found.is_sideways && found.faults().is_empty());
+}
+
+/// A texture of many waves in all directions, without a period.
+fn wavy(x: f64, y: f64) -> u8 {
+    let mut sum = 128.0;
+    for k in 1..24 {
+        let k = f64::from(k);
+        let (angle, wave) = (2.4 * k, 0.09 + 0.019 * k);
+        sum += 14.0 * (wave * (x * angle.cos() + y * angle.sin()) + 1.7 * k * k).sin();
+    }
+    sum.round().clamp(0.0, 255.0) as u8
+}
+
+/// Shelves at six depths, of disparities from 4 to 19 px, in views of 320 × 240 pixels.
+fn shelves(change: impl Fn(f64, f64) -> [f64; 2]) -> Plane<u8> {
+    Plane::from_fn(320, 240, |column, row| {
+        let [u, v] = change(column as f64, row as f64);
+        wavy(u, v)
+    })
+}
+
+fn of_shelves(u: f64, v: f64) -> [f64; 2] {
+    [u + 4.0 + 3.0 * (v / 40.0).floor().clamp(0.0, 5.0), v]
+}
+
+#[test]
+fn pairs_that_are_matched_badly_say_why() {
+    let left = shelves(|u, v| [u, v]);
+    let right = shelves(of_shelves);
+    let turned = |view: &Plane<u8>| Plane::from_fn(240, 320, |u, v| view.row(239 - u)[v]);
+    let rolled = shelves(|u, v| {
+        let (sine, cosine) = 3f64.to_radians().sin_cos();
+        let (x, y) = (u - 160.0, v - 120.0);
+        of_shelves(cosine * x + sine * y + 160.0, cosine * y - sine * x + 120.0)
+    });
+    let low = shelves(|u, v| of_shelves(u, v - 8.0));
+    let other = Plane::from_fn(320, 240, |column, row| {
+        let mixed = (column as u32 + 1).wrapping_mul(2_654_435_761) ^ (row as u32 * 40_503);
+        ((mixed ^ mixed >> 13).wrapping_mul(2_246_822_519) >> 24) as u8
+    });
+    let grey = Plane::filled(320, 240, 90u8);
+    let cases: [(&Plane<u8>, &Plane<u8>, [i32; 2], &[&str]); 10] = [
+        (&left, &right, [0, 32], &[]),
+        (
+            &right,
+            &left,
+            [0, 32],
+            &["views_exchanged", "outside_range"],
+        ),
+        (&right, &left, [-32, 0], &[]),
+        (&left, &rolled, [0, 32], &["not_rectified"]),
+        (&left, &low, [0, 32], &["not_rectified"]),
+        (&turned(&left), &turned(&right), [0, 32], &["sideways"]),
+        (&left, &right, [32, 64], &["outside_range"]),
+        (&left, &right, [-32, 0], &["outside_range"]),
+        (&left, &other, [0, 32], &["unclear_match"]),
+        (&grey, &grey, [0, 32], &["no_texture"]),
+    ];
+    for (number, (left, right, range, expected)) in cases.into_iter().enumerate() {
+        for mode in [Mode::Fast, Mode::Balanced, Mode::Best] {
+            let options = MatcherOptions {
+                range,
+                mode,
+                threads: 1,
+            };
+            let mut matcher = Matcher::new(options, left.width(), left.height()).unwrap();
+            let found = matcher.run(left, right).unwrap();
+            let faults = faults_of_match([left, right], &found, range);
+            let kinds: Vec<_> = faults.iter().map(MatchFault::kind).collect();
+            assert_eq!(kinds, expected, "{number} {mode:?}: {faults:?}");
+        }
+    }
+}
+
+/// 99 % of the disparities, whichever sign they have, and not much more.
+#[test]
+fn ranges_are_found_from_points() {
+    let left = shelves(|u, v| [u, v]);
+    let right = shelves(of_shelves);
+    for (views, [least, beyond]) in [([&left, &right], [4, 20]), ([&right, &left], [-19, -3])] {
+        let found = DisparityRange::of(views[0], views[1], 1).unwrap();
+        let [first, last] = found.ends;
+        assert!((least - 10..least - 2).contains(&first), "{found:?}");
+        assert!((beyond + 2..beyond + 26).contains(&last), "{found:?}");
+        assert!((last - first) % 16 == 0 && found.points > 50, "{found:?}");
+    }
+    let grey = Plane::filled(320, 240, 90u8);
+    assert!(matches!(
+        DisparityRange::of(&grey, &grey, 1),
+        Err(StereoError::FewPoints { found: 0, .. })
     ));
 }

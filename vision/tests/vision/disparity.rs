@@ -2,10 +2,12 @@
 //! definitions written out.
 
 use ga_image::pfm::{self, ByteOrder};
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_vision::disparity::evaluation::ErrorMap;
+use ga_vision::disparity::evaluation::{ErrorMap, ErrorMeasures, Evaluation};
 use ga_vision::disparity::picture::ColourScale;
+use ga_vision::disparity::visibility::Visibility;
 use ga_vision::disparity::{DisparityMap, DisparityMapError, file};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -21,7 +23,7 @@ fn the_truth_of_the_motorcycle_is_upright() {
     let Some(path) = shared("data/vision/middlebury/motorcycle_disp.pfm") else {
         return;
     };
-    let truth = file::read(path).unwrap();
+    let truth = file::read(path, None).unwrap();
     assert_eq!((truth.width(), truth.height()), (741, 500));
     for (column, row, disparity) in [
         (0, 0, None),
@@ -43,27 +45,38 @@ fn rows_are_stored_from_the_bottom_in_either_order_of_bytes() {
     let little = b"Pf\n2 2\n-1.0\n\0\0\x40\x40\0\0\x80\x7f\0\0\x80\x3f\0\0\0\x40";
     let big = b"Pf\n2 2\n1.0\n\x40\x40\0\0\x7f\x80\0\0\x3f\x80\0\0\x40\0\0\0";
     assert_eq!(file::encode(&expected).unwrap(), little);
-    assert_eq!(file::decode(little).unwrap(), expected);
-    assert_eq!(file::decode(big).unwrap(), expected);
+    assert_eq!(file::decode(little, None).unwrap(), expected);
+    assert_eq!(file::decode(big, None).unwrap(), expected);
 }
 
 #[test]
 fn truths_are_stored_as_multiples() {
     let deep = Plane::from_fn(3, 2, |column, row| (1000 * column + 7 * row) as u16);
-    let truth = file::decode_truth(&png::encode(&deep).unwrap(), 256.0).unwrap();
-    assert_eq!(truth.get(2, 1), Some(2007.0 / 256.0));
-    assert_eq!(truth.get(0, 0), Some(0.0));
-    let shallow = file::decode_truth(b"P5 2 1 255\n\x09\xff", 3.0).unwrap();
-    assert_eq!(shallow, map(2, &[3.0, 85.0]));
+    // Without a scale, 16 bits are those of KITTI. 0 is unknown.
+    let deep = png::encode(&deep).unwrap();
+    for scale in [None, Some(256.0)] {
+        let truth = file::decode(&deep, scale).unwrap();
+        assert_eq!(truth.get(2, 1), Some(2007.0 / 256.0));
+        assert_eq!(truth.get(0, 0), None);
+    }
+    assert_eq!(
+        file::decode(&deep, Some(1.0)).unwrap().get(2, 1),
+        Some(2007.0)
+    );
+    let shallow = b"P5 3 1 255\n\x09\xff\0";
+    let expected = map(3, &[3.0, 85.0, f32::NAN]);
+    assert_eq!(file::decode(shallow, Some(3.0)).unwrap(), expected);
+    let expected = map(3, &[9.0, 255.0, f32::NAN]);
+    assert_eq!(file::decode(shallow, None).unwrap(), expected);
     let floats = Plane::from_values(2, 1, vec![5.0, f32::INFINITY]).unwrap();
     let bytes = pfm::encode(&floats, ByteOrder::Big).unwrap();
     assert_eq!(
-        file::decode_truth(&bytes, 2.0).unwrap(),
+        file::decode(&bytes, Some(2.0)).unwrap(),
         map(2, &[2.5, f32::NAN])
     );
     // Beyond the range of floats a disparity is unknown.
     let huge = pfm::encode(&Plane::filled(1, 1, 3e38f32), ByteOrder::Big).unwrap();
-    assert_eq!(file::decode_truth(&huge, 1e-3).unwrap().known(), 0);
+    assert_eq!(file::decode(&huge, Some(1e-3)).unwrap().known(), 0);
 }
 
 #[test]
@@ -72,22 +85,19 @@ fn what_is_no_map_is_named() {
     let colour = pfm::encode(&colour, ByteOrder::Little).unwrap();
     let picture = png::encode(&Plane::filled(2, 2, [1u8; 4])).unwrap();
     for (error, part) in [
-        (file::decode(&colour), "this picture is RGB of floats"),
-        (file::decode(b"Pf\n2 2\n-1.0\nabc"), "too many for 3 bytes"),
+        (file::decode(&colour, None), "this picture is RGB of floats"),
         (
-            file::decode(b"Pf\n2 2\n0\n"),
+            file::decode(b"Pf\n2 2\n-1.0\nabc", None),
+            "16 bytes, and 3 bytes follow",
+        ),
+        (
+            file::decode(b"Pf\n2 2\n0\n", None),
             "neither positive nor negative",
         ),
-        (file::decode(&picture), "PFM"),
-        (file::decode(b""), "PFM"),
-        (
-            file::decode(b"P5 1 1 255\n\x09\0\0\0"),
-            "begins with PF or Pf",
-        ),
-        (file::decode_truth(&picture, 1.0), "8-bit RGBA"),
-        (file::decode_truth(b"none", 1.0), "not a picture"),
-        (file::decode_truth(&picture, 0.0), "the scale 0"),
-        (file::decode_truth(&picture, f64::NAN), "the scale NaN"),
+        (file::decode(&picture, Some(1.0)), "8-bit RGBA"),
+        (file::decode(b"none", None), "not a picture"),
+        (file::decode(&picture, Some(0.0)), "the scale 0"),
+        (file::decode(&picture, Some(f64::NAN)), "the scale NaN"),
     ] {
         let error = error.unwrap_err().to_string();
         assert!(error.contains(part), "{error}");
@@ -192,6 +202,78 @@ proptest! {
     ) {
         prop_assume!(values.len() >= width);
         let map = map(width, &values[..values.len() / width * width]);
-        prop_assert_eq!(file::decode(&file::encode(&map).unwrap()).unwrap(), map);
+        prop_assert_eq!(file::decode(&file::encode(&map).unwrap(), None).unwrap(), map);
     }
+}
+
+/// By hand: KITTI's file has 256 × the disparity, and 0 for what is unknown.
+#[test]
+fn maps_are_stored_as_kitti_has_them() {
+    let found = map(4, &[0.0, 12.25, f32::NAN, 255.99]);
+    let Picture::Grey16(stored) = png::decode(&file::encode_png(&found).unwrap()).unwrap() else {
+        panic!("not 16 bits of grey")
+    };
+    assert_eq!(stored.values(), [1, 3136, 0, 65533]);
+    for disparity in [-0.5, 256.0] {
+        let error = file::encode_png(&map(2, &[disparity, 3.0])).unwrap_err();
+        let part = format!("from 0 to 255.996 px, and the map has {disparity:.3} px");
+        assert!(error.to_string().contains(&part), "{error}");
+    }
+    assert!(file::encode_png(&DisparityMap::default()).is_err());
+}
+
+/// By hand: 3 px of 60 are 5 %.
+#[test]
+fn d1_counts_errors_that_are_large_in_pixels_and_in_percent() {
+    let truth = map(6, &[60.0, 60.0, 100.0, 100.0, 10.0, 0.0]);
+    let found = map(6, &[63.0, 63.5, 104.5, 105.5, f32::NAN, 99.0]);
+    let errors = ErrorMap::new(&found, &truth).unwrap();
+    assert_eq!(errors.d1(), 60.0);
+    assert_eq!(errors.bad(3.0), 80.0);
+    let part = errors.within(|column, _| column < 3).unwrap();
+    assert_eq!((part.pixels(), part.d1()), (3, 100.0 / 3.0));
+    assert!(errors.within(|column, _| column == 5).is_none());
+}
+
+#[test]
+fn visible_and_occluded_pixels_are_told_apart() {
+    let truth = map(5, &[10.0, 10.0, 10.0, 10.0, f32::NAN]);
+    let found = map(5, &[10.5, 14.0, 10.0, f32::NAN, 3.0]);
+    let mask = |levels: &[u8]| {
+        let plane = Plane::from_values(levels.len(), 1, levels.to_vec()).unwrap();
+        Visibility::decode_mask(&png::encode(&plane).unwrap()).unwrap()
+    };
+    let with = |visibility: &Visibility| Evaluation::new(&found, &truth, Some(visibility));
+    let counts = |found: &Evaluation| {
+        let pixels = |part: Option<ErrorMeasures>| part.map_or(0, |part| part.truth_pixels);
+        [
+            found.all.truth_pixels,
+            pixels(found.visible),
+            pixels(found.occluded),
+        ]
+    };
+    let middlebury = with(&mask(&[255, 128, 0, 128, 255])).unwrap();
+    assert_eq!(counts(&middlebury), [3, 1, 2]);
+    assert_eq!(middlebury.visible.unwrap().average_px, Some(0.5));
+    assert_eq!(middlebury.occluded.unwrap().bad_3, 100.0);
+    assert_eq!(middlebury.errors.pixels(), 3);
+    // In black and white, and with 0 and 1, only what counts is told.
+    for levels in [[255, 0, 255, 0, 0], [1, 0, 1, 0, 0]] {
+        let found = with(&mask(&levels)).unwrap();
+        assert_eq!((counts(&found), found.occluded), ([2, 2, 0], None));
+    }
+    let kitti = map(5, &[10.0, f32::NAN, 10.0, 0.0, f32::NAN]);
+    let kitti = with(&Visibility::from_truth_of_visible(&kitti)).unwrap();
+    assert_eq!(counts(&kitti), [4, 2, 2]);
+    let without = Evaluation::new(&found, &truth, None).unwrap();
+    assert_eq!((counts(&without), without.visible), ([4, 0, 0], None));
+    assert!(matches!(
+        with(&mask(&[255; 4])),
+        Err(DisparityMapError::MaskSize(_))
+    ));
+    let nothing = with(&mask(&[0, 0, 0, 0, 9])).unwrap_err();
+    assert_eq!(nothing, DisparityMapError::NoTruth);
+    let colour = png::encode(&Plane::filled(2, 2, [1u8; 3])).unwrap();
+    let error = Visibility::decode_mask(&colour).unwrap_err().to_string();
+    assert!(error.contains("this picture is 8-bit RGB"), "{error}");
 }

@@ -9,9 +9,9 @@ use nullcone_shared_data::shared;
 
 const MODES: [Mode; 3] = [Mode::Fast, Mode::Balanced, Mode::Best];
 
-fn options(max_disparity: usize, mode: Mode, threads: usize) -> MatcherOptions {
+fn options(max_disparity: i32, mode: Mode, threads: usize) -> MatcherOptions {
     MatcherOptions {
-        max_disparity,
+        range: [0, max_disparity],
         mode,
         threads,
     }
@@ -140,6 +140,86 @@ fn a_matcher_remembers_nothing_of_the_pair_before() {
     }
 }
 
+/// What the left view shows at a column is in the right one further right by up to 30 columns, as
+/// cameras see it that are turned towards each other; or nothing is as near as the range begins.
+#[test]
+fn ranges_begin_anywhere() {
+    let ([left, right], truth) = rectangle(180, 90);
+    for (shift, range) in [
+        (-30, [-32, -8]),
+        (-30, [-32, 0]),
+        (0, [4, 28]),
+        (0, [-16, 32]),
+    ] {
+        let moved = |column: usize, row: usize| {
+            let from = column.checked_add_signed(shift).filter(|from| *from < 180);
+            from.map_or_else(|| texture(column + 9000, row), |from| right.row(row)[from])
+        };
+        let right = Plane::from_fn(180, 90, moved);
+        for mode in MODES {
+            let options = MatcherOptions {
+                range,
+                ..options(0, mode, 1)
+            };
+            let found = matched(&[left.clone(), right.clone()], options);
+            let [least, beyond] = range.map(|end| end as f32);
+            let [mut wrong, mut outside, mut sure] = [0; 3];
+            for (row, column) in (0..90).flat_map(|row| (0..180).map(move |column| (row, column))) {
+                let disparity = found.disparity.get(column, row).unwrap();
+                assert!((least..beyond).contains(&disparity), "{mode:?}, {range:?}");
+                let expected = truth.row(row)[column] + shift as f32;
+                wrong += usize::from((disparity - expected).abs() > 1.0);
+                let target = column as f32 - expected;
+                if !(-1.0..181.0).contains(&target) {
+                    outside += 1;
+                    sure += usize::from(found.confidence.get(column, row) > Some(0.3));
+                }
+            }
+            assert!(wrong < 180 * 90 * 4 / 100, "{mode:?}, {range:?}: {wrong}");
+            // Nothing is certain of what is outside the right view.
+            assert!(
+                20 * sure <= outside,
+                "{mode:?}, {range:?}: {sure} of {outside}"
+            );
+        }
+    }
+}
+
+/// In areas of one level, no disparity fits better than another.
+#[test]
+fn areas_of_one_level_have_no_confidence() {
+    let (views, _) = rectangle(180, 90);
+    let is_masked = |column: usize, row: usize| (20..60).contains(&column) && row >= 50;
+    let [left, right] = views;
+    let masked = |view: &Plane<u8>, shift: usize| {
+        Plane::from_fn(180, 90, |column, row| {
+            match is_masked(column + shift, row) {
+                true => 255,
+                false => view.row(row)[column],
+            }
+        })
+    };
+    for mode in MODES {
+        let grey = Plane::filled(180, 90, 140);
+        let found = matched(&[grey.clone(), grey], options(32, mode, 2));
+        assert!(found.confidence.values().iter().all(|c| *c == 0.0));
+        assert_eq!((found.textured, found.summary().textured), (0, 0.0));
+        // Where the census reaches the texture around it, the square has a place.
+        let found = matched(&[masked(&left, 0), masked(&right, 6)], options(32, mode, 2));
+        for row in 54..90 {
+            assert!(found.confidence.row(row)[24..56].iter().all(|c| *c == 0.0));
+        }
+        assert!((180 * 90 - 40 * 40..=180 * 90 - 32 * 37).contains(&found.textured));
+        assert!(found.confidence.get(150, 10) > Some(0.3), "{mode:?}");
+        let certain = found.clone().at_least(0.2);
+        let known = certain.disparity.plane().values().iter();
+        for (disparity, confidence) in known.zip(found.confidence.values()) {
+            assert_eq!(disparity.is_finite(), *confidence >= 0.2);
+        }
+        assert!(certain.summary().density < 100.0);
+    }
+}
+
 #[test]
 fn extreme_views_give_finite_disparities() {
     let black = Plane::filled(33, 9, 0u8);
@@ -173,6 +253,27 @@ fn what_cannot_be_matched_is_named() {
     assert_eq!(range(build(0, 60, 40)), Some((0, 60)));
     assert_eq!(range(build(61, 60, 40)), Some((61, 60)));
     assert_eq!(range(build(3000, 4000, 40)), Some((3000, 2047)));
+    let from = |range| {
+        Matcher::new(
+            MatcherOptions {
+                range,
+                ..options(0, Mode::Fast, 1)
+            },
+            60,
+            40,
+        )
+    };
+    assert_eq!(range(from([8, 8])), Some((0, 60)));
+    assert_eq!(range(from([8, -8])), Some((-16, 60)));
+    assert_eq!(
+        range(from([i32::MIN, i32::MAX])),
+        Some((u32::MAX.into(), 60))
+    );
+    for ends in [[-60, -20], [30, 61]] {
+        let error = from(ends).unwrap_err();
+        assert!(matches!(error, StereoError::OutOfView { range, width: 60 } if range == ends));
+    }
+    assert!(from([-59, 1]).is_ok() && from([59, 60]).is_ok());
     assert!(build(60, 60, 40).is_ok());
     assert!(matches!(
         build(4, 60, 8),
@@ -201,7 +302,7 @@ fn what_cannot_be_matched_is_named() {
 fn bad_2(
     folder: &str,
     [left, right, truth]: [&str; 3],
-    (scale, range, mode): (f64, usize, Mode),
+    (scale, range, mode): (f64, i32, Mode),
 ) -> Option<f64> {
     let path = |name: &str| shared(&format!("data/vision/{folder}/{name}"));
     let grey = |name: &str| {
@@ -209,7 +310,7 @@ fn bad_2(
         Some(picture.to_grey::<u8>(Luma::Bt601))
     };
     let views = [grey(left)?, grey(right)?];
-    let truth = file::read_truth(path(truth)?, scale).expect("a truth");
+    let truth = file::read(path(truth)?, Some(scale)).expect("a truth");
     let found = matched(&views, options(range, mode, 2));
     let errors = ErrorMap::new(&found.disparity, &truth).expect("sizes");
     Some(errors.bad(2.0))

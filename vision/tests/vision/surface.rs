@@ -11,7 +11,8 @@ use ga_runtime::cga3::{Motor, Plane as Flat, Point, Rotor};
 use ga_vision::disparity::{DisparityMap, DisparityMapError};
 use ga_vision::matcher::{Matcher, MatcherOptions, Mode};
 use ga_vision::surface::{
-    PairOptions, RectifiedPair, Surface, SurfaceOptions, disparity_range, seen_by_both,
+    DISPARITY_DEVIATION, PairOptions, RectifiedPair, Surface, SurfaceOptions, disparity_range,
+    seen_by_both,
 };
 use proptest::prelude::*;
 
@@ -61,7 +62,11 @@ proptest! {
     ) {
         let normal = [tilt[0], tilt[1], -1.0];
         let (map, _) = map_of(&[([0.0, 0.0, depth], normal)]);
-        let surface = Surface::new(&map, &rig(), &SurfaceOptions::default()).unwrap();
+        let options = SurfaceOptions {
+            depth_deviation: f64::INFINITY,
+            ..SurfaceOptions::default()
+        };
+        let surface = Surface::new(&map, &rig(), &options).unwrap();
         prop_assert_eq!(surface.points().len(), map.known());
         let plane = Flat::from_point_normal(Point::new(0.0, 0.0, depth), normal);
         let cameras = rig().stereo_rig();
@@ -224,7 +229,7 @@ fn the_range_of_disparities_is_found() {
     assert!(range > 100 && range <= 160, "{range}");
     let wide = Plane::filled(3100, 10, 90);
     let options = MatcherOptions {
-        max_disparity: disparity_range(&wide, &wide, 1).unwrap(),
+        range: [0, disparity_range(&wide, &wide, 1).unwrap() as i32],
         mode: Mode::Fast,
         threads: 1,
     };
@@ -318,17 +323,21 @@ fn faulty_surfaces_are_errors() {
             depths: [3.0, 4.0],
             ..all
         }),
-        DisparityMapError::Empty { pixels }
+        DisparityMapError::Empty {
+            pixels,
+            uncertain: 0
+        }
     );
     // At infinity and behind the cameras there are no points.
     for disparity in [f32::NAN, -2.5, -10.0] {
         let map = DisparityMap::new(Plane::filled(4, 4, disparity));
         let error = Surface::new(&map, &rig, &all).unwrap_err();
-        assert_eq!(error, DisparityMapError::Empty { pixels: 16 });
+        let (pixels, uncertain) = (16, 0);
+        assert_eq!(error, DisparityMapError::Empty { pixels, uncertain });
     }
     assert!(matches!(
         Surface::new(&DisparityMap::default(), &rig, &all),
-        Err(DisparityMapError::Empty { pixels: 0 })
+        Err(DisparityMapError::Empty { pixels: 0, .. })
     ));
     let surface = Surface::new(&map, &rig, &all).unwrap();
     let small = Plane::filled(4, 4, [0u8; 3]);
@@ -368,19 +377,65 @@ fn a_rectified_pair_has_its_disparities_where_they_are_certain() {
         threads: 1,
         ..PairOptions::default()
     };
-    let (map, range) = pair.disparities(&options).unwrap();
-    assert!(range > 21, "{range}");
+    let found = pair.disparities(&options).unwrap();
+    let (map, [least, beyond]) = (found.disparity, found.range);
+    assert!(least == 0 && beyond > 21, "{beyond}");
+    assert!(found.faults.is_empty());
     let right = (0..160).flat_map(|v| (40..400).map(move |u| (u, v)));
     let near = right.filter(|&(u, v)| map.get(u, v).is_some_and(|d| (d - 21.0).abs() < 0.5));
     assert!(near.count() > 160 * 360 * 9 / 10);
-    let (none, range) = pair
+    let none = pair
         .disparities(&PairOptions {
             max_disparity: Some(32),
             least_confidence: 1.5,
             ..options
         })
         .unwrap();
-    assert_eq!((none.known(), range), (0, 32));
+    assert_eq!((none.disparity.known(), none.range), (0, [0, 32]));
+}
+
+/// The relative deviation is 0.25 px / (d + offset): 1/4 at 1 px, 1/10 at 2.5 px.
+#[test]
+fn depths_that_noise_decides_are_left_out() {
+    let rig = rig();
+    let offset = rig.disparity_offset() as f32;
+    let values = [-1.0, 0.055, 0.9, 1.1, 2.4, 2.6, 30.0].map(|d| d - offset);
+    let row = [values, values].concat();
+    let map = DisparityMap::new(Plane::from_values(7, 2, row).unwrap());
+    let found = |options: SurfaceOptions| {
+        let surface = Surface::new(&map, &rig, &options).unwrap();
+        (surface.points().len(), surface.summary())
+    };
+    let all = SurfaceOptions::default();
+    for (depth_deviation, points) in [(0.25, 8), (0.1, 4), (f64::INFINITY, 12)] {
+        let (count, summary) = found(SurfaceOptions {
+            depth_deviation,
+            ..all
+        });
+        assert_eq!((count, summary.uncertain), (points, 12 - points));
+        let limit = depth_deviation * 60.0 * 0.12 / DISPARITY_DEVIATION;
+        assert!(summary.farthest <= limit, "{}", summary.farthest);
+    }
+    // What is out of the range of depths is not counted.
+    let depths = [0.0, 7.0];
+    assert_eq!(found(SurfaceOptions { depths, ..all }).1.uncertain, 0);
+    for depth_deviation in [0.0, -1.0, f64::NAN] {
+        let error = Surface::new(
+            &map,
+            &rig,
+            &SurfaceOptions {
+                depth_deviation,
+                ..all
+            },
+        );
+        assert!(matches!(error, Err(DisparityMapError::DepthDeviation(_))));
+    }
+    let far = DisparityMap::new(Plane::filled(2, 2, 0.1 - offset));
+    let error = Surface::new(&far, &rig, &all).unwrap_err();
+    assert!(
+        error.to_string().contains("4 of them are left out for it"),
+        "{error}"
+    );
 }
 
 #[test]

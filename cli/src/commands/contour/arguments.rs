@@ -9,17 +9,20 @@ use super::super::stereo::Axes;
 use crate::camera_file::ChosenPair;
 use crate::contour::settling;
 use crate::format::Format;
-use crate::frame::Context;
+use crate::frame::{Check, Context};
 
 /// Find contours: the borders of the bright regions of a picture, a closed curve that settles at
 /// edges, or a closed curve in space that two cameras see.
 ///
 ///   nullcone contour IMAGE --out c.svg --json
 ///       The borders of the regions above Otsu's threshold and of their holes, with the circles and
-///       ellipses that are fitted to them.
+///       ellipses that are fitted to them. Points at the border of the picture are not fitted:
+///       "points_at_border" is how many there are.
 ///   nullcone contour IMAGE --snake --out c.svg --json
 ///       A snake: from the largest border that lies whole in the picture, or from --circle, a
-///       closed curve settles at edges. --json prints its energy before and after each step.
+///       closed curve settles at edges. --json prints its energy before and after each step. The
+///       verdict is doubtful where it still moves, has collapsed, or rests on the border of the
+///       picture.
 ///   nullcone contour LEFT RIGHT --rig rig.yml --out curve.obj --json
 ///       A snake in each view. Both are matched along the epipolar lines, and triangulated into a
 ///       closed curve in metres; --fit adds the circle or the line nearest to it. The views are as
@@ -67,6 +70,8 @@ pub(crate) struct Arguments {
     /// Which way the axes of the curve point.
     #[arg(long, value_enum, default_value_t = Axes::YUp, requires = "rig")]
     pub(super) axes: Axes,
+    #[command(flatten)]
+    pub(super) check: Check,
 }
 
 /// A figure that is fitted to a curve.

@@ -15,7 +15,7 @@ use super::Arguments;
 use super::arguments::{Figure, check_out};
 use super::settling::Settled;
 use crate::commands::stereo::views;
-use crate::frame::{Context, Warning};
+use crate::frame::{Context, Warning, keep_for_failure};
 use crate::mesh_file;
 use crate::output;
 
@@ -61,6 +61,8 @@ pub(super) fn run(
     let left_snake = settle(0)?;
     progress.step("moving the right snake");
     let right_snake = settle(1)?;
+    let warnings = [left_snake.warnings(left), right_snake.warnings(right)].concat();
+    keep_for_failure(&warnings);
     progress.step("matching the contours");
     let options = SpaceCurveOptions::default();
     let found = space_curve(&rig, &left_snake.points, &right_snake.points, &options);
@@ -76,9 +78,8 @@ pub(super) fn run(
         let files = mesh_file::files(out, format, &curve.to_mesh()?, &Options::default())?;
         output::write_together(files)?;
     }
-    let warnings = [left_snake.warning(left), right_snake.warning(right)];
     Ok(Report {
-        warnings: warnings.into_iter().flatten().collect(),
+        warnings,
         width_px: size[0],
         height_px: size[1],
         baseline_metres: rig.baseline(),

@@ -53,15 +53,17 @@ pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Res
         let snake = &arguments.snake_arguments;
         let settled = snake.settle(&picture, false, least_area, &progress);
         let settled = settled.with_context(named)?;
-        report.contours = vec![MeasuredContour::new(settled.points.clone(), false, None)];
-        report.warnings.extend(settled.warning(image));
+        let points = settled.points.clone();
+        report.contours = vec![MeasuredContour::of_snake(points, size)];
+        report.warnings = settled.warnings(image);
         report.snake = Some(settled);
     } else {
         let regions = Regions::find(&picture, arguments.threshold, least_area);
         let regions = regions.with_context(named)?;
         report.threshold = Some(regions.threshold);
         let contours = regions.contours.iter();
-        let measured = contours.map(|c| MeasuredContour::new(c.points(), c.is_hole, c.parent));
+        let measured =
+            contours.map(|c| MeasuredContour::new(c.points(), c.is_hole, c.parent, size));
         report.contours = measured.collect();
     }
     if let Some(out) = &arguments.out {
@@ -100,6 +102,13 @@ impl Report {
             );
             if let Some(parent) = curve.parent {
                 let _ = write!(text, ", in contour {parent}");
+            }
+            if curve.at_border > 0 {
+                let (cut, count) = (curve.at_border, curve.points.len());
+                let _ = write!(
+                    text,
+                    ", cut by the border of the picture at {cut} of {count} points"
+                );
             }
             text.push('\n');
         }

@@ -11,7 +11,7 @@ use anyhow::Result;
 use serde::Serialize;
 
 use crate::files::expanded;
-use crate::frame::{self, Command, Context, Warning};
+use crate::frame::{self, Command, Context, Verdict, Warning};
 
 /// What is printed.
 #[derive(Serialize)]
@@ -23,6 +23,10 @@ pub(crate) enum Report {
 
 impl Command for Arguments {
     type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
 
     fn run(&self, context: &Context) -> Result<Report> {
         let arguments = &Self {
@@ -64,5 +68,9 @@ impl frame::Report for Report {
             Self::Flat(report) => &report.warnings,
             Self::Curve(report) => &report.warnings,
         })
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        self.warnings().map(Verdict::of)
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use ga_image::plane::Plane;
 use ga_vision::contour::ContourError;
-use ga_vision::contour::snake::{Flow, PictureSnake, SnakeOptions, Start};
+use ga_vision::contour::snake::{Flow, PictureSnake, SnakeFault, SnakeOptions, Start};
 use serde::Serialize;
 
 use crate::frame::{Progress, Warning};
@@ -84,6 +84,8 @@ pub(super) struct Settled {
     seconds: f64,
     /// Before the first step and after each one.
     energies: Vec<f64>,
+    #[serde(skip)]
+    faults: Vec<SnakeFault>,
 }
 
 impl SnakeArguments {
@@ -139,6 +141,7 @@ impl SnakeArguments {
             settled => settled?,
         };
         Ok(Settled {
+            faults: settled.faults([picture.width(), picture.height()]),
             points: settled.points,
             steps: settled.steps,
             converged: settled.has_converged,
@@ -149,10 +152,14 @@ impl SnakeArguments {
 }
 
 impl Settled {
-    /// A warning where the snake of a view has not settled.
-    pub(super) fn warning(&self, view: &Path) -> Option<Warning> {
+    /// Warnings where the snake of a view has not settled, or is not the outline of a thing.
+    pub(super) fn warnings(&self, view: &Path) -> Vec<Warning> {
         let text = format!("the snake still moves after {} steps", self.steps);
-        (!self.converged).then(|| Warning::new("not_settled", text).in_file(view))
+        let moving = (!self.converged).then(|| Warning::new("not_settled", text));
+        let faults = self.faults.iter();
+        let faults = faults.map(|fault| Warning::new(fault.kind(), fault));
+        let all = moving.into_iter().chain(faults);
+        all.map(|warning| warning.in_file(view)).collect()
     }
 
     pub(super) fn text(&self) -> String {

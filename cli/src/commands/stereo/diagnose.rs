@@ -22,7 +22,8 @@ use crate::frame::{self, Check, Command, Context, Verdict, Warning};
 /// prints {"rectified": …, "views_exchanged": …, "vertical_offset_px": …, "rotation_degrees": …,
 /// "zoom": …, "vertical_disparity_median_px": …, "vertical_disparity_rms_px": …,
 /// "vertical_disparity_95_percent_px": …, "unexplained_rms_px": …, "disparity_least_px": …,
-/// "disparity_median_px": …, "disparity_greatest_px": …, "matches": …, "matches_used": …}.
+/// "disparity_median_px": …, "disparity_greatest_px": …, "matches": …, "matches_used": …,
+/// "sideways": …}. sideways says that points are in one column and not in one row.
 /// Offsets are positive where the right view shows things lower, rotations where it is rotated
 /// clockwise; zoom is its magnification. A pair counts as rectified where 95 percent of the
 /// vertical disparities are below 1 px. The verdict is good where the views are rectified and not

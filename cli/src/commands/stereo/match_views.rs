@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_image::png;
 use ga_image::sample::Sample;
+use ga_vision::diagnosis::of_match::{MatchFault, faults_of_match};
+use ga_vision::disparity::range::DisparityRange;
 use ga_vision::disparity::{file, picture};
 use ga_vision::matcher::{MatchSummary, Matcher, MatcherOptions, Mode as MatcherMode};
 use serde::Serialize;
@@ -14,7 +16,7 @@ use serde::Serialize;
 use super::rectify::RIG;
 use super::views::{self, ViewPair};
 use crate::format::Format;
-use crate::frame::{self, Command, Context, command_line};
+use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
 use crate::output;
 
 /// More threads than this are taken for a mistake.
@@ -23,33 +25,57 @@ const MOST_THREADS: i64 = 1024;
 /// Find the disparity of each pixel of two rectified views.
 ///
 /// What the left view shows at column u of a row, the right view shows at column u − d of the same
-/// row; d is the disparity, from 0 up to but without the number of --max-disparity. Pictures in
-/// colour are taken as grey. `nullcone stereo rectify` makes rectified views of others.
+/// row; d is the disparity, from that of --min-disparity up to but without that of --max-disparity.
+/// --auto-range finds both from corners that the two views show. Pictures in colour are taken as
+/// grey. `nullcone stereo rectify` makes rectified views of others.
 ///
 /// For instance
 ///
 ///   nullcone stereo match left.png right.png --max-disparity 64 --out d.pfm --picture d.png --json
 ///
-/// prints {"width_px": …, "height_px": …, "max_disparity_px": 64, "mode": "balanced",
-/// "least_px": …, "greatest_px": …, "density": …, "mean_confidence": …, "seconds": …}. density is
-/// the percentage of pixels whose disparity is known, and seconds is the time of the matching. The
-/// disparities are the same for any number of threads.
+/// prints {"width_px": …, "height_px": …, "min_disparity_px": 0, "max_disparity_px": 64,
+/// "range_points": null, "mode": "balanced", "least_px": …, "greatest_px": …, "density": …,
+/// "mean_confidence": …, "textured": …, "seconds": …}. density is the percentage of pixels whose
+/// disparity is known, textured that of pixels whose costs have a minimum, which is none in areas
+/// of one level, range_points the number of corners that --auto-range found, and seconds the time
+/// of the matching. The disparities are the same for any number of threads. Where most of them are
+/// uncertain, a warning says what `nullcone stereo diagnose` finds, and the verdict is doubtful.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     views: ViewPair,
     /// Disparities are less than this number of pixels.
-    #[arg(long, value_name = "N")]
-    max_disparity: usize,
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        required_unless_present = "auto_range"
+    )]
+    max_disparity: Option<i32>,
+    /// The least disparity in pixels. Cameras that are turned towards each other see negative ones.
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        default_value_t = 0
+    )]
+    min_disparity: i32,
+    /// Find the range of disparities from corners that both views show.
+    #[arg(long, conflicts_with_all = ["max_disparity", "min_disparity"])]
+    auto_range: bool,
+    /// Leave disparities unknown that are less certain, from 0 to 1.
+    #[arg(long, value_name = "C", default_value_t = 0.0)]
+    min_confidence: f32,
     /// How much work is done.
     #[arg(long, value_enum, default_value_t = Mode::Balanced)]
     mode: Mode,
     /// The number of threads; by default as many as the machine can run at the same time.
     #[arg(long, value_name = "N", value_parser = threads())]
     threads: Option<u16>,
-    /// The disparities in pixels of the left view, as floats.
-    #[arg(long, value_name = "FILE.pfm")]
+    /// The disparities of the left view: .pfm holds floats in pixels, infinite where unknown, and
+    /// .png whole numbers of 16 bits, 256 × the disparity, 0 where unknown.
+    #[arg(long, value_name = "FILE")]
     out: PathBuf,
     /// Write how certain each disparity is, from black for not at all, in grey with 8 bits.
     #[arg(long, value_name = "FILE.png")]
@@ -57,6 +83,25 @@ pub(crate) struct Arguments {
     /// Write a picture of the disparities in colours.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
+    #[command(flatten)]
+    check: Check,
+}
+
+/// Fails where the least confidence is none.
+pub(super) fn check_confidence(least: f32) -> Result<()> {
+    ensure!(
+        (0.0..=1.0).contains(&least),
+        "--min-confidence {least} is not from 0 to 1"
+    );
+    Ok(())
+}
+
+/// The warnings of a pair that was matched badly.
+pub(super) fn warnings(faults: &[MatchFault]) -> Vec<Warning> {
+    let faults = faults.iter();
+    faults
+        .map(|fault| Warning::new(fault.kind(), fault))
+        .collect()
 }
 
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
@@ -92,9 +137,13 @@ pub(crate) struct Report {
     out: String,
     #[serde(skip)]
     next: Option<String>,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
     width_px: usize,
     height_px: usize,
-    max_disparity_px: usize,
+    min_disparity_px: i32,
+    max_disparity_px: i32,
+    range_points: Option<usize>,
     mode: Mode,
     #[serde(flatten)]
     found: MatchSummary,
@@ -104,32 +153,55 @@ pub(crate) struct Report {
 impl Command for Arguments {
     type Report = Report;
 
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
     fn run(&self, context: &Context) -> Result<Report> {
+        check_confidence(self.min_confidence)?;
         let mut files = context.files(self.views.paths())?;
-        files.write("--out", &self.out, &[Format::Pfm])?;
+        let format = files.write("--out", &self.out, &[Format::Pfm, Format::Png])?;
         files.write_if_given("--confidence", self.confidence.as_ref(), &[Format::Png])?;
         files.write_if_given("--picture", self.picture.as_ref(), &[Format::Png])?;
-        let progress = context.progress(3);
+        let progress = context.progress(5);
         progress.step("reading the views");
         let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
 
+        progress.step("finding the range");
+        let threads = self.threads.map_or(0, usize::from);
+        let (range, range_points) = match self.max_disparity {
+            Some(beyond) => ([self.min_disparity, beyond], None),
+            None => {
+                let found = DisparityRange::of(&left, &right, threads).with_context(|| {
+                    format!("{}: --max-disparity gives the range", self.views.named())
+                })?;
+                (found.ends, Some(found.points))
+            }
+        };
         progress.step("matching");
         let begin = Instant::now();
         let options = MatcherOptions {
-            max_disparity: self.max_disparity,
+            range,
             mode: self.mode.into(),
-            threads: self.threads.map_or(0, usize::from),
+            threads,
         };
         let found = Matcher::new(options, left.width(), left.height())
             .and_then(|mut matcher| matcher.run(&left, &right))
             .with_context(|| self.views.named())?;
         let seconds = begin.elapsed().as_secs_f64();
+        progress.step("checking");
+        let warnings = warnings(&faults_of_match([&left, &right], &found, range));
+        let found = found.at_least(self.min_confidence);
         // The files need memory as well.
         drop((left, right));
 
         progress.step("writing");
         let map = &found.disparity;
-        let mut files = vec![(&self.out, file::encode(map)?)];
+        let encoded = match format {
+            Format::Png => file::encode_png(map).with_context(|| self.out.display().to_string())?,
+            _ => file::encode(map)?,
+        };
+        let mut files = vec![(&self.out, encoded)];
         if let Some(path) = &self.confidence {
             let levels = found.confidence.map(u8::from_unit);
             files.push((path, png::encode(&levels)?));
@@ -145,7 +217,10 @@ impl Command for Arguments {
             next: self.reconstruction(),
             width_px: map.width(),
             height_px: map.height(),
-            max_disparity_px: self.max_disparity,
+            min_disparity_px: range[0],
+            max_disparity_px: range[1],
+            range_points,
+            warnings,
             mode: self.mode,
             found: found.summary(),
             seconds,
@@ -173,6 +248,14 @@ impl Arguments {
 }
 
 impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(Verdict::of(&self.warnings))
+    }
+
     fn next(&self) -> Option<String> {
         self.next.clone()
     }
@@ -182,14 +265,23 @@ impl frame::Report for Report {
             (Some(least), Some(greatest)) => format!("{least:.2} to {greatest:.2} px"),
             _ => "none".into(),
         };
+        let points = match self.range_points {
+            Some(points) => format!(", from {points} corners"),
+            None => String::new(),
+        };
         format!(
-            "{}: {} × {} pixels, {:.2} % known\ndisparities {range}\nmean confidence {:.3}\n\
+            "{}: {} × {} pixels, {:.2} % known\n\
+             disparities {range}, looked for from {} up to {} px{points}\n\
+             mean confidence {:.3}, {:.2} % of the pixels are textured\n\
              matched in {:.3} s\n",
             self.out,
             self.width_px,
             self.height_px,
             self.found.density,
+            self.min_disparity_px,
+            self.max_disparity_px,
             self.found.mean_confidence,
+            self.found.textured,
             self.seconds
         )
     }

@@ -12,11 +12,11 @@ use ga_runtime::cga3::Motor;
 use ga_vision::surface::{DepthSummary, PairOptions, RectifiedPair, Surface, SurfaceOptions};
 use serde::Serialize;
 
-use super::match_views::{Mode, threads};
+use super::match_views::{Mode, check_confidence, threads, warnings};
 use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::format::{Format, endings};
-use crate::frame::{self, Command, Context};
+use crate::frame::{self, Check, Command, Context, Verdict, Warning, keep_for_failure};
 use crate::{mesh_file, output};
 
 /// Reconstruct what two cameras see, in metres.
@@ -28,7 +28,8 @@ use crate::{mesh_file, output};
 ///
 /// The ending of --out decides: .ply holds a cloud of points, .obj and .glb a surface of triangles;
 /// --cloud asks for points in any of them, --surface for triangles. Neighbouring pixels are joined
-/// unless their disparities differ by more than --cut pixels.
+/// unless their disparities differ by more than --cut pixels. Far away, where disparities are no
+/// greater than their noise, depths are decided by it: --depth-deviation leaves such points out.
 ///
 /// The left camera is at the origin. By default y is up and the camera looks along −z, as glTF
 /// has it; with --axes camera, y is down and it looks along z, as computer vision has it.
@@ -37,11 +38,13 @@ use crate::{mesh_file, output};
 ///
 ///   nullcone stereo reconstruct left.jpg right.jpg --rig rig.yml --out model.glb --json
 ///
-/// prints {"width_px": …, "height_px": …, "max_disparity_px": …, "mode": "balanced",
-/// "points": …, "triangles": …, "density": …, "nearest_metres": …, "median_metres": …,
-/// "farthest_metres": …, "bounds_metres": [[…], […]], "baseline_metres": …, "focal_px": …,
-/// "seconds": …}. Distances are depths along the axis of the left camera after rectification, and
-/// density is the percentage of pixels that became points.
+/// prints {"width_px": …, "height_px": …, "min_disparity_px": 0, "max_disparity_px": …,
+/// "mode": "balanced", "points": …, "triangles": …, "density": …, "nearest_metres": …,
+/// "median_metres": …, "farthest_metres": …, "left_out_by_depth_deviation": …,
+/// "bounds_metres": [[…], […]], "baseline_metres": …, "focal_px": …, "seconds": …}. Distances are
+/// depths along the axis of the left camera after rectification, and density is the percentage of
+/// pixels that became points. Where the views are matched badly, a warning says what
+/// `nullcone stereo diagnose` finds, and the verdict is doubtful.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -67,8 +70,16 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with = "cloud")]
     texture: bool,
     /// Disparities are less than this number of pixels; without it, the views decide.
-    #[arg(long, value_name = "N")]
-    max_disparity: Option<usize>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    max_disparity: Option<i32>,
+    /// The least disparity in pixels.
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        default_value_t = 0
+    )]
+    min_disparity: i32,
     /// How much work the matcher does.
     #[arg(long, value_enum, default_value_t = Mode::Balanced)]
     mode: Mode,
@@ -87,12 +98,18 @@ pub(crate) struct Arguments {
     /// Leave out pixels that are less certain, from 0 to 1.
     #[arg(long, value_name = "C", default_value_t = 0.0)]
     min_confidence: f32,
+    /// Leave out points whose depth has a greater standard deviation than this part of it, where
+    /// disparities have one of 0.25 px; `inf` for none.
+    #[arg(long, value_name = "PART", default_value_t = SurfaceOptions::default().depth_deviation)]
+    depth_deviation: f64,
     /// Which way the axes point.
     #[arg(long, value_enum, default_value_t = Axes::YUp)]
     axes: Axes,
     /// The number of threads; by default as many as the machine can run at the same time.
     #[arg(long, value_name = "N", value_parser = threads())]
     threads: Option<u16>,
+    #[command(flatten)]
+    check: Check,
 }
 
 /// Which way the axes point.
@@ -109,9 +126,12 @@ pub(in crate::commands) enum Axes {
 pub(crate) struct Report {
     #[serde(skip)]
     out: String,
+    #[serde(skip)]
+    warnings: Vec<Warning>,
     width_px: usize,
     height_px: usize,
-    max_disparity_px: usize,
+    min_disparity_px: i32,
+    max_disparity_px: i32,
     mode: Mode,
     points: usize,
     triangles: usize,
@@ -125,6 +145,10 @@ pub(crate) struct Report {
 
 impl Command for Arguments {
     type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
 
     fn run(&self, context: &Context) -> Result<Report> {
         let mut files = context.files(self.views.paths().into_iter().chain([&*self.rig]))?;
@@ -146,21 +170,27 @@ impl Command for Arguments {
         progress.step("matching");
         let given = file.rectified.and_then(|rectified| rectified.disparities);
         let options = PairOptions {
-            max_disparity: self.max_disparity.or(given),
+            min_disparity: self.min_disparity,
+            max_disparity: self
+                .max_disparity
+                .or(given.and_then(|n| i32::try_from(n).ok())),
             mode: self.mode.into(),
             threads: self.threads.map_or(0, usize::from),
             least_confidence: self.min_confidence,
         };
         let found = pair.disparities(&options);
-        let (map, range) = found.with_context(|| self.views.named())?;
+        let found = found.with_context(|| self.views.named())?;
+        let warnings = warnings(&found.faults);
+        keep_for_failure(&warnings);
         progress.step("building the model");
         let options = SurfaceOptions {
             cut_px: self.cut,
             step: self.step,
             depths: [self.near, self.far],
+            depth_deviation: self.depth_deviation,
         };
         let rig = pair.rig();
-        let surface = Surface::new(&map, rig, &options)
+        let surface = Surface::new(&found.disparity, rig, &options)
             .with_context(|| format!("{} with {}", self.views.named(), self.rig.display()))?;
         let depths = surface.summary();
         let surface = surface.moved(&(self.axes.motor() * pair.to_left()));
@@ -182,7 +212,9 @@ impl Command for Arguments {
             out: self.out.display().to_string(),
             width_px,
             height_px,
-            max_disparity_px: range,
+            min_disparity_px: found.range[0],
+            max_disparity_px: found.range[1],
+            warnings,
             mode: self.mode,
             points: mesh.vertex_count(),
             triangles: mesh.faces().len(),
@@ -203,11 +235,7 @@ fn keeps_materials(format: Format) -> bool {
 impl Arguments {
     /// Fails where the arguments contradict each other.
     fn check(&self, format: Format) -> Result<()> {
-        ensure!(
-            (0.0..=1.0).contains(&self.min_confidence),
-            "--min-confidence {} is not from 0 to 1",
-            self.min_confidence
-        );
+        check_confidence(self.min_confidence)?;
         ensure!(
             !self.texture || keeps_materials(format),
             "{}: the format holds no pictures; --texture needs {}",
@@ -229,15 +257,27 @@ impl Axes {
 }
 
 impl frame::Report for Report {
+    fn warnings(&self) -> Option<&[Warning]> {
+        Some(&self.warnings)
+    }
+
+    fn verdict(&self) -> Option<Verdict> {
+        Some(Verdict::of(&self.warnings))
+    }
+
     fn text(&self) -> String {
         let triangles = match self.triangles {
             0 => String::new(),
             count => format!(" and {count} triangles"),
         };
+        let uncertain = match self.depths.uncertain {
+            0 => String::new(),
+            count => format!("{count} pixels are left out by the deviation of their depth\n"),
+        };
         format!(
-            "{}: {} points{triangles} from {} × {} pixels, {:.2} % of them\n\
+            "{}: {} points{triangles} from {} × {} pixels, {:.2} % of them\n{uncertain}\
              depths {:.3} to {:.3} m, in the middle {:.3} m\n\
-             disparities below {} px, baseline {:.4} m, focal length {:.1} px\n\
+             disparities from {} up to {} px, baseline {:.4} m, focal length {:.1} px\n\
              done in {:.2} s\n",
             self.out,
             self.points,
@@ -247,6 +287,7 @@ impl frame::Report for Report {
             self.depths.nearest,
             self.depths.farthest,
             self.depths.median,
+            self.min_disparity_px,
             self.max_disparity_px,
             self.baseline_metres,
             self.focal_px,

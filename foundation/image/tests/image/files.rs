@@ -165,6 +165,51 @@ fn floats_of_both_byte_orders_are_read_from_the_bottom() {
     assert_eq!(pfm::encode(&plane, ByteOrder::Big).unwrap(), big);
 }
 
+/// Written under Windows, the lines of a header may end in CR LF. Where only the last one does, the
+/// length of the file tells whether the LF is data.
+#[test]
+fn headers_of_floats_end_in_any_line_end() {
+    // Its first byte is LF.
+    let first = f32::from_le_bytes([b'\n', 0, 0x50, 0x40]);
+    let plane = Plane::from_values(1, 2, vec![-1.5, first]).unwrap();
+    let data = [first, -1.5].map(f32::to_le_bytes).concat();
+    for header in [
+        "Pf\n1 2\n-1.0\n",
+        "Pf\r\n1 2\r\n-1.0\r\n",
+        "Pf\n1 2\n-1.0\r\n",
+        "Pf 1 2 -1.0\r\n",
+        "Pf\r1 2\r-1.0\r",
+        "Pf 1 2 -1.0 ",
+    ] {
+        let file = [header.as_bytes(), &data].concat();
+        assert_eq!(
+            pfm::decode(&file).unwrap(),
+            plane.clone().into(),
+            "{header:?}"
+        );
+    }
+    for header in [
+        "Pf\n1 2\n-1.0\n",
+        "Pf\r\n1 2\r\n-1.0\r\n",
+        "Pf\n1 2\n-1.0\r\n",
+    ] {
+        let header = header.as_bytes();
+        for (bytes, found) in [
+            ([header, &data, b"\0"].concat(), 9),
+            ([header, &data, &[7; 4000]].concat(), 4008),
+            ([header, &data[..7]].concat(), 7),
+            ([header, &data[1..]].concat(), 7),
+            (header.to_vec(), 0),
+        ] {
+            let error = pfm::decode(&bytes).unwrap_err();
+            let message = format!(
+                "PFM: the header claims 1 × 2 pixels, which are 8 bytes, and {found} bytes follow it"
+            );
+            assert_eq!(error.to_string(), message);
+        }
+    }
+}
+
 fn comes_back<'a>(picture: impl Into<PictureView<'a>>) -> Result<(), TestCaseError> {
     let picture: PictureView<'_> = picture.into();
     prop_assert_eq!(

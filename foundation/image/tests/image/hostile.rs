@@ -57,6 +57,10 @@ fn errors_say_where_and_why() {
         message(b"YUV4MPEG2 W2 H2 C411\nFRAME\n123456"),
         "Y4M: the sampling 411 is not supported"
     );
+    assert_eq!(
+        message(b"Pf 1 1 -1\n1234 and more"),
+        "PFM: the header claims 1 × 1 pixels, which are 4 bytes, and 13 bytes follow it"
+    );
     assert!(message(b"P5").contains("the file ends where a number is expected"));
 }
 

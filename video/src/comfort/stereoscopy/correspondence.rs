@@ -94,8 +94,7 @@ pub(super) fn correspond(left: &View, right: &View) -> Result<Option<Corresponde
     }))
 }
 
-/// The disparities of a view that are confirmed and clearer than a limit, within a range. The
-/// matcher looks from 0 up, so that the other view is moved by the least of them.
+/// The disparities of a view that are confirmed and clearer than a limit, within a range.
 fn matched(
     view: &View,
     other: &View,
@@ -103,31 +102,22 @@ fn matched(
     clear: f32,
 ) -> Result<Plane<f32>, StereoError> {
     let options = MatcherOptions {
-        max_disparity: (most - least + 1).clamp(1, view.width() as i32) as usize,
+        range: [
+            least,
+            least + (most - least + 1).clamp(1, view.width() as i32),
+        ],
         mode: Mode::Balanced,
         threads: 1,
     };
     let mut matcher = Matcher::new(options, view.width(), view.height())?;
-    let found = matcher.run(&grey(view, 0), &grey(other, least))?;
-    let confidence = found.confidence.values().iter();
-    let disparity = found.disparity.plane().values().iter();
-    let values =
-        disparity
-            .zip(confidence)
-            .map(|(disparity, confidence)| match *confidence > clear {
-                true => disparity + least as f32,
-                false => f32::NAN,
-            });
-    // There are as many values as pixels.
-    Ok(Plane::from_values(view.width(), view.height(), values.collect()).unwrap_or_default())
+    let found = matcher.run(&grey(view), &grey(other))?;
+    Ok(found.at_least(clear.next_up()).disparity.into_plane())
 }
 
-/// Luma, moved to the right; the border continues outside.
-fn grey(view: &View, shift: i32) -> Plane<u8> {
-    let last = view.width() as i32 - 1;
+/// Luma.
+fn grey(view: &View) -> Plane<u8> {
+    // A cast from float saturates.
     Plane::from_fn(view.width(), view.height(), |column, row| {
-        let from = (column as i32 - shift).clamp(0, last);
-        // A cast from float saturates.
-        view.row(row)[from as usize][0].round() as u8
+        view.row(row)[column][0].round() as u8
     })
 }

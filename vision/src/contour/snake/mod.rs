@@ -2,11 +2,13 @@
 
 mod check;
 mod diffusion;
+mod fault;
 mod flow;
 mod options;
 mod picture;
 mod potential;
 
+pub use fault::SnakeFault;
 pub use flow::Flow;
 pub use options::SnakeOptions;
 pub use picture::{PictureSnake, Start};

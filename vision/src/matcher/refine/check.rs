@@ -1,5 +1,7 @@
 //! Left–right check: a point that both views show has the same disparity in both.
 
+use std::ops::Range;
+
 use super::super::winner::{STEPS, UNKNOWN};
 use super::over_rows;
 
@@ -21,6 +23,16 @@ pub(in super::super) fn check<const STEPS: u16>(map: &mut [u16], width: usize, o
             }
         }
     });
+}
+
+/// Marks as unknown the disparities of the columns that show nothing.
+pub(in super::super) fn hide(map: &mut [u16], width: usize, seen: Range<usize>) {
+    if seen.len() < width {
+        for row in map.chunks_exact_mut(width) {
+            row[..seen.start].fill(UNKNOWN);
+            row[seen.end..].fill(UNKNOWN);
+        }
+    }
 }
 
 /// Rounds disparities to whole pixels, in which they are then given.

@@ -6,13 +6,14 @@ use super::super::winner::STEPS;
 use super::{clamped_row, over_rows};
 
 /// The mean of those disparities of the 3 × 3 around a pixel that differ from its own by at most
-/// 1 px, in pixels. All disparities are known.
-pub(in super::super) fn smooth(map: &[u16], width: usize, means: &mut [f32]) {
+/// 1 px, in pixels from `least`, which stands for 0 in the map. All disparities are known.
+pub(in super::super) fn smooth(map: &[u16], width: usize, least: f32, means: &mut [f32]) {
     let batch = Batch::new();
     over_rows(means, width, |first, rows| {
         batch.run(Smooth {
             map,
             width,
+            least,
             first,
             rows,
         });
@@ -22,6 +23,7 @@ pub(in super::super) fn smooth(map: &[u16], width: usize, means: &mut [f32]) {
 struct Smooth<'a> {
     map: &'a [u16],
     width: usize,
+    least: f32,
     first: usize,
     rows: &'a mut [f32],
 }
@@ -66,7 +68,7 @@ impl Work for Smooth<'_> {
                     count += i16::from(near);
                 }
                 let value = f32::from(own) + f32::from(sum) / f32::from(count);
-                *mean = value / f32::from(STEPS);
+                *mean = value / f32::from(STEPS) + self.least;
             }
         }
     }

@@ -10,7 +10,9 @@ use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_vision::contour::fit::{self};
-use ga_vision::contour::{ContourError, borders, centroid, perimeter, resampled, signed_area};
+use ga_vision::contour::{
+    ContourError, MeasuredContour, borders, centroid, perimeter, resampled, signed_area,
+};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -229,4 +231,45 @@ fn polygons_have_areas_lengths_and_equal_parts() {
     ];
     assert_eq!(parts, expected.map(|point| point.map(f64::from)));
     assert!(resampled(&[[2.0, 2.0]; 3], 4).is_empty());
+}
+
+/// What a border of the picture cuts off is fitted by what is left of it, whichever side it is at.
+#[test]
+fn circles_are_not_fitted_along_the_border_of_the_picture() {
+    let size = [80, 60];
+    for centre in [[6.0, 30.0], [74.0, 30.0], [40.0, 5.0], [40.0, 54.0]] {
+        let picture = Plane::from_fn(size[0], size[1], |column, row| {
+            let [x, y] = [column as f64 - centre[0], row as f64 - centre[1]];
+            if x.hypot(y) < 16.0 { 255u8 } else { 0 }
+        });
+        let found = borders(&picture);
+        let contour = MeasuredContour::new(found[0].points(), false, None, size);
+        let circle = contour.circle.unwrap();
+        // Through the centres of the outermost pixels, about half a pixel inside.
+        assert!((circle.radius - 15.5).abs() < 0.4, "{centre:?}: {circle:?}");
+        let ellipse = contour.ellipse.unwrap();
+        for axis in 0..2 {
+            assert!(
+                (circle.centre[axis] - centre[axis]).abs() < 0.4,
+                "{circle:?}"
+            );
+            assert!(
+                (ellipse.centre[axis] - centre[axis]).abs() < 1.5,
+                "{ellipse:?}"
+            );
+        }
+        let at_border = |[u, v]: &&[f64; 2]| *u == 0.0 || *v == 0.0 || *u == 79.0 || *v == 59.0;
+        assert_eq!(
+            contour.at_border,
+            contour.points.iter().filter(at_border).count()
+        );
+        assert!(contour.at_border > 20);
+    }
+    // A picture that is bright everywhere has no outline but its own.
+    let all = borders(&Plane::filled(20, 20, 255u8));
+    let contour = MeasuredContour::new(all[0].points(), false, None, [20, 20]);
+    assert_eq!(
+        (contour.at_border, contour.circle),
+        (contour.points.len(), None)
+    );
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use ga_image::plane::Plane;
-use ga_vision::contour::snake::{self, Flow, Potential, SnakeOptions};
+use ga_vision::contour::snake::{self, Flow, Potential, Settled, SnakeFault, SnakeOptions};
 use ga_vision::contour::{ContourError, outline, perimeter, resampled};
 use nullcone_shared_data::shared;
 
@@ -330,4 +330,32 @@ fn snakes_that_cannot_be_are_errors() {
             height: 5
         })
     );
+}
+
+/// Of 100 points on a circle about a place at the border, those within 1.5 px of its first column.
+#[test]
+fn snakes_along_the_border_of_a_picture_or_without_area_are_told() {
+    let settled = |points: Vec<[f64; 2]>| Settled {
+        points,
+        energy: 1.0,
+        steps: 9,
+        has_converged: true,
+    };
+    let size = [80, 60];
+    let whole = settled(snake::circle([40.0, 30.0], 20.0, 100));
+    assert!(whole.faults(size).is_empty());
+    let mut cut = settled(snake::circle([6.0, 30.0], 16.0, 100));
+    for point in &mut cut.points {
+        point[0] = point[0].max(0.0);
+    }
+    let points = cut.points.iter().filter(|point| point[0] <= 1.5).count();
+    let expected = SnakeFault::AtBorder { points, count: 100 };
+    assert!(points > 20);
+    assert_eq!(cut.faults(size), [expected]);
+    assert_eq!(cut.faults([60, 80]), [expected]);
+    let small = settled(snake::circle([40.0, 30.0], 1.0, 100)).faults(size);
+    let line = settled(vec![[10.0, 20.0], [30.0, 25.0], [50.0, 30.0]]).faults(size);
+    for faults in [small, line] {
+        assert!(matches!(faults[..], [SnakeFault::Collapsed { area }] if area < 3.2));
+    }
 }
