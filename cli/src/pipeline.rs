@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
+use ga_anim::retarget::Checks;
 use ga_character::report::{AnimationReport, FigureReport};
 use ga_character::{Animation, Figure, Overlay, TwoViews, model, pictures};
 use ga_files::Staged;
@@ -87,6 +88,7 @@ pub(crate) struct Performance {
     pub(crate) input: Input,
     pub(crate) figure: Figure,
     pub(crate) animation: Animation,
+    pub(crate) checks: Option<Checks>,
 }
 
 /// Computes everything, then writes everything.
@@ -101,6 +103,7 @@ pub(crate) fn perform(
         input,
         figure,
         animation,
+        checks,
     } = performance;
     let overlay = arguments.overlay(&figure, &animation)?;
     progress.step("measuring the motion");
@@ -149,6 +152,7 @@ pub(crate) fn perform(
         input,
         figure: FigureReport::new(&figure),
         animation: measured,
+        checks,
         two_views,
         files,
     };

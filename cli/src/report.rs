@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use ga_anim::retarget::Checks;
 use ga_character::TwoViews;
 use ga_character::model::File;
 use ga_character::report::{AnimationReport, FigureReport};
@@ -17,6 +18,9 @@ pub(crate) struct Report {
     pub(crate) input: Input,
     pub(crate) figure: FigureReport,
     pub(crate) animation: AnimationReport,
+    /// What a motion that came from elsewhere looks like on the figure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) checks: Option<Checks>,
     pub(crate) two_views: TwoViews,
     /// The files that are written beside this one.
     pub(crate) files: Vec<File>,

@@ -26,7 +26,7 @@ use crate::{mesh_file, motion_file};
 /// four places of the range with three in-betweens after each, shaded and as depth; a --character
 /// as its file has it) and report.json. Lengths are metres, y points up. --json prints what
 /// report.json holds, with the paths of the files as "written" and the time that it took as
-/// "seconds".
+/// "seconds". "checks" are those of `clip retarget`.
 ///
 /// Motion and rig are matched as by `clip retarget`: by the names of their joints, by the shape of
 /// the hierarchy, or by a file with --map. They may differ in unit, in proportions, in the
@@ -194,6 +194,7 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
             ),
             in_between_deviation: Some(deviation),
         },
+        checks: Some(transfer.checks),
     };
     let mut performed = perform(performance, &arguments.output, &progress, begin)?;
     performed.warnings.splice(0..0, warnings);

@@ -77,6 +77,7 @@ impl Command for Arguments {
                 ),
                 in_between_deviation: None,
             },
+            checks: None,
         };
         perform(performance, &self.output, &progress, begin)
     }

@@ -310,6 +310,10 @@ fn a_real_recording_moves_a_real_figure() {
     assert!(checks("lowest_vertex_max_metres") < 0.03);
     assert!(checks("trunk_from_upright_max_degrees") < 20.0);
     assert!(checks("linear_to_motor_blend_max_metres") < 0.05);
+    // The same measures as of `clip retarget`.
+    assert!(number(&report, "/checks/longest_stretch") < 1e-9);
+    assert!(number(&report, "/checks/trunk_from_upright_degrees") < 90.0);
+    assert!(number(&report, "/checks/largest_rotation_degrees_per_frame") > 0.0);
     // A hand that swings, found from poses 1/12 s apart.
     let deviation = number(&report, "/animation/in_between_deviation_max_metres");
     assert!(deviation > 0.0 && deviation < 0.04, "{deviation}");
