@@ -111,8 +111,8 @@ impl Rigged {
     /// The document with a clip as its first animation. Its own animations follow; where one of
     /// them has the name already, the clip gets a number at the end of its name. The transforms of
     /// the nodes are those of [`Recording::of_joints`](crate::recording::Recording::of_joints); a
-    /// node has keys for what it does not have by itself. Factors stay as they are, so that skins and inverse bind matrices keep their
-    /// meaning.
+    /// node has keys for what it does not have by itself. Factors stay as they are, so that skins
+    /// and inverse bind matrices keep their meaning.
     ///
     /// # Errors
     ///

@@ -15,8 +15,9 @@ use crate::transform::Transform;
 /// An animation of a glTF document as the motion of joints, or joints that are to move.
 ///
 /// The joints are the joints of all skins, the nodes that the animation moves, and the nodes above
-/// them; or nodes that are [given](Self::of_joints). A node that stays where it is, with all nodes above it, is not a joint where it only
-/// moves, rotates and scales evenly: its frame then belongs to the joints below it.
+/// them; or nodes that are [given](Self::of_joints). A node that stays where it is, with all nodes
+/// above it, is not a joint where it only moves, rotates and scales evenly: its frame then belongs
+/// to the joints below it.
 ///
 /// # Examples
 ///

@@ -77,7 +77,7 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "clip retarget none.bvh --target none.glb",
         "--out",
-        ".bvh, .glb, .gltf or .clip",
+        ".clip, .bvh, .glb or .gltf",
         "fbx",
     ),
     (

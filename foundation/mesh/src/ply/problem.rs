@@ -98,8 +98,8 @@ pub enum PlyProblem {
         /// The red, green, blue or alpha of the vertex.
         value: f64,
     },
-    /// The colours of the vertices, or their opacities, are `float` or `double` and whole numbers up
-    /// to 255.
+    /// The colours of the vertices, or their opacities, are `float` or `double` and whole numbers
+    /// up to 255.
     #[error("{value} is no part of a colour, which is from 0 to 1")]
     ByteColours {
         /// The first number beyond 1.
