@@ -112,7 +112,7 @@ const OUTPUTS: [(&str, &str, &str, &str); 40] = [
     (
         "stereo match none.png b.png --max-disparity 9",
         "--out",
-        ".pfm",
+        ".pfm or .png",
         "tiff",
     ),
     (

@@ -63,7 +63,8 @@ impl<'a> Header<'a> {
     /// What follows the line end after the last word, where that should be `length` bytes.
     ///
     /// Where the last word is followed by CR LF, the LF may be the first byte of the data. It is
-    /// part of the line end where lines before have one, and otherwise where the length asks for it.
+    /// part of the line end where lines before have one, and otherwise where the length asks for
+    /// that.
     pub(crate) fn data_of(&self, length: usize) -> Result<&'a [u8], FormatError> {
         let data = self.data()?;
         let (header, rest) = self.bytes.split_at(self.at);

@@ -26,8 +26,8 @@ pub enum ByteOrder {
 ///
 /// # Errors
 ///
-/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Length`] when the file is
-/// shorter or longer than its header states.
+/// [`FormatError::Syntax`] with the byte that is wrong, and [`FormatError::Claim`] or
+/// [`FormatError::Length`] when the file is shorter or longer than its header states.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut header = Header::new(Format::Pfm, bytes);
     let colour = match header.magic()? {

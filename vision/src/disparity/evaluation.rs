@@ -99,8 +99,8 @@ impl ErrorMap {
         })
     }
 
-    /// The same without the pixels that are not wanted, whose column and row are given. `None` where
-    /// none is left.
+    /// The same without the pixels that are not wanted, whose column and row are given. `None`
+    /// where none is left.
     #[must_use]
     pub fn within(&self, is_wanted: impl Fn(usize, usize) -> bool) -> Option<Self> {
         let errors =
@@ -209,7 +209,7 @@ impl Evaluation {
     /// use ga_vision::disparity::evaluation::Evaluation;
     /// use ga_vision::disparity::visibility::Visibility;
     ///
-    /// let map = |values: [f32; 4]| Plane::from_values(4, 1, values.to_vec()).map(DisparityMap::new);
+    /// let map = |values: [f32; 4]| Plane::from_values(4, 1, values.into()).map(DisparityMap::new);
     /// let (found, truth) = (map([20.0, 20.0, 20.0, 20.0])?, map([20.0, 21.0, 28.0, 90.0])?);
     /// // Middlebury's levels: 0 is left out, 255 is seen by both.
     /// let mask = Plane::from_values(4, 1, vec![255u8, 255, 128, 0])?;

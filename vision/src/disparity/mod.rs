@@ -7,7 +7,8 @@
 //!
 //! - [`DisparityMap`]: the map itself; [`file`](mod@file): maps in PFM, PNG and PGM files.
 //! - [`range`](mod@range): the range of the disparities of two views.
-//! - [`evaluation`]: how far a map is from a known truth; [`visibility`]: where both cameras see it.
+//! - [`evaluation`]: how far a map is from a known truth; [`visibility`]: where both cameras see
+//!   it.
 //! - [`picture`]: maps and their errors in colours.
 
 mod error;

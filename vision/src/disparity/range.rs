@@ -44,9 +44,9 @@ pub struct DisparityRange {
 
 impl DisparityRange {
     /// The range of two rectified views in grey: that of 99 % of the points that both show in one
-    /// row, and of 99 % of the pixels that are matched clearly at a small size in a range up to three
-    /// times as long, with a margin of a tenth and 4 px at either end. Their number is a multiple of
-    /// 16, or as many as a [`Matcher`] looks for. The rule is our own.
+    /// row, and of 99 % of the pixels that are matched clearly at a small size in a range up to
+    /// three times as long, with a margin of a tenth and 4 px at either end. Their number is a
+    /// multiple of 16, or as many as a [`Matcher`] looks for. The rule is our own.
     ///
     /// ```
     /// use ga_image::plane::Plane;
@@ -134,7 +134,8 @@ pub(crate) fn clear_disparities(
     Ok((known.map(|d| f64::from(*d) * step).collect(), factor))
 }
 
-/// Points that two views show. Small views have few corners; they are looked at in twice their size.
+/// Points that two views show. Small views have few corners; they are looked at in twice their
+/// size.
 pub(crate) fn points_of_both(left: &Plane<u8>, right: &Plane<u8>) -> Vec<PixelPair> {
     let options = ViewOptions::default();
     let pairs = match_views(left, right, &options);

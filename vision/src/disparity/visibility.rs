@@ -62,8 +62,8 @@ impl Visibility {
         ga_files::read(path, Self::decode_mask)
     }
 
-    /// From the truth of the pixels that both cameras see, as KITTI's `disp_noc`: others are seen by
-    /// the left camera. All count.
+    /// From the truth of the pixels that both cameras see, as KITTI's `disp_noc`: others are seen
+    /// by the left camera. All count.
     #[must_use]
     pub fn from_truth_of_visible(truth: &DisparityMap) -> Self {
         let state = |disparity: f32| match disparity.is_finite() && disparity != 0.0 {

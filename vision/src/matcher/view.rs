@@ -1,5 +1,5 @@
-//! The two views as the matcher reads them: brought to the same exposure, the right one moved by the
-//! least disparity and mirrored, and with a margin on either side of each row.
+//! The two views as the matcher reads them: brought to the same exposure, the right one moved by
+//! the least disparity and mirrored, and with a margin on either side of each row.
 
 use std::ops::Range;
 
@@ -33,8 +33,8 @@ impl View {
         }
     }
 
-    /// Takes the pixels of a plane of this size, each changed by a table and moved to the right by a
-    /// number of columns, less than the width.
+    /// Takes the pixels of a plane of this size, each changed by a table and moved to the right by
+    /// a number of columns, less than the width.
     pub(super) fn fill(&mut self, plane: PlaneView<'_, u8>, table: &[u8; 256], shift: isize) {
         let width = self.width;
         let seen = shift.max(0).cast_unsigned()..width.saturating_add_signed(shift.min(0));

@@ -78,9 +78,9 @@ pub struct DepthSummary {
 const NONE: u32 = u32::MAX;
 
 impl Surface {
-    /// The points of all known disparities that are certain enough, row by row, in the frame of the left camera, and the
-    /// triangles between those that belong together. Triangles are counterclockwise as seen from
-    /// the camera.
+    /// The points of all known disparities that are certain enough, row by row, in the frame of the
+    /// left camera, and the triangles between those that belong together. Triangles are
+    /// counterclockwise as seen from the camera.
     ///
     /// # Errors
     /// [`DisparityMapError`] for faulty options, and where no pixel is a point.

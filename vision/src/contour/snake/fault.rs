@@ -46,8 +46,8 @@ impl SnakeFault {
 }
 
 impl Settled {
-    /// Why the snake is not the outline of a thing in a picture with these columns and rows; nothing
-    /// where it may be one.
+    /// Why the snake is not the outline of a thing in a picture with these columns and rows;
+    /// nothing where it may be one.
     ///
     /// ```
     /// use ga_image::plane::Plane;
