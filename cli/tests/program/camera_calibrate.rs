@@ -69,7 +69,7 @@ fn the_pictures_of_opencv_give_its_camera() {
         "Coverage",
         "The worst boards",
         "<svg",
-        "left02",
+        worst,
     ] {
         assert!(page.contains(part), "{part}");
     }

@@ -280,10 +280,13 @@ fn cameras_of_all_formats_give_one_motion() {
         "k.yml --camera-b views.json --view-b left.png",
     ];
     let all = choices.map(|camera| {
-        report(
-            folder,
-            &format!("stereo pose a.png b.png --camera {camera}"),
-        )
+        let line = format!("stereo pose a.png b.png --camera {camera}");
+        let mut report = report(folder, &line);
+        let used = report.as_object_mut().unwrap().remove("cameras").unwrap();
+        if camera == "rig.yml" {
+            assert_eq!(used, object!(["left", "right"]));
+        }
+        report
     });
     // Everything moves to the left, and the near wall more.
     let direction = [0, 1, 2].map(|k| number(&all[0], &format!("/translation_direction/{k}")));

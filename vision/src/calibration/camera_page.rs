@@ -12,8 +12,8 @@ const LONGEST: f64 = 40.0;
 const WORST: usize = 10;
 
 impl CameraOfBoards {
-    /// The page: parameters with their deviations, the differences of corners over the picture, where
-    /// corners are, and the worst boards.
+    /// The page: parameters with their deviations, the differences of corners over the picture,
+    /// where corners are, and the worst boards.
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::new("Calibration of a camera");

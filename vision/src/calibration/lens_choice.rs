@@ -33,16 +33,18 @@ pub struct LensFit {
     pub better: Option<TriedLens>,
 }
 
-/// By how much Schwarz's criterion must be less to be very strong evidence (Kass and Raftery, 1995).
+/// By how much Schwarz's criterion must be less to be very strong evidence (Kass and Raftery,
+/// 1995).
 const DECISIVE: f64 = 10.0;
 
 /// A lens of another kind must also leave less than this part of the distances: a fisheye has no
 /// tangential terms, and so is a little more likely for many an ordinary lens.
 const DECISIVE_PART: f64 = 0.9;
 
-/// Calibrates a camera with a lens that is given, or with the likelier one of a radial–tangential lens
-/// and a fisheye: a fisheye is chosen where Schwarz's criterion is very strong evidence for it and it
-/// leaves less than nine tenths of the distances. Arguments are those of [`calibrate_camera`].
+/// Calibrates a camera with a lens that is given, or with the likelier one of a radial–tangential
+/// lens and a fisheye: a fisheye is chosen where Schwarz's criterion is very strong evidence for it
+/// and it leaves less than nine tenths of the distances. Arguments are those of
+/// [`calibrate_camera`].
 ///
 /// # Errors
 ///
@@ -158,8 +160,8 @@ impl Fit {
     }
 }
 
-/// The camera with a lens. That of a fisheye is searched from several focal lengths: the homographies
-/// of its boards are those of no plane.
+/// The camera with a lens. That of a fisheye is searched from several focal lengths: the
+/// homographies of its boards are those of no plane.
 fn calibrate(
     views: &[Vec<[f64; 2]>],
     places: &[Point<f64>],

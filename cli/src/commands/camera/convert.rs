@@ -15,8 +15,8 @@ use crate::output;
 /// Write cameras in another format.
 ///
 /// The contents of IN tell its format; docs/stereo.md lists all. That of the output is the one of
-/// --format, or of the ending: .yml OpenCV's YAML, .xml its XML, .json JSON of a camera or of views,
-/// .toml that of aniposelib and Pose2Sim, .txt KITTI's calib.txt. `colmap` writes a folder.
+/// --format, or of the ending: .yml OpenCV's YAML, .xml its XML, .json JSON of a camera or of
+/// views, .toml that of aniposelib and Pose2Sim, .txt KITTI's calib.txt. `colmap` writes a folder.
 ///
 /// Warnings say what the format cannot hold and what is left out. What would make another camera of
 /// it, such as a fisheye in KITTI's format, is an error. --json prints {"from": …, "format": …,

@@ -26,13 +26,13 @@ use crate::frame::{self, Command, Context};
 ///
 /// prints {"rotation_matrix": [[…], […], […]], "rotation_axis": […], "rotation_degrees": …,
 /// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
-/// "cameras": […, …], "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …, "rms_px": …,
-/// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations
-/// are standard deviations of the result, estimated from what remains as if the pairs were
-/// independent, which corners that are matched in several scales are not. pairs counts the matched
-/// corners, pairs_outside_field those of them that are left out because the distortion of a lens
-/// cannot be inverted there, inliers those that agree with the motion, and rms_px is the root mean
-/// square of their distances from the epipolar condition. Equal seeds give equal results.
+/// "cameras": […, …], "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …,
+/// "rms_px": …, "seconds": …}. The matrix is given by rows, and axis and direction have length 1.
+/// The deviations are standard deviations of the result, estimated from what remains as if the
+/// pairs were independent, which corners that are matched in several scales are not. pairs counts
+/// the matched corners, pairs_outside_field those of them that are left out because the distortion
+/// of a lens cannot be inverted there, inliers those that agree with the motion, and rms_px is the
+/// root mean square of their distances from the epipolar condition. Equal seeds give equal results.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

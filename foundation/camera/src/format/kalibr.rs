@@ -15,8 +15,8 @@
 //! `intrinsics` are f_x, f_y, c_x and c_y; `radtan` has k1, k2, p1 and p2, and `equidistant` the
 //! four coefficients of a fisheye. `T_cn_cnm1` takes the frame of the camera before into that of
 //! this one, in metres. The world is the frame of the first camera, or, where there is no such
-//! chain, that of the inertial sensor, from which `T_cam_imu` leads. Models other than `pinhole` are
-//! refused.
+//! chain, that of the inertial sensor, from which `T_cam_imu` leads. Models other than `pinhole`
+//! are refused.
 
 use std::fmt::Write;
 

@@ -5,12 +5,12 @@
 //! P1: 7.215377e+02 0 6.095593e+02 -3.875744e+02 0 7.215377e+02 1.728540e+02 0 0 0 1 0
 //! ```
 //!
-//! `P0` to `P3`, or `P_rect_00` to `P_rect_03`, are the projections K [I | t] of rectified pictures,
-//! 3×4 by rows: t takes the frame of the rectified camera 0 into that of the camera, in metres. In
-//! `calib_cam_to_cam.txt`, the camera `K_02` is the one before rectification, with its distortion
-//! `D_02`, the motion `R_02` and `T_02` from the frame of camera 0 into its own, and the size `S_02`
-//! of its pictures; `S_rect_02` is that of the rectified ones. The cameras are named after these
-//! keys, rectified ones first. Lines of other sensors are ignored.
+//! `P0` to `P3`, or `P_rect_00` to `P_rect_03`, are the projections K [I | t] of rectified
+//! pictures, 3×4 by rows: t takes the frame of the rectified camera 0 into that of the camera, in
+//! metres. In `calib_cam_to_cam.txt`, the camera `K_02` is the one before rectification, with its
+//! distortion `D_02`, the motion `R_02` and `T_02` from the frame of camera 0 into its own, and the
+//! size `S_02` of its pictures; `S_rect_02` is that of the rectified ones. The cameras are named
+//! after these keys, rectified ones first. Lines of other sensors are ignored.
 
 use std::collections::HashSet;
 use std::fmt::Write;
@@ -221,8 +221,8 @@ impl<'a> Entries<'a> {
     }
 }
 
-/// The text of a file: projections of cameras without distortion that look the same way, and cameras
-/// before rectification otherwise. The world is the frame of the first camera.
+/// The text of a file: projections of cameras without distortion that look the same way, and
+/// cameras before rectification otherwise. The world is the frame of the first camera.
 pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError> {
     let all = cameras
         .iter()

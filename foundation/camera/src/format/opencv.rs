@@ -2,20 +2,23 @@
 //!
 //! | value | names that are read |
 //! | --- | --- |
-//! | K, 3×3 or nine numbers by rows | `camera_matrix`, `cameraMatrix`, `Camera_Matrix`, `K`, `M`, `mtx`, `intrinsic_matrix` |
+//! | K, 3×3 or nine numbers | `camera_matrix`, `cameraMatrix`, `K`, `M`, `mtx`, … |
 //! | distortion | `distortion_coefficients`, `distCoeffs`, `dist_coeffs`, `D`, `dist`, … |
-//! | the same of two cameras | with `1`, `2`; `_1`, `_2`; `0`, `1`; `_l`, `_r`; `L`, `R`; `_left`, `_right` behind the name, or `left_`, `right_` before it |
+//! | the same of two cameras | marked as below |
 //! | rotation, 3×3 or a rotation vector | `R`, `rotation`, `rvec`, `rotation_matrix` |
 //! | translation in metres | `T`, `t`, `translation`, `tvec` |
 //! | width, height | `image_width`, `image_height`, or a list `image_size` |
 //! | fisheye | `fisheye_model: 1`, `fisheye: true`, `distortion_model: equidistant` or `fisheye` |
 //!
+//! The names of the left and the right camera end in `1` and `2`, `_1` and `_2`, `0` and `1`, `_l`
+//! and `_r`, `L` and `R`, `_left` and `_right`, or begin with `left_` and `right_`.
+//!
 //! Of two cameras, a point of the left one's frame is at `R x + T` in the right one's; of one
-//! camera, a point of the world is at `R x + T` in its frame. Values of cameras may stand in maps of
-//! their own, whose names are then those of the cameras. A rotation that has few digits is replaced
-//! by the nearest one. The distortion has 4, 5, 8, 12 or 14 numbers in OpenCV's order, that of a
-//! fisheye 4; where nothing says which of both four numbers are, the lens is unclear. Everything
-//! else in the file is ignored.
+//! camera, a point of the world is at `R x + T` in its frame. Values of cameras may stand in maps
+//! of their own, whose names are then those of the cameras. A rotation that has few digits is
+//! replaced by the nearest one. The distortion has 4, 5, 8, 12 or 14 numbers in OpenCV's order,
+//! that of a fisheye 4; where nothing says which of both four numbers are, the lens is unclear.
+//! Everything else in the file is ignored.
 
 use ga_runtime::cga3::Motor;
 

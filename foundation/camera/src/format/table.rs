@@ -98,8 +98,8 @@ const OF_ALL: Kept = Kept {
 };
 
 impl Format {
-    /// All formats, in the order in which the contents of a file are tried: the last of those with a
-    /// syntax takes what the others do not know, and says what is missing.
+    /// All formats, in the order in which the contents of a file are tried: the last of those with
+    /// a syntax takes what the others do not know, and says what is missing.
     pub const ALL: [Self; 12] = [
         Self::Colmap,
         Self::Kitti,
@@ -308,8 +308,8 @@ impl Format {
         self.description().words[0]
     }
 
-    /// Whether its lengths have a unit: models of COLMAP have one of their own, and aniposelib's files
-    /// that of the board.
+    /// Whether its lengths have a unit: models of COLMAP have one of their own, and aniposelib's
+    /// files that of the board.
     #[must_use]
     pub fn states_unit(self) -> bool {
         !matches!(self, Self::Colmap | Self::Anipose | Self::Transforms)
@@ -364,8 +364,8 @@ impl Format {
         formats.find(|format| format.endings().iter().any(fits))
     }
 
-    /// The format that is written to a file, by its ending where none is asked for. That of OpenCV is
-    /// the one of the ending.
+    /// The format that is written to a file, by its ending where none is asked for. That of OpenCV
+    /// is the one of the ending.
     #[must_use]
     pub fn for_path(asked: Option<Self>, path: impl AsRef<Path>) -> Option<Self> {
         match (asked, Self::of_path(path)) {

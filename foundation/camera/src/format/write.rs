@@ -13,8 +13,8 @@ use super::table::{Format, Poses};
 /// Something of some cameras that a format cannot hold and that is left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
-    /// What it is, as `sizes of pictures`; without the `places in the world`, it is the frame of the
-    /// first camera.
+    /// What it is, as `sizes of pictures`; without the `places in the world`, it is the frame of
+    /// the first camera.
     pub what: &'static str,
     /// Of how many cameras.
     pub count: usize,
@@ -37,7 +37,8 @@ pub struct Encoded {
     pub omissions: Vec<Omission>,
 }
 
-/// The files of cameras in a format, of which the path is a file, or a folder for a model of COLMAP.
+/// The files of cameras in a format, of which the path is a file, or a folder for a model of
+/// COLMAP.
 ///
 /// # Errors
 /// [`CameraFileError`] where the format has no room for as many cameras, or cannot hold something

@@ -1,4 +1,5 @@
-//! Models of COLMAP: `cameras.txt` and `images.txt`, or `cameras.bin` and `images.bin`, in a folder.
+//! Models of COLMAP: `cameras.txt` and `images.txt`, or `cameras.bin` and `images.bin`, in a
+//! folder.
 //!
 //! Each image is a camera, named after it, with the pose that the model states; without the images,
 //! each of the cameras is one, named by its number, without a pose. A quaternion, the scalar first,

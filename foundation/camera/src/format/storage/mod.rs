@@ -2,7 +2,8 @@
 //!
 //! Such YAML has a first line, `%YAML:1.0`, whose colon the standard does not know. Both spellings
 //! are read. A matrix is a map with the keys `rows`, `cols`, `dt` and `data`, tagged
-//! `!!opencv-matrix`, or with the key `sizes` in place of the first two; plain lists of numbers, and of rows of numbers, are read as matrices too.
+//! `!!opencv-matrix`, or with the key `sizes` in place of the first two; plain lists of numbers,
+//! and of rows of numbers, are read as matrices too.
 //!
 //! ```
 //! use ga_camera::format::storage::{Matrix, Storage};
