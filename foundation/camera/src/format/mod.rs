@@ -32,6 +32,7 @@ mod json_line;
 mod kalibr;
 mod kitti;
 pub mod middlebury;
+mod named_parameters;
 mod node;
 mod opencv;
 mod qualisys;

@@ -13,6 +13,9 @@
 //! The names of the left and the right camera end in `1` and `2`, `_1` and `_2`, `0` and `1`, `_l`
 //! and `_r`, `L` and `R`, `_left` and `_right`, or begin with `left_` and `right_`.
 //!
+//! In place of K and the distortion there may be `fx`, `fy`, `cx`, `cy`, and `k1`, `k2`, `p1`, `p2`
+//! and so on, also in maps such as `intrinsics` and `distortion`.
+//!
 //! Of two cameras, a point of the left one's frame is at `R x + T` in the right one's; of one
 //! camera, a point of the world is at `R x + T` in its frame. Values of cameras may stand in maps
 //! of their own, whose names are then those of the cameras. A rotation that has few digits is
@@ -25,6 +28,7 @@ use ga_runtime::cga3::Motor;
 use super::camera_file::{CameraFile, NamedCamera, SIDES, SINGLE};
 use super::error::CameraFileError;
 use super::fields;
+use super::named_parameters;
 use super::storage::Storage;
 use crate::LensModel;
 
@@ -68,10 +72,11 @@ const DISTORTIONS: [&str; 8] = [
 ];
 const ROTATION: [&str; 4] = ["R", "rotation", "rvec", "rotation_matrix"];
 const TRANSLATION: [&str; 4] = ["T", "t", "translation", "tvec"];
-const SIZES: [[&str; 2]; 3] = [
+const SIZES: [[&str; 2]; 4] = [
     ["image_width", "image_height"],
     ["image_Width", "image_Height"],
     ["width", "height"],
+    ["Camera.width", "Camera.height"],
 ];
 const SIZE_LISTS: [&str; 2] = ["image_size", "imageSize"];
 
@@ -100,7 +105,11 @@ pub(super) fn has_camera(storage: &Storage) -> bool {
 }
 
 fn has_own(storage: &Storage) -> bool {
-    marks(storage).is_some() || fields::first(storage, &MATRIX).is_some()
+    marks(storage).is_some() || has_single(storage)
+}
+
+fn has_single(storage: &Storage) -> bool {
+    fields::first(storage, &MATRIX).is_some() || named_parameters::has_camera(storage)
 }
 
 /// The cameras of a file.
@@ -114,7 +123,7 @@ fn cameras(storage: &Storage, around: &[&Storage]) -> Result<Vec<NamedCamera>, C
     if let Some(marks) = marks(storage) {
         return pair(storage, marks, around);
     }
-    if fields::first(storage, &MATRIX).is_some() {
+    if has_single(storage) {
         return Ok(vec![single(storage, SINGLE, around)?]);
     }
     let maps = storage.maps();
@@ -231,7 +240,10 @@ fn single(
     around: &[&Storage],
 ) -> Result<NamedCamera, CameraFileError> {
     let model = lens_model(storage, around)?;
-    let camera = fields::camera(storage, name, [&MATRIX, &DISTORTION], model)?;
+    let camera = match named_parameters::camera(storage, name, model)? {
+        Some(camera) => camera,
+        None => fields::camera(storage, name, [&MATRIX, &DISTORTION], model)?,
+    };
     let has_both = [&ROTATION, &TRANSLATION]
         .iter()
         .all(|names| fields::first(storage, *names).is_some());

@@ -433,7 +433,7 @@ proptest! {
     /// Files that are cut, or in which some bytes are others, are read or refused in one line.
     #[test]
     fn no_fault_of_a_file_makes_a_reader_panic(
-        case in 0usize..19,
+        case in 0usize..21,
         cut in 0.0..1.5,
         faults in prop::collection::vec((0.0..1.0, prop::sample::select(b"0-[]{}:=\"<>/.,e \n\0x".to_vec())), 0..4),
     ) {
