@@ -2,6 +2,7 @@
 
 use ga_camera::Intrinsics;
 use ga_image::plane::Plane;
+use ga_image::pyramid::halved;
 use serde::Serialize;
 
 use super::error::{CalibrationError, LEAST_VIEWS};
@@ -19,6 +20,8 @@ pub struct BoardViews {
     /// The number of each picture in which the board was found, and the board.
     found: Vec<(usize, Chessboard)>,
     rejected: Vec<RejectedView>,
+    /// A small picture with a board.
+    shown: Option<Plane<u8>>,
 }
 
 /// A picture that is left out.
@@ -78,6 +81,8 @@ pub struct CameraOfBoards {
     pub rejected: Vec<RejectedView>,
     /// All corners of the boards that were used.
     pub corners: Vec<CornerResidual>,
+    /// One of the pictures, small.
+    pub picture: Option<Plane<u8>>,
 }
 
 /// What makes the calibration of one camera doubtful.
@@ -148,6 +153,7 @@ impl BoardViews {
             pictures: Vec::new(),
             found: Vec::new(),
             rejected: Vec::new(),
+            shown: None,
         }
     }
 
@@ -164,7 +170,10 @@ impl BoardViews {
             return Ok(());
         }
         match find(picture, self.board) {
-            Ok(board) => self.found.push((index, board)),
+            Ok(board) => {
+                self.shown.get_or_insert_with(|| small(picture));
+                self.found.push((index, board));
+            }
             Err(error @ CalibrationError::NotFound { .. }) => {
                 self.rejected.push(RejectedView {
                     picture: name,
@@ -243,6 +252,7 @@ impl BoardViews {
             size,
             views,
             rejected: self.rejected,
+            picture: self.shown,
             camera,
         })
     }
@@ -260,6 +270,15 @@ impl BoardViews {
             _ => Err(CalibrationError::MixedSizes { groups }),
         }
     }
+}
+
+/// A picture of at most 800 columns.
+fn small(picture: &Plane<u8>) -> Plane<u8> {
+    let mut small = picture.clone();
+    while small.width() > 800 {
+        small = halved(&small);
+    }
+    small
 }
 
 impl CameraDoubt {

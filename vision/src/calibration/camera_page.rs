@@ -1,6 +1,7 @@
 //! The calibration of one camera as a page.
 
 use ga_draw::document::{Page, Svg};
+use ga_image::png;
 
 use super::board_views::{CameraOfBoards, PARTS};
 
@@ -105,6 +106,9 @@ impl CameraOfBoards {
         };
         let mut svg = Svg::new(size, "residuals of corners over the picture");
         svg.rectangle([0.0; 2], size, "fill=\"#fff\" stroke=\"#889\"");
+        if let Some(Ok(bytes)) = self.picture.as_ref().map(png::encode) {
+            svg.picture([0.0; 2], size, ("png", &bytes), "opacity=\"0.35\"");
+        }
         for it in &self.corners {
             let from = it.corner.map(|x| (x + 0.5) * scale);
             let to = [0, 1].map(|k| from[k] + it.difference[k] * scale * factor);

@@ -272,7 +272,7 @@ pub enum CameraFileError {
     /// A camera has no pose.
     #[error(
         "the camera {name:?} has no pose, which is needed: `rotation` and `translation` in JSON, \
-         or `R` and `T` of a rig in OpenCV's files"
+         `R` and `T` of a rig in OpenCV's files, or `T_cn_cnm1` in kalibr's"
     )]
     NoPose {
         /// The camera.

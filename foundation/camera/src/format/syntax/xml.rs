@@ -17,7 +17,10 @@ pub(in crate::format) struct Xml<'a> {
 impl<'a> Xml<'a> {
     pub(in crate::format) fn parse(text: &'a str) -> Result<Self, CameraFileError> {
         let document = Document::parse(text).map_err(|error| CameraFileError::Syntax {
-            line: (error.pos().row as usize).max(1),
+            line: match error {
+                roxmltree::Error::UnclosedRootNode => text.lines().count(),
+                _ => (error.pos().row as usize).max(1),
+            },
             format: "XML",
             problem: error.to_string().replace(['\n', '\r'], " "),
         })?;
