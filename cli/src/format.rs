@@ -7,6 +7,8 @@ use std::path::Path;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
     Bvh,
+    /// Any format of cameras that is a file.
+    Camera(ga_camera::format::Format),
     Clip,
     Csv,
     Edl,
@@ -30,6 +32,7 @@ impl Format {
     pub(crate) fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Bvh => &["bvh"],
+            Self::Camera(format) => format.endings(),
             Self::Clip => &["clip"],
             Self::Csv => &["csv"],
             Self::Edl => &["edl"],

@@ -30,8 +30,8 @@ use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::completions::Completions;
 use commands::man::Manual;
 use commands::{
-    animate, body, capture, clip, completions, contour, curve, demo, draw, expand, man, mesh,
-    quality, render, skin, stereo, texture, video,
+    animate, body, camera, capture, clip, completions, contour, curve, demo, draw, expand, man,
+    mesh, quality, render, skin, stereo, texture, video,
 };
 use frame::{Context, Options};
 
@@ -66,6 +66,7 @@ enum Command {
     Demo(demo::Arguments),
     Animate(animate::Arguments),
     Body(body::Arguments),
+    Camera(camera::Arguments),
     Capture(capture::Arguments),
     Expand(expand::Arguments),
     Clip(clip::Arguments),
@@ -127,6 +128,7 @@ fn run(command: &Command, context: &Context) -> Result<ExitCode> {
         Command::Demo(arguments) => frame::run(arguments, context),
         Command::Animate(arguments) => frame::run(arguments, context),
         Command::Body(arguments) => body::run(arguments, context),
+        Command::Camera(arguments) => camera::run(arguments, context),
         Command::Capture(arguments) => frame::run(arguments, context),
         Command::Expand(arguments) => frame::run(arguments, context),
         Command::Clip(arguments) => clip::run(arguments, context),

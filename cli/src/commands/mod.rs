@@ -2,6 +2,7 @@
 
 pub(crate) mod animate;
 pub(crate) mod body;
+pub(crate) mod camera;
 pub(crate) mod capture;
 pub(crate) mod clip;
 pub(crate) mod completions;

@@ -9,7 +9,7 @@ use ga_camera::format::NamedCamera;
 use ga_vision::texture::{self, Options, View, texture_mesh};
 use serde::Serialize;
 
-use crate::camera_file;
+use crate::camera_file::{LensChoice, about};
 use crate::files::expanded;
 use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context, Warning};
@@ -56,6 +56,8 @@ pub(crate) struct Arguments {
     /// with `*`, `?` or `[abc]`, whose pictures are sorted by the numbers in their names.
     #[arg(long, value_name = "PICTURE or GLOB", num_args = 1..)]
     pictures: Vec<PathBuf>,
+    #[command(flatten)]
+    lens: LensChoice,
     #[arg(long, value_name = "FILE", help = format!("The textured model: {}", endings(&formats())))]
     out: PathBuf,
     /// The side of the texture, in texels; at most 8192.
@@ -106,7 +108,7 @@ impl Command for Arguments {
         let progress = context.progress(8);
         progress.step("reading");
         let (mesh, mut warnings) = mesh_file::read(&arguments.mesh)?;
-        let views = read_views(&arguments.views, &arguments.pictures)?;
+        let views = read_views(&arguments.views, &arguments.pictures, arguments.lens)?;
         let mut options = Options::with_size(arguments.size);
         options.unwrap = arguments.unwrap;
         options.margin_texels = arguments.margin;
@@ -143,9 +145,9 @@ fn views_alone(views: &[texture::ViewReport]) -> impl Iterator<Item = Warning> {
 }
 
 /// The cameras of a file with their pictures, which are the names of the views.
-fn read_views(path: &Path, pictures: &[PathBuf]) -> Result<Vec<View>> {
+fn read_views(path: &Path, pictures: &[PathBuf], lens: LensChoice) -> Result<Vec<View>> {
     let shown = path.display();
-    let mut cameras = ga_camera::format::read(path)?.cameras;
+    let mut cameras = lens.read(path)?.cameras;
     if !pictures.is_empty() {
         let (given, needed) = (pictures.len(), cameras.len());
         ensure!(
@@ -160,9 +162,7 @@ fn read_views(path: &Path, pictures: &[PathBuf]) -> Result<Vec<View>> {
         let picture = named.picture.as_ref().with_context(|| {
             format!("{shown}: the file names no pictures: --pictures LEFT RIGHT is needed")
         })?;
-        let camera = named
-            .camera()
-            .map_err(|error| camera_file::about(path, error))?;
+        let camera = named.camera().map_err(|error| about(path, error))?;
         let name = picture.display().to_string();
         let view = View::new(name, camera, named.size, &ga_image::file::read(picture)?);
         view.with_context(|| shown.to_string())

@@ -21,7 +21,7 @@ pub(crate) use next::command_line;
 pub(crate) use progress::Progress;
 pub(crate) use shown::Shown;
 pub(crate) use verdict::{Check, Verdict};
-pub(crate) use warning::{Warning, keep_for_failure};
+pub(crate) use warning::{Warning, keep_for_failure, warn};
 
 use crate::output;
 
@@ -51,24 +51,26 @@ pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode
         }
     };
     let failure = report.failure();
+    let warnings = warning::with_those_of_files(report.warnings());
+    let warnings = warnings.as_deref();
     let mut files = report.files();
     if let Some(path) = context.report() {
         let page = match report.page() {
             Some(page) => page,
-            None => page::of(&report, &context.title())?,
+            None => page::of(&report, warnings.unwrap_or_default(), &context.title())?,
         };
         output::stage(&mut files, path, page.into_html().as_bytes())?;
     }
     files.finish()?;
     if !context.is_quiet() {
-        warning::print(report.warnings().unwrap_or_default());
+        warning::print(warnings.unwrap_or_default());
     }
     if context.is_json() {
         if !report.is_printed_as_json() {
             output::print_json(&Object {
                 verdict: report.verdict(),
                 report: &report,
-                warnings: report.warnings(),
+                warnings,
             })?;
         }
     } else if report.is_result() || !context.is_quiet() {

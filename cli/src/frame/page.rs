@@ -4,10 +4,11 @@ use anyhow::Result;
 
 use super::command::Report;
 use super::verdict::Verdict;
+use super::warning::Warning;
 use ga_draw::document::Page;
 
 /// A page with verdict, warnings, text, and a table of the values that the text may round.
-pub(super) fn of(report: &impl Report, title: &str) -> Result<Page> {
+pub(super) fn of(report: &impl Report, warnings: &[Warning], title: &str) -> Result<Page> {
     let mut page = Page::new(title);
     if let Some(verdict) = report.verdict() {
         let text = format!("The result is {}.", verdict.word());
@@ -16,7 +17,7 @@ pub(super) fn of(report: &impl Report, title: &str) -> Result<Page> {
             Verdict::Doubtful | Verdict::Failed => page.warning(&text),
         }
     }
-    for warning in report.warnings().unwrap_or_default() {
+    for warning in warnings {
         page.warning(&warning.line_of_text());
     }
     page.code(report.text().trim_end());

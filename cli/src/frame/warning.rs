@@ -69,6 +69,27 @@ pub(crate) fn keep_for_failure(warnings: &[Warning]) {
     }
 }
 
+/// What is said of files in the report of any command.
+static OF_FILES: Mutex<Vec<Warning>> = Mutex::new(Vec::new());
+
+/// Adds a warning to those of the report.
+pub(crate) fn warn(warning: Warning) {
+    if let Ok(mut kept) = OF_FILES.lock() {
+        kept.push(warning);
+    }
+}
+
+/// The warnings of a report and those of files.
+pub(super) fn with_those_of_files(own: Option<&[Warning]>) -> Option<Vec<Warning>> {
+    let of_files = OF_FILES
+        .lock()
+        .map_or_else(|_| Vec::new(), |kept| kept.clone());
+    match (own, of_files.is_empty()) {
+        (None, true) => None,
+        (own, _) => Some([own.unwrap_or_default(), &of_files].concat()),
+    }
+}
+
 /// Writes the warnings of inputs to standard error: those of a command that failed.
 pub(super) fn print_of_inputs() {
     if let Ok(kept) = OF_INPUTS.lock() {

@@ -14,7 +14,7 @@ const FOCAL: f64 = 200.0;
 const BASELINE: f64 = 0.1;
 
 /// One rig in every format: two pinholes side by side, which look along z.
-const RIGS: [&str; 3] = ["rig.yml", "calib.txt", "views.json"];
+const RIGS: [&str; 5] = ["rig.yml", "calib.txt", "views.json", "rig.xml", "cv.json"];
 
 /// Blocks of random grey.
 fn texture(u: i64, v: i64) -> u8 {
@@ -56,6 +56,12 @@ fn scene() -> TempDir {
         "rig.yml",
         format!("%YAML:1.0\n---\n{size}\nM1: {k}\nM2: {k}\nR: {identity}\nT: [ -0.1, 0, 0 ]\n"),
     );
+    for converted in &RIGS[3..] {
+        run(
+            folder.path(),
+            &format!("camera convert rig.yml --format opencv --out {converted}"),
+        );
+    }
     let row = "[200 0 119.5; 0 200 89.5; 0 0 1]";
     write(
         "calib.txt",
@@ -82,7 +88,7 @@ fn scene() -> TempDir {
     let mut skewed = posed.clone();
     skewed["skew"] = object!(1.5);
     write("skewed.json", skewed.to_string());
-    posed["distortion"] = object!([-0.1, 0, 0, 0]);
+    posed["distortion"] = object!([-0.1, 0, 0, 0, 0]);
     write("distorted.json", posed.to_string());
     folder
 }
@@ -274,10 +280,13 @@ fn cameras_of_all_formats_give_one_motion() {
         "k.yml --camera-b views.json --view-b left.png",
     ];
     let all = choices.map(|camera| {
-        report(
-            folder,
-            &format!("stereo pose a.png b.png --camera {camera}"),
-        )
+        let line = format!("stereo pose a.png b.png --camera {camera}");
+        let mut report = report(folder, &line);
+        let used = report.as_object_mut().unwrap().remove("cameras").unwrap();
+        if camera == "rig.yml" {
+            assert_eq!(used, object!(["left", "right"]));
+        }
+        report
     });
     // Everything moves to the left, and the near wall more.
     let direction = [0, 1, 2].map(|k| number(&all[0], &format!("/translation_direction/{k}")));
@@ -376,4 +385,105 @@ fn what_a_file_does_not_say_is_named() {
         assert_failure(&output, &parts);
         assert!(contents(folder) == before, "{line}");
     }
+}
+
+/// A rig through every format, and what one of them cannot hold.
+#[test]
+fn rigs_are_converted_from_format_to_format() {
+    let folder = scene();
+    let folder = folder.path();
+    let mut before = "rig.yml".to_owned();
+    for (to, more) in [
+        ("a.json", "--format opencv-json"),
+        ("camchain.yaml", "--format kalibr"),
+        ("calibration.toml", ""),
+        ("model", "--format colmap"),
+        ("views2.json", ""),
+        ("kitti.txt", ""),
+        ("middlebury.txt", "--format middlebury"),
+        ("end.yml", ""),
+    ] {
+        let report = report(
+            folder,
+            &format!("camera convert {before} --out {to} {more}"),
+        );
+        assert_eq!(report["cameras"].as_array().unwrap().len(), 2, "{to}");
+        let line = format!("stereo rectify left.png right.png --rig {to} --out d");
+        let found = number(&self::report(folder, &line), "/baseline_metres");
+        assert!((found - BASELINE).abs() < 1e-15, "{to}");
+        before = to.to_owned();
+    }
+    // Lengths in a unit that is not stated.
+    let line = "stereo rectify left.png right.png --rig calibration.toml --out d";
+    assert_eq!(report(folder, line)["warnings"][0]["kind"], "unclear_unit");
+    // One of them, and what is lost.
+    let one = report(
+        folder,
+        "camera convert rig.yml --out ros.yaml --format ros --camera right",
+    );
+    assert_eq!(one["warnings"][0]["what"], "poses");
+    assert_eq!(one["warnings"][0]["count"], 1);
+    for (line, parts) in [
+        (
+            "camera convert rig.yml --out a.yaml --format ros",
+            ["ROS' camera_info holds one camera", "--camera NAME"],
+        ),
+        (
+            "camera convert three.json --out a.yml",
+            ["left.png, right.png, third.png", "--camera NAME"],
+        ),
+        ("camera convert rig.yml --out a", ["a", "--format"]),
+        (
+            "camera convert skewed.json --out a.yml",
+            ["skewed.json", "skew 1.5"],
+        ),
+        (
+            "camera convert square.obj --out a.yml",
+            ["square.obj", "line 1"],
+        ),
+    ] {
+        assert_failure(&nullcone(folder, line.split_whitespace()), &parts);
+    }
+}
+
+#[test]
+fn a_lens_that_a_file_does_not_say_is_asked_for() {
+    let folder = scene();
+    let folder = folder.path();
+    let k = "camera_matrix: [[95, 0, 119.5], [0, 95, 89.5], [0, 0, 1]]\n\
+             distortion_coefficients: [0.003, 0.0272, -0.0268, 0.0079]\n";
+    std::fs::write(folder.join("unmarked.yml"), k).unwrap();
+    std::fs::write(folder.join("marked.yml"), format!("fisheye_model: 1\n{k}")).unwrap();
+    let line = "stereo undistort left.png --camera unmarked.yml --out a.png";
+    let refused = nullcone(folder, line.split_whitespace());
+    assert_failure(
+        &refused,
+        &[
+            "unmarked.yml: line 2: `distortion_coefficients`",
+            "--lens fisheye",
+        ],
+    );
+    run(folder, &format!("{line} --lens fisheye"));
+    run(
+        folder,
+        "stereo undistort left.png --camera marked.yml --out b.png",
+    );
+    assert!(bytes(folder, "a.png") == bytes(folder, "b.png"));
+    run(folder, &format!("{line} --lens radial-tangential"));
+    assert!(bytes(folder, "a.png") != bytes(folder, "b.png"));
+    run(
+        folder,
+        "camera convert unmarked.yml --lens fisheye --out c.yml",
+    );
+    run(
+        folder,
+        "stereo undistort left.png --camera c.yml --out a.png",
+    );
+    assert!(bytes(folder, "a.png") == bytes(folder, "b.png"));
+    let other =
+        "stereo undistort left.png --camera marked.yml --lens radial-tangential --out a.png";
+    assert_failure(
+        &nullcone(folder, other.split_whitespace()),
+        &["marked.yml", "has the lens fisheye in the file"],
+    );
 }

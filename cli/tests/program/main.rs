@@ -7,6 +7,7 @@ mod bad_input;
 mod bake;
 mod body_evaluate;
 mod body_fit;
+mod camera_calibrate;
 mod camera_files;
 mod capture;
 mod clip;

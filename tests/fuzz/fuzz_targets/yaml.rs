@@ -4,13 +4,21 @@
 
 use std::path::Path;
 
-use ga_camera::format::yaml::Storage;
-use ga_camera::format::{camera, decode};
+use ga_camera::format::storage::Storage;
+use ga_camera::format::{Format, camera, decode, encode_files};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     // Files that others name are looked for in a folder that does not exist.
     let file = decode(data, Path::new("nowhere"));
+    if let Ok(file) = &file {
+        for format in Format::ALL {
+            let written = encode_files("file", format, file);
+            for (_, text) in written.map(|written| written.files).unwrap_or_default() {
+                _ = decode(text.as_bytes(), Path::new("nowhere"));
+            }
+        }
+    }
     let Ok(storage) = Storage::decode(data) else {
         return;
     };

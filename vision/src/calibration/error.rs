@@ -158,6 +158,43 @@ pub enum CalibrationError {
         /// Why it was not found in the first of the others.
         first: Option<String>,
     },
+    /// The pictures of one camera have several sizes.
+    #[error("the pictures differ in size: {}", sizes(.groups))]
+    MixedSizes {
+        /// Each size with the names of its pictures.
+        groups: Vec<([usize; 2], Vec<String>)>,
+    },
+    /// The board was found in too few pictures.
+    #[error(
+        "the board was found in {found} of {pictures} pictures, and {LEAST_VIEWS} are needed{}",
+        first.as_ref().map(|first| format!("; first: {first}")).unwrap_or_default()
+    )]
+    TooFewPictures {
+        /// In how many pictures.
+        found: usize,
+        /// How many there are.
+        pictures: usize,
+        /// Why it was not found in the first of the others.
+        first: Option<String>,
+    },
+    /// The calibration fails with the lens that is given, and not with another.
+    #[error("{error}; the lens seems to be another: --lens {lens} leaves {rms:.3} px")]
+    OtherLens {
+        /// How it fails.
+        error: Box<CalibrationError>,
+        /// The other lens.
+        lens: String,
+        /// What that leaves, in pixels.
+        rms: f64,
+    },
+    /// A picture is to blame.
+    #[error("{name}: {error}")]
+    Picture {
+        /// The name of the picture.
+        name: String,
+        /// What is wrong, where pictures with a board count from 0.
+        error: Box<CalibrationError>,
+    },
     /// A pair of pictures is to blame.
     #[error("{names}: {error}")]
     Pair {
@@ -169,6 +206,14 @@ pub enum CalibrationError {
     /// The edges of the squares cannot be measured with the rig.
     #[error("the edges of the squares cannot be measured: {0}")]
     Edges(Box<RigError>),
+}
+
+fn sizes(groups: &[([usize; 2], Vec<String>)]) -> String {
+    let groups = groups.iter().map(|([width, height], names)| {
+        let names = names.join(", ");
+        format!("{width} × {height} pixels have {names}")
+    });
+    groups.collect::<Vec<_>>().join("; ")
 }
 
 /// The least number of boards from which a camera is calibrated.
@@ -185,6 +230,7 @@ impl CalibrationError {
             | Self::View { view }
             | Self::Unseen { pair: view } => Some(view),
             Self::Disagreement { outlier, .. } => Some(outlier.pair),
+            Self::OtherLens { ref error, .. } => error.view(),
             _ => None,
         }
     }

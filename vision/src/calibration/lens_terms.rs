@@ -53,6 +53,31 @@ impl LensTerms {
         Self::of(LensModel::Fisheye, 4)
     }
 
+    /// Radial and tangential distortion with a denominator: k1 to k6, p1 and p2.
+    #[must_use]
+    pub fn rational() -> Self {
+        Self::of(LensModel::RadialTangential, 8)
+    }
+
+    /// The lens of a kind with its usual terms, or what the text says as terms.
+    ///
+    /// # Errors
+    /// [`CalibrationError::LensTerms`].
+    pub fn named(text: &str) -> Result<Self, CalibrationError> {
+        match LensModel::named(text) {
+            Some(LensModel::Pinhole) => Ok(Self::none()),
+            Some(LensModel::RadialTangential) => Ok(Self::radial_tangential()),
+            Some(LensModel::Fisheye) => Ok(Self::fisheye()),
+            None => text.parse(),
+        }
+    }
+
+    /// The kind of the lens.
+    #[must_use]
+    pub fn model(&self) -> LensModel {
+        self.model
+    }
+
     fn of(model: LensModel, free: usize) -> Self {
         let is_free = std::array::from_fn(|k| k < free);
         Self { model, is_free }

@@ -29,8 +29,11 @@
 //! ```
 
 mod board_pairs;
+mod board_views;
 mod bundle;
+mod camera_page;
 mod error;
+mod lens_choice;
 mod lens_terms;
 mod one_camera;
 mod outlier;
@@ -40,7 +43,11 @@ mod stereo;
 mod summary;
 
 pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
+pub use board_views::{
+    BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,
+};
 pub use error::{CalibrationError, LEAST_VIEWS};
+pub use lens_choice::{LensFit, TriedLens, calibrate_lens};
 pub use lens_terms::LensTerms;
 pub use one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
 pub use outlier::Outlier;

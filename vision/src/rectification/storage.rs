@@ -2,7 +2,7 @@
 
 use ga_camera::format::CameraFileError;
 use ga_camera::format::rig;
-use ga_camera::format::yaml::{Matrix, Storage};
+use ga_camera::format::storage::{Matrix, Storage};
 
 use super::Rectification;
 

@@ -43,8 +43,8 @@ pub(crate) struct Arguments {
     /// whose pictures are sorted by the numbers in their names.
     #[arg(value_name = "IMAGE or GLOB", required = true, num_args = 1..=2)]
     pub(super) images: Vec<PathBuf>,
-    /// The two cameras: YAML as nullcone stereo calibrate writes it, a Middlebury calib.txt, or two
-    /// views in JSON.
+    /// The two cameras: a file of any format (docs/stereo.md lists them), such as YAML as nullcone
+    /// stereo calibrate writes it.
     #[arg(long, value_name = "FILE")]
     pub(super) rig: Option<PathBuf>,
     #[command(flatten)]

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use super::film_arguments::FilmArguments;
+use crate::camera_file::LensChoice;
 use crate::chosen_animation::ChosenAnimation;
 
 /// Draw a model.
@@ -56,6 +57,8 @@ pub(crate) struct Arguments {
     /// The camera of the file: its name, or its number from 0.
     #[arg(long, value_name = "NAME")]
     pub(super) view: Option<String>,
+    #[command(flatten)]
+    pub(super) lens: LensChoice,
     /// See the model from a camera inside the glTF document: the name of its node or of the camera,
     /// or the number of the node from 0. In a film it moves with its node.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["camera", "view"])]

@@ -8,7 +8,7 @@ use ga_mesh::gltf::{Document, Projection};
 use ga_render::{Viewpoint, ViewpointError, view_file};
 
 use super::arguments::Arguments;
-use crate::camera_file;
+use crate::camera_file::LensChoice;
 use crate::format::Format;
 
 const DEFAULT_SIZE: [u32; 2] = [1280, 720];
@@ -25,7 +25,7 @@ impl Camera {
     pub(super) fn new(arguments: &Arguments, document: Option<&Document>) -> Result<Self> {
         let (text, view) = (&arguments.camera, arguments.view.as_deref());
         let Some(name) = &arguments.camera_node else {
-            let (viewpoint, size) = viewpoint(text, view)?;
+            let (viewpoint, size) = viewpoint(text, view, arguments.lens)?;
             return Ok(Self::Outside(viewpoint, size));
         };
         let path = arguments.model.display();
@@ -78,9 +78,13 @@ pub(super) fn file(text: &str) -> Option<&Path> {
 }
 
 /// What `--camera` asks for, and columns and rows of the pictures of a camera of a file.
-fn viewpoint(text: &str, name: Option<&str>) -> Result<(Viewpoint, Option<[u32; 2]>)> {
+fn viewpoint(
+    text: &str,
+    name: Option<&str>,
+    lens: LensChoice,
+) -> Result<(Viewpoint, Option<[u32; 2]>)> {
     if let Some(path) = file(text) {
-        let camera = camera_file::read_one(path, name)?;
+        let camera = lens.read_one(path, name)?;
         let view = view_file::from_camera(&camera).with_context(|| path.display().to_string())?;
         let size = camera.size.map(|size| size.map(|side| side as u32));
         return Ok((Viewpoint::View(view), size));

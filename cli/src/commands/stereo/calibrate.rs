@@ -16,7 +16,7 @@ use ga_vision::chessboard::{BoardSize, pair_picture};
 use serde::Serialize;
 
 use super::views;
-use crate::camera_file::{about, read_side};
+use crate::camera_file::{LensChoice, about};
 use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{
@@ -73,6 +73,8 @@ pub(crate) struct Arguments {
     /// The right camera; of a rig, it is the right camera.
     #[arg(long, value_name = "FILE")]
     right_camera: Option<PathBuf>,
+    #[command(flatten)]
+    lens: LensChoice,
     /// Use all pairs with a board, also those that do not agree with the others.
     #[arg(long)]
     keep_outliers: bool,
@@ -165,7 +167,7 @@ impl Arguments {
     fn options(&self) -> Result<StereoOptions> {
         let read = |path: &Option<PathBuf>, side: usize| -> Result<Option<Intrinsics>> {
             let Some(path) = path else { return Ok(None) };
-            let intrinsics = read_side(path, side)?.intrinsics();
+            let intrinsics = self.lens.read_side(path, side)?.intrinsics();
             Ok(Some(intrinsics.map_err(|error| about(path, error))?))
         };
         let cameras = [read(&self.left_camera, 0)?, read(&self.right_camera, 1)?];

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::{Error, Result, ensure};
-use ga_camera::format::{self, NamedCamera};
+use ga_camera::format::NamedCamera;
 use ga_vision::ViewGeometryError;
 use ga_vision::feature::{DetectOptions, ViewOptions, match_views};
 use ga_vision::relative_pose::{
@@ -13,7 +13,7 @@ use ga_vision::relative_pose::{
 use serde::Serialize;
 
 use super::views;
-use crate::camera_file::{about, read_one};
+use crate::camera_file::{LensChoice, about};
 use crate::frame::{self, Command, Context, Warning};
 
 /// Find how a camera moved between two views: the rotation, and the direction of the translation.
@@ -28,13 +28,13 @@ use crate::frame::{self, Command, Context, Warning};
 ///
 /// prints {"rotation_matrix": [[…], […], […]], "rotation_axis": […], "rotation_degrees": …,
 /// "translation_direction": […], "rotation_deviation_degrees": …, "direction_deviation_degrees": …,
-/// "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …, "rms_px": …,
-/// "ambiguous": …, "alternatives": [{"rotation": …, "direction": …, …}, …], "seconds": …}. The
-/// matrix is given by rows, and axis and direction have length 1. The deviations are standard
-/// deviations of the result, estimated from what remains; a corner that is matched in several
-/// scales counts once. pairs counts the matched corners, pairs_outside_field those of them that are
-/// left out because the distortion of a lens cannot be inverted there, inliers those that agree
-/// with the motion, and rms_px is the root mean square of their distances from the epipolar
+/// "cameras": […, …], "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …,
+/// "rms_px": …, "ambiguous": …, "alternatives": [{"rotation": …, "direction": …, …}, …],
+/// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations
+/// are standard deviations of the result, estimated from what remains; a corner that is matched in
+/// several scales counts once. pairs counts the matched corners, pairs_outside_field those of them
+/// that are left out because the distortion of a lens cannot be inverted there, inliers those that
+/// agree with the motion, and rms_px is the root mean square of their distances from the epipolar
 /// condition. Equal seeds give equal results.
 ///
 /// Two views of a plane often have two motions that explain them alike. Then ambiguous is true, a
@@ -65,6 +65,8 @@ pub(crate) struct Arguments {
     /// The camera of --camera-b, or without it of --camera, that took the second view.
     #[arg(long, value_name = "NAME")]
     view_b: Option<String>,
+    #[command(flatten)]
+    lens: LensChoice,
     /// Corners that are farther from the epipolar condition are left out, in pixels.
     #[arg(long, value_name = "PX", default_value_t = Options::default().threshold)]
     threshold: f64,
@@ -81,6 +83,8 @@ pub(crate) struct Arguments {
 pub(crate) struct Report {
     #[serde(flatten)]
     motion: MotionSummary,
+    /// The cameras of both views by their names.
+    cameras: [String; 2],
     pairs: usize,
     pairs_outside_field: usize,
     inliers: usize,
@@ -121,8 +125,11 @@ impl Command for Arguments {
         let begin = Instant::now();
         progress.step("matching corners");
         let named = || format!("{} and {}", paths[0].display(), paths[1].display());
-        let [a, b] = cameras.each_ref().map(NamedCamera::intrinsics);
-        let (left, right) = (a?, b?);
+        let intrinsics = |side: usize| {
+            let found = cameras[side].intrinsics();
+            found.map_err(|error| about(files[side], error))
+        };
+        let (left, right) = (intrinsics(0)?, intrinsics(1)?);
         let matching = ViewOptions {
             detect: DetectOptions {
                 features: self.features,
@@ -170,6 +177,7 @@ impl Command for Arguments {
         });
         Ok(Report {
             motion: found.summary(),
+            cameras: cameras.map(|camera| camera.name),
             pairs: matched,
             pairs_outside_field: outside,
             inliers: found.inliers.len(),
@@ -189,9 +197,10 @@ impl Arguments {
         let (path, name) = (&self.camera, self.view.as_deref());
         let name_b = self.view_b.as_deref();
         if let Some(other) = &self.camera_b {
-            return Ok([read_one(path, name)?, read_one(other, name_b)?]);
+            let lens = self.lens;
+            return Ok([lens.read_one(path, name)?, lens.read_one(other, name_b)?]);
         }
-        let file = format::read(path)?;
+        let file = self.lens.read(path)?;
         let found = file.of_two_views([name, name_b]);
         let found = found.map_err(|error| about(path, error))?;
         Ok(found.map(NamedCamera::clone))
@@ -223,8 +232,10 @@ impl frame::Report for Report {
             )
         });
         let alternatives: String = alternatives.collect();
+        let [first, second] = &self.cameras;
         format!(
-            "rotation {:.4}°{} about {}\ntranslation along {}{}\n{alternatives}\
+            "cameras {first} and {second}\nrotation {:.4}°{} about {}\n\
+             translation along {}{}\n{alternatives}\
              {} of {} pairs of corners agree to {:.3} px, {} in front of both cameras\n{outside}",
             motion.rotation_degrees,
             deviation(motion.rotation_deviation_degrees),

@@ -8,7 +8,7 @@ use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
-use crate::camera_file::{about, read_one};
+use crate::camera_file::{LensChoice, about};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::output;
@@ -16,8 +16,8 @@ use crate::output;
 /// Remove the distortion of a lens from a picture.
 ///
 /// The camera is that of a file of any format, such as YAML with OpenCV's names camera_matrix and
-/// distortion_coefficients, and fisheye_model: 1 for a fisheye lens. What the camera did not see is
-/// black.
+/// distortion_coefficients, and fisheye_model: 1 for a fisheye lens; --lens says which lens it is
+/// where the file does not. What the camera did not see is black.
 ///
 /// For instance
 ///
@@ -38,6 +38,8 @@ pub(crate) struct Arguments {
     /// Which camera of the file, where it has several: its name, or its number from 0.
     #[arg(long, value_name = "NAME")]
     view: Option<String>,
+    #[command(flatten)]
+    lens: LensChoice,
     /// The result.
     #[arg(long, value_name = "FILE.png")]
     out: PathBuf,
@@ -69,7 +71,7 @@ impl Command for Arguments {
         files.write_if_given("--new-camera", self.new_camera.as_ref(), &[Format::Yaml])?;
         let progress = context.progress(3);
         progress.step("reading the picture");
-        let camera = read_one(&self.camera, self.view.as_deref())?;
+        let camera = self.lens.read_one(&self.camera, self.view.as_deref())?;
         let intrinsics = camera.intrinsics();
         let intrinsics = intrinsics.map_err(|error| about(&self.camera, error))?;
         let old = ga_image::file::read(&self.picture)?;

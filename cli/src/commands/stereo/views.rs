@@ -49,7 +49,7 @@ impl ViewPair {
 }
 
 /// Reads a view in grey. Colours become grey by the weights of ITU-R BT.601.
-pub(super) fn read(path: &Path) -> Result<Plane<u8>> {
+pub(in crate::commands) fn read(path: &Path) -> Result<Plane<u8>> {
     Ok(file::read(path)?.to_grey(Luma::Bt601))
 }
 

@@ -66,7 +66,7 @@ impl LensModel {
         match self {
             Self::Pinhole => &Description {
                 name: "pinhole",
-                other_names: &[],
+                other_names: &["none"],
                 coefficients: &[],
                 counts: &[0],
                 lens: |coefficients| match coefficients {
@@ -86,7 +86,7 @@ impl LensModel {
             },
             Self::Fisheye => &Description {
                 name: "fisheye",
-                other_names: &["equidistant"],
+                other_names: &["equidistant", "equi", "kannala_brandt", "kannala_brandt4"],
                 coefficients: &fisheye::NAMES,
                 counts: &[4],
                 lens: |coefficients| Ok(Fisheye::new(coefficients)?.into()),

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use ga_runtime::cga3::Motor;
 
-use super::error::{CameraFileError, PictureSizeError};
+use super::error::{CameraFileError, PictureSizeError, Place};
 use crate::rig::{RectifiedRig, StereoRig};
-use crate::{Camera, Intrinsics};
+use crate::{Camera, Intrinsics, LensModel};
 
 /// The cameras of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,8 @@ pub struct NamedCamera {
     pub far: Option<f64>,
     intrinsics: Intrinsics,
     skew: f64,
+    /// Where the coefficients stand, where they may be those of another kind of lens.
+    unclear_lens: Option<Place>,
 }
 
 /// Two cameras of a file as a rig.
@@ -78,6 +80,9 @@ impl NamedRig {
 /// The name of the camera of a file that holds one.
 pub(super) const SINGLE: &str = "camera";
 
+/// The names of the cameras of a rig.
+pub(super) const SIDES: [&str; 2] = ["left", "right"];
+
 impl NamedCamera {
     /// A camera of which nothing but its projection is known.
     #[must_use]
@@ -91,7 +96,50 @@ impl NamedCamera {
             far: None,
             intrinsics,
             skew: 0.0,
+            unclear_lens: None,
         }
+    }
+
+    /// The same camera, whose coefficients may be those of another kind of lens.
+    pub(super) fn with_unclear_lens(self, unclear_lens: Option<Place>) -> Self {
+        Self {
+            unclear_lens,
+            ..self
+        }
+    }
+
+    /// Where the coefficients of a lens stand whose kind is unclear.
+    pub(super) fn unclear_lens_mut(&mut self) -> Option<&mut Place> {
+        self.unclear_lens.as_mut()
+    }
+
+    /// The same camera with the kind of lens that its file does not state.
+    ///
+    /// # Errors
+    /// [`CameraFileError::OtherLens`] where the file states another kind of lens, and
+    /// [`CameraFileError::Camera`] where the coefficients are not those of such a lens.
+    pub fn with_lens_model(self, model: LensModel) -> Result<Self, CameraFileError> {
+        let lens = self.intrinsics.lens();
+        let Some(place) = &self.unclear_lens else {
+            return match lens.model() {
+                own if own == model || own == LensModel::Pinhole => Ok(self),
+                own => Err(CameraFileError::OtherLens {
+                    name: self.name,
+                    stated: own.name(),
+                    asked: model.name(),
+                }),
+            };
+        };
+        let lens = model.lens(&lens.coefficients()[..4]);
+        let lens = lens.map_err(|error| CameraFileError::Camera {
+            place: place.clone(),
+            error: Box::new(error),
+        })?;
+        Ok(Self {
+            intrinsics: self.intrinsics.with_lens(lens),
+            unclear_lens: None,
+            ..self
+        })
     }
 
     /// The same camera with a skew in pixels, which a renderer can use: `u = f_x x' + s y' + c_x`.
@@ -115,21 +163,28 @@ impl NamedCamera {
     /// Focal lengths, principal point and lens.
     ///
     /// # Errors
-    /// [`CameraFileError::Skew`] for a camera with skew.
+    /// [`CameraFileError::Skew`] for a camera with skew, and as
+    /// [`intrinsics_and_skew`](Self::intrinsics_and_skew).
     pub fn intrinsics(&self) -> Result<Intrinsics, CameraFileError> {
-        if self.skew == 0.0 {
-            return Ok(self.intrinsics);
+        match self.intrinsics_and_skew()? {
+            (intrinsics, 0.0) => Ok(intrinsics),
+            (_, skew) => Err(CameraFileError::Skew {
+                name: self.name.clone(),
+                skew,
+            }),
         }
-        Err(CameraFileError::Skew {
-            name: self.name.clone(),
-            skew: self.skew,
-        })
     }
 
     /// Focal lengths, principal point and lens, and beside them the skew in pixels.
-    #[must_use]
-    pub fn intrinsics_and_skew(&self) -> (Intrinsics, f64) {
-        (self.intrinsics, self.skew)
+    ///
+    /// # Errors
+    /// [`CameraFileError::UnclearLens`] where the file does not say which lens the coefficients are
+    /// of; see [`with_lens_model`](Self::with_lens_model).
+    pub fn intrinsics_and_skew(&self) -> Result<(Intrinsics, f64), CameraFileError> {
+        match &self.unclear_lens {
+            None => Ok((self.intrinsics, self.skew)),
+            Some(place) => Err(CameraFileError::UnclearLens(place.clone())),
+        }
     }
 
     /// The motor that takes the world into the camera's frame.
@@ -185,11 +240,25 @@ impl NamedCamera {
 
 impl CameraFile {
     /// Cameras of pictures that are not known to be rectified.
-    pub(super) fn new(cameras: Vec<NamedCamera>) -> Self {
+    #[must_use]
+    pub fn new(cameras: Vec<NamedCamera>) -> Self {
         Self {
             cameras,
             rectified: None,
         }
+    }
+
+    /// The same cameras with the kind of lens that the file does not state, where one is given.
+    ///
+    /// # Errors
+    /// As [`NamedCamera::with_lens_model`].
+    pub fn with_lens_model(mut self, model: Option<LensModel>) -> Result<Self, CameraFileError> {
+        if let Some(model) = model {
+            let cameras = self.cameras.into_iter();
+            let cameras = cameras.map(|camera| camera.with_lens_model(model));
+            self.cameras = cameras.collect::<Result<_, _>>()?;
+        }
+        Ok(self)
     }
 
     /// The camera of a name, or of a number from 0.
@@ -270,6 +339,20 @@ impl CameraFile {
                 Ok([first, second])
             }
         }
+    }
+
+    /// The cameras of some names, in their order; all where there are none.
+    ///
+    /// # Errors
+    /// As [`camera`](Self::camera).
+    pub fn choose(self, names: &[String]) -> Result<Self, CameraFileError> {
+        if names.is_empty() {
+            return Ok(self);
+        }
+        let chosen = names.iter().map(|name| self.camera(name).cloned());
+        let cameras = chosen.collect::<Result<Vec<_>, _>>()?;
+        let rectified = self.rectified.filter(|_| cameras == self.cameras);
+        Ok(Self { cameras, rectified })
     }
 
     /// The rig of a [`pair`](Self::pair) with what the file says of its pictures.

@@ -28,9 +28,6 @@ pub enum CameraFileError {
         /// The line with the first byte that is not UTF-8.
         line: usize,
     },
-    /// The text is XML.
-    #[error("line 1: this is XML; only YAML is read")]
-    Xml,
     /// The text is not of its format.
     #[error("line {line}: not {format}: {problem}")]
     Syntax {
@@ -69,7 +66,7 @@ pub enum CameraFileError {
         /// The key that is missing.
         place: Place,
         /// Other keys under which it was looked for.
-        also: Vec<&'static str>,
+        also: Vec<String>,
     },
     /// A key is not known.
     #[error("{0} is not a key of a view")]
@@ -89,6 +86,75 @@ pub enum CameraFileError {
         place: Place,
         /// The names that are known.
         known: Vec<&'static str>,
+    },
+    /// A lens has four coefficients, as those of two kinds have, and the file does not say which.
+    #[error(
+        "{0} has 4 numbers, as a radial-tangential lens and a fisheye have, and the file does not \
+         say which it is: --lens radial-tangential or --lens fisheye does"
+    )]
+    UnclearLens(Place),
+    /// A lens is said to be another one than it is in the file.
+    #[error("the camera {name:?} has the lens {stated} in the file, not {asked}")]
+    OtherLens {
+        /// The camera.
+        name: String,
+        /// The lens in the file.
+        stated: &'static str,
+        /// The other one.
+        asked: &'static str,
+    },
+    /// A camera is of a model that is not read.
+    #[error("{place} is {found:?}, which is not read: only {}", .known.join(", "))]
+    Model {
+        /// Its name.
+        place: Place,
+        /// The model.
+        found: String,
+        /// The models that are read.
+        known: Vec<&'static str>,
+    },
+    /// The format that is written cannot hold something without which the camera is another one.
+    #[error("{format} cannot hold {what} of the camera {name:?}")]
+    CannotHold {
+        /// The format.
+        format: &'static str,
+        /// What it cannot hold.
+        what: &'static str,
+        /// The camera.
+        name: String,
+    },
+    /// A format has room for fewer cameras.
+    #[error(
+        "{format} holds {most}, and there are {} ({}): choose by name", .names.len(), listed(.names)
+    )]
+    TooMany {
+        /// The format.
+        format: &'static str,
+        /// How many it holds.
+        most: &'static str,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// The cameras are not those of rectified pictures.
+    #[error("{format} holds rectified cameras alone: {problem}")]
+    NotRectified {
+        /// The format.
+        format: &'static str,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A format is read, and not written.
+    #[error("{0} is read, and not written")]
+    ReadOnly(&'static str),
+    /// A binary file ends before its values do, or has values that cannot be.
+    #[error("byte {byte}: not {format}: {problem}")]
+    Binary {
+        /// Where, from 0.
+        byte: usize,
+        /// The format.
+        format: &'static str,
+        /// What is wrong.
+        problem: &'static str,
     },
     /// A number is infinite or not a number.
     #[error("{place} has the value {value}, which is not finite")]
@@ -175,6 +241,9 @@ pub enum CameraFileError {
         /// What is wrong with the file, which it names.
         error: Box<ReadError<CameraFileError>>,
     },
+    /// The file of the images of a model cannot be read.
+    #[error(transparent)]
+    Images(Box<ReadError<CameraFileError>>),
     /// One camera of a rig is a fisheye and the other is not: OpenCV has one mark for both.
     #[error("a file cannot hold a fisheye and another lens in one rig")]
     MixedLenses,
@@ -197,13 +266,13 @@ pub enum CameraFileError {
     /// There is one camera where a rig is needed.
     #[error(
         "there is one camera, and a rig of two is needed: `M1`, `M2`, `R` and `T` in OpenCV's \
-         YAML, `cam0` and `cam1` in a calib.txt, or two of the `views` in JSON"
+         files, `cam0` and `cam1` in those of kalibr and Middlebury, or two of the `views` in JSON"
     )]
     NoRig,
     /// A camera has no pose.
     #[error(
         "the camera {name:?} has no pose, which is needed: `rotation` and `translation` in JSON, \
-         or `R` and `T` of a rig"
+         `R` and `T` of a rig in OpenCV's files, or `T_cn_cnm1` in kalibr's"
     )]
     NoPose {
         /// The camera.
@@ -256,6 +325,32 @@ pub struct PictureSizeError {
     pub expected: [usize; 2],
 }
 
+impl CameraFileError {
+    /// The place in a file that is to blame, where it is one.
+    pub(super) fn place_mut(&mut self) -> Option<&mut Place> {
+        match self {
+            Self::Duplicate(place)
+            | Self::Twice { place, .. }
+            | Self::Missing { place, .. }
+            | Self::Unknown(place)
+            | Self::Value { place, .. }
+            | Self::Lens { place, .. }
+            | Self::UnclearLens(place)
+            | Self::Model { place, .. }
+            | Self::NotFinite { place, .. }
+            | Self::Size { place, .. }
+            | Self::ValueCount { place, .. }
+            | Self::Shape { place, .. }
+            | Self::Camera { place, .. }
+            | Self::Rotation { place, .. }
+            | Self::ZeroBaseline(place)
+            | Self::Offset { place, .. }
+            | Self::Referred { place, .. } => Some(place),
+            _ => None,
+        }
+    }
+}
+
 impl Place {
     /// A key on a line from 1, or 0 where there is none.
     pub(super) fn on_line(line: usize, key: impl Into<String>) -> Self {
@@ -279,14 +374,19 @@ impl fmt::Display for Place {
     }
 }
 
-fn missing(place: &Place, also: &[&'static str]) -> String {
+fn missing(place: &Place, also: &[String]) -> String {
     if place.view.is_some() {
         return format!("{place} is missing");
     }
     let quoted: Vec<String> = also.iter().map(|key| format!("`{key}`")).collect();
+    let line = place.line.map(|line| format!("line {line}: "));
+    let (line, key) = (line.unwrap_or_default(), &place.key);
     match quoted.as_slice() {
-        [] => format!("there is no {place}"),
-        quoted => format!("there is no {place}, and none of {}", quoted.join(", ")),
+        [] => format!("{line}there is no `{key}`"),
+        quoted => format!(
+            "{line}there is no `{key}`, and none of {}",
+            quoted.join(", ")
+        ),
     }
 }
 

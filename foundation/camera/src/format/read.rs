@@ -4,27 +4,47 @@ use std::path::Path;
 
 use ga_files::ReadError;
 
-use super::camera_file::CameraFile;
+use super::camera_file::{CameraFile, NamedCamera};
+use super::contents::Contents;
 use super::error::CameraFileError;
-use super::text::text;
-use super::yaml::Storage;
-use super::{calib, json, rig};
+use super::json_line::JsonLines;
+use super::table::Format;
+use super::{colmap, json};
 
-/// Reads the cameras of a file, or of [`json::VIEWS`] in a folder.
+/// Reads the cameras of a file; or of a folder, in which [`json::VIEWS`], a model of COLMAP or
+/// `transforms.json` is looked for.
 ///
 /// # Errors
 /// [`ReadError`] with the file and an error of [`decode`].
 pub fn read(path: impl AsRef<Path>) -> Result<CameraFile, ReadError<CameraFileError>> {
+    Ok(read_with_format(path)?.1)
+}
+
+/// As [`read()`], with the format of the file.
+///
+/// # Errors
+/// As [`read()`].
+pub fn read_with_format(
+    path: impl AsRef<Path>,
+) -> Result<(Format, CameraFile), ReadError<CameraFileError>> {
     let path = match path.as_ref() {
-        folder if folder.is_dir() => folder.join(json::VIEWS),
+        folder if folder.is_dir() => {
+            let views = folder.join(json::VIEWS);
+            let transforms = folder.join("transforms.json");
+            match colmap::file_in(folder) {
+                Some(model) if !views.is_file() => model,
+                None if transforms.is_file() && !views.is_file() => transforms,
+                _ => views,
+            }
+        }
         file => file.to_owned(),
     };
     let folder = path.parent().unwrap_or(Path::new(""));
-    ga_files::read(&path, |bytes| decode(bytes, folder))
+    ga_files::read(&path, |bytes| decode_with_format(bytes, folder))
 }
 
 /// Reads the cameras of a file that lies in a folder, in which the files that it names are looked
-/// for. The contents tell the format: an object of JSON, lines of the form `key=value`, or YAML.
+/// for. The contents tell the [format](Format).
 ///
 /// # Errors
 /// [`CameraFileError`] where the bytes are not such a file, or a camera is missing or impossible.
@@ -35,6 +55,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<CameraFile, ReadError<CameraFileEr
 /// let texts = [
 ///     "%YAML:1.0\n---\nK: [[500, 0, 320], [0, 501, 240], [0, 0, 1]]\n",
 ///     r#"{"width": 640, "height": 480, "fx": 500, "fy": 501, "cx": 320, "cy": 240}"#,
+///     "P0: 500 0 320 0 0 501 240 0 0 0 1 0\n",
 /// ];
 /// for text in texts {
 ///     let file = format::decode(text.as_bytes(), Path::new(""))?;
@@ -43,29 +64,30 @@ pub fn read(path: impl AsRef<Path>) -> Result<CameraFile, ReadError<CameraFileEr
 /// # Ok::<(), format::CameraFileError>(())
 /// ```
 pub fn decode(bytes: &[u8], folder: &Path) -> Result<CameraFile, CameraFileError> {
-    let text = text(bytes)?;
-    if text.trim_start().starts_with(['{', '[']) {
-        let found = json::decode(text, folder);
-        // OpenCV writes its own keys as JSON too, which is YAML.
-        if let (Err(CameraFileError::NoViews), Ok(storage)) = (&found, Storage::decode(bytes))
-            && rig::has_matrix(&storage)
-        {
-            return rig::decode(&storage);
-        }
-        return found;
-    }
-    if is_calib(text) {
-        return calib::decode(text);
-    }
-    rig::decode(&Storage::decode(bytes)?)
+    Ok(decode_with_format(bytes, folder)?.1)
 }
 
-/// Whether the first line that is not empty is of the form `key=value`.
-fn is_calib(text: &str) -> bool {
-    let line = text.lines().find(|line| !line.trim().is_empty());
-    let key = line.and_then(|line| line.split_once('='));
-    key.is_some_and(|(key, _)| {
-        let mut letters = key.trim().chars();
-        !key.trim().is_empty() && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
-    })
+fn decode_with_format(
+    bytes: &[u8],
+    folder: &Path,
+) -> Result<(Format, CameraFile), CameraFileError> {
+    let contents = Contents::new(bytes)?;
+    let mut formats = Format::ALL.into_iter();
+    let found = formats.find_map(|format| Some((format, format.decode(&contents, folder)?)));
+    let (format, mut file) = found.unwrap_or((Format::Json, Err(CameraFileError::NoViews)));
+    if let Contents::Json { text, .. } = contents {
+        let lines = JsonLines::new(text);
+        match &mut file {
+            Ok(file) => {
+                let cameras = file.cameras.iter_mut();
+                let unclear = cameras.filter_map(NamedCamera::unclear_lens_mut);
+                unclear.for_each(|place| lines.add_to(place));
+            }
+            Err(error) => error
+                .place_mut()
+                .into_iter()
+                .for_each(|place| lines.add_to(place)),
+        }
+    }
+    Ok((format, file?))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ga_camera::format::{self, yaml::Storage};
+use ga_camera::format::{self, storage::Storage};
 use ga_camera::{Fisheye, Intrinsics, Lens, LensModel, RadialTangential};
 
 fn encoded(lens: Lens) -> String {

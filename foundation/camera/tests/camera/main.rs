@@ -4,6 +4,7 @@
 
 mod camera;
 mod format;
+mod formats;
 mod lens_models;
 mod many_views;
 mod rig;

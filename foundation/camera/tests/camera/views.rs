@@ -92,7 +92,7 @@ fn cameras_may_be_in_files_of_their_own() {
     std::fs::write(&path, text).unwrap();
     let message = format::read(&path).unwrap_err().to_string();
     assert!(
-        message.contains("views.json: view 0: `camera`: cannot read"),
+        message.contains("views.json: line 1: view 0: `camera`: cannot read"),
         "{message}"
     );
     assert!(message.contains("none.yml"), "{message}");
@@ -101,8 +101,14 @@ fn cameras_may_be_in_files_of_their_own() {
 #[test]
 fn faults_name_the_view_and_the_key() {
     let pose = [ROTATION, TRANSLATION].concat();
-    let fault = |text: &str| read(text).unwrap_err().to_string();
-    assert!(fault("[").starts_with("line 1: not JSON: EOF"));
+    let in_line = |text: &str| read(text).unwrap_err().to_string();
+    let wrong = file(&pose, "").replace("\"fy\": 60", "\n\"fy\": \"60\"");
+    assert_eq!(
+        in_line(&wrong),
+        "line 2: view 0: `camera.fy` is not a number"
+    );
+    assert!(in_line("[").starts_with("line 1: not JSON: EOF"));
+    let fault = |text: &str| in_line(text).trim_start_matches("line 1: ").to_owned();
     for text in ["[]", "{}", r#"{"views": []}"#, r#"{"views": 3}"#] {
         assert_eq!(fault(text), "`views` is not a list of at least one view");
     }
@@ -178,7 +184,7 @@ fn faults_name_the_view_and_the_key() {
         "{long}"
     );
     let skewed = read(&file(&pose, r#", "skew": 1.5"#)).unwrap();
-    assert_eq!(skewed[0].intrinsics_and_skew().1, 1.5);
+    assert_eq!(skewed[0].intrinsics_and_skew().unwrap().1, 1.5);
     let error = skewed[0].camera().unwrap_err();
     assert!(matches!(error, CameraFileError::Skew { skew: 1.5, .. }));
     let few = fault(&file(&pose, r#", "distortion": [0.1, 0.2, 0.3]"#));

@@ -11,10 +11,10 @@ const NEAR: f64 = 1e-3;
 ///
 /// # Errors
 ///
-/// [`ViewFileError::Camera`] for a camera without a pose, and [`ViewFileError::View`] for one that
-/// is not drawn from; see [`View::pinhole`].
+/// [`ViewFileError::Camera`] for a camera without a pose or of an unclear lens, and
+/// [`ViewFileError::View`] for one that is not drawn from; see [`View::pinhole`].
 pub fn from_camera(camera: &NamedCamera) -> Result<View, ViewFileError> {
-    let (intrinsics, skew) = camera.intrinsics_and_skew();
+    let (intrinsics, skew) = camera.intrinsics_and_skew()?;
     let pinhole = Camera {
         intrinsics,
         world_to_camera: camera.world_to_camera()?,

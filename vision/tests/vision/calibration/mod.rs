@@ -1,6 +1,7 @@
 //! Calibrations against scenes that are known, and against OpenCV.
 
 mod errors;
+mod lens;
 mod opencv;
 mod outliers;
 mod pairs;

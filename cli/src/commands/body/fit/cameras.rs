@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use ga_body::format::JointViews;
 use ga_camera::Camera;
-use ga_camera::format;
 use ga_runtime::cga3::Motor;
 
 use crate::camera_file::{ChosenPair, about};
@@ -44,7 +43,7 @@ impl CameraFiles {
                 self.chosen.refuse(
                     "it chooses cameras of --rig; those of --views have the names of views",
                 )?;
-                let cameras = joints.match_cameras(&format::read(path)?.cameras);
+                let cameras = joints.match_cameras(&self.chosen.read_all(path)?.cameras);
                 cameras.with_context(|| path.display().to_string())
             }
             (None, None) => bail!("--rig or --views is needed: the cameras"),

@@ -24,7 +24,7 @@
 //!
 //! - `picture`: the path of the picture.
 //! - `camera`: an object as below, or the path of a `.json` file with such an object, or that of
-//!   [OpenCV's YAML](super::camera).
+//!   [OpenCV's YAML or XML](super::camera).
 //! - `rotation`: the rotation R from the world to the camera, three rows.
 //! - `quaternion_wxyz`: the same as a quaternion, the scalar first, in place of `rotation`.
 //! - `translation`: the translation t, in the unit of the mesh.
@@ -39,7 +39,7 @@
 //! - `distortion`: 4, 5, 8, 12 or 14 coefficients in OpenCV's order, 4 for a fisheye; none for a
 //!   pinhole.
 //! - `lens`: `"pinhole"`, `"radial-tangential"` or `"fisheye"`, where the coefficients do not say
-//!   it.
+//!   it, as four of them do not.
 //! - `skew`: in pixels, 0 by default. [`NamedCamera::intrinsics`] refuses another one.
 //! - `near`, `far`: the depths between which a renderer draws.
 //!
@@ -47,12 +47,11 @@
 //!
 //! [`NamedCamera::intrinsics`]: super::NamedCamera::intrinsics
 
-mod distinct;
 mod object;
 mod read;
 mod write;
 
-pub(super) use read::decode;
+pub(super) use read::{decode, is_own};
 pub use write::{encode, encode_views};
 
 /// The name of the file in a folder of views.

@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 
 use crate::format::camera_file::NamedCamera;
 use crate::format::error::{CameraFileError, Place};
+use crate::format::fields::lens;
 use crate::format::rotation::{ROTATION_TOLERANCE, nearest_rotor};
 use crate::{CameraError, Intrinsics, LensModel};
 
@@ -192,16 +193,12 @@ impl<'a> Object<'a> {
             Some(value) => self.list("distortion", value, "a list of numbers")?,
             None => Vec::new(),
         };
-        let model = match named {
-            None | Some(LensModel::RadialTangential) if values.is_empty() => LensModel::Pinhole,
-            None => LensModel::RadialTangential,
-            Some(LensModel::Pinhole) if !values.is_empty() => {
-                return Err(self.of_type("distortion", "empty, which the lens \"pinhole\" needs"));
-            }
-            Some(model) => model,
-        };
-        let lens = model.lens(&values).map_err(refuse)?;
+        if named == Some(LensModel::Pinhole) && !values.is_empty() {
+            return Err(self.of_type("distortion", "empty, which the lens \"pinhole\" needs"));
+        }
+        let (lens, is_unclear) = lens(&values, named).map_err(refuse)?;
         let mut camera = NamedCamera::new(name, plain.with_lens(lens)).with_skew(skew);
+        camera = camera.with_unclear_lens(is_unclear.then(|| self.place("distortion")));
         camera.size = Some([self.pixels("width")?, self.pixels("height")?]);
         camera.near = optional("near")?;
         camera.far = optional("far")?;

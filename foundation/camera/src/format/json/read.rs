@@ -5,37 +5,38 @@ use std::path::Path;
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 use serde_json::Value;
 
-use super::distinct::Distinct;
 use super::object::{CAMERA, Object, POSE};
-use crate::format::camera;
 use crate::format::camera_file::{CameraFile, NamedCamera, SINGLE};
 use crate::format::error::CameraFileError;
+use crate::format::opencv;
+use crate::format::storage::Storage;
+use crate::format::syntax::json::parse;
 use crate::format::text::text;
-use crate::format::yaml::Storage;
+
+/// Whether a value is one camera or a list of views.
+pub(in crate::format) fn is_own(value: &Value) -> bool {
+    is_camera(value) || value.get("views").is_some()
+}
+
+fn is_camera(value: &Value) -> bool {
+    let keys = ["fx", "fy", "cx", "cy"];
+    let fields = value.as_object();
+    fields.is_some_and(|fields| keys.iter().any(|key| fields.contains_key(*key)))
+}
 
 /// The camera of an object, or those of a list of views.
-pub(in crate::format) fn decode(text: &str, folder: &Path) -> Result<CameraFile, CameraFileError> {
-    let file = parse(text)?;
-    let is_camera = file
-        .as_object()
-        .is_some_and(|fields| CAMERA.iter().any(|key| fields.contains_key(*key)));
-    if is_camera {
-        return Ok(CameraFile::new(vec![single(&file)?]));
+pub(in crate::format) fn decode(
+    file: &Value,
+    folder: &Path,
+) -> Result<CameraFile, CameraFileError> {
+    if is_camera(file) {
+        return Ok(CameraFile::new(vec![single(file)?]));
     }
     let views = file.get("views").and_then(Value::as_array);
     let views = views.filter(|views| !views.is_empty());
     let views = views.ok_or(CameraFileError::NoViews)?.iter().enumerate();
     let cameras = views.map(|(index, value)| view(index, value, folder));
     Ok(CameraFile::new(cameras.collect::<Result<_, _>>()?))
-}
-
-fn parse(text: &str) -> Result<Value, CameraFileError> {
-    let found = serde_json::from_str(text).map(|Distinct(value)| value);
-    found.map_err(|error| CameraFileError::Syntax {
-        line: error.line(),
-        format: "JSON",
-        problem: error.to_string(),
-    })
 }
 
 /// The camera of a file of its own.
@@ -99,7 +100,7 @@ impl Referred {
             Object::new(Some(view), "camera.", &value, &CAMERA)?.camera(SINGLE)?;
             return Ok(Self::Json(value));
         }
-        let file = camera::decode(&Storage::decode(bytes)?)?;
+        let file = opencv::decode(&Storage::decode(bytes)?)?;
         Ok(Self::Yaml(Box::new(file.one(None)?.clone())))
     }
 }

@@ -82,7 +82,7 @@ fn text(value: &impl Serialize) -> Result<String, CameraFileError> {
 
 impl Camera {
     fn new(camera: &NamedCamera) -> Result<Self, CameraFileError> {
-        let (intrinsics, skew) = camera.intrinsics_and_skew();
+        let (intrinsics, skew) = camera.intrinsics_and_skew()?;
         let [width, height] = camera.size.ok_or_else(|| CameraFileError::NoSize {
             name: camera.name.clone(),
         })?;

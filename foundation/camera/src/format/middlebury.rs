@@ -17,9 +17,8 @@ use std::collections::HashSet;
 use std::fmt::Write;
 use std::str::FromStr;
 
-use super::camera_file::{CameraFile, NamedCamera, Rectified};
+use super::camera_file::{CameraFile, NamedCamera, Rectified, SIDES};
 use super::error::{CameraFileError, Place, wrong_type};
-use super::rig::SIDES;
 use crate::Intrinsics;
 use crate::rig::{RectifiedRig, RigError};
 

@@ -1,72 +1,41 @@
-//! The nodes of a YAML file with their lines.
+//! YAML, also with the first line that OpenCV gives it.
 
 use std::collections::HashSet;
 
 use saphyr_parser::{Event, Parser, Span};
 
-use crate::format::error::{CameraFileError, Place, wrong_type};
-use crate::format::text::text;
+use crate::format::error::{CameraFileError, Place};
+use crate::format::node::{Content, DEPTH, Node, too_deep};
 
-/// How deeply lists and maps may be nested: files of cameras have four levels.
-const DEPTH: usize = 16;
-
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
-    /// From 1.
-    pub(super) line: usize,
-    pub(super) content: Content,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Content {
-    Scalar(String),
-    List(Vec<Node>),
-    Map(Vec<(String, Node)>),
-}
-
-impl Node {
-    /// The finite number that a value is.
-    pub(super) fn number(&self, name: &str) -> Result<f64, CameraFileError> {
-        let Content::Scalar(text) = &self.content else {
-            return Err(wrong_type(name, self.line, "a number"));
-        };
-        let number = match text.to_ascii_lowercase().as_str() {
-            ".nan" => f64::NAN,
-            ".inf" | "+.inf" => f64::INFINITY,
-            "-.inf" => f64::NEG_INFINITY,
-            other => other
-                .parse()
-                .map_err(|_| wrong_type(name, self.line, "a number"))?,
-        };
-        if number.is_finite() {
-            Ok(number)
-        } else {
-            Err(CameraFileError::NotFinite {
-                place: Place::on_line(self.line, name),
-                value: number,
-            })
-        }
-    }
-}
-
-/// The names and values of the map that a file is.
-pub(super) fn entries(bytes: &[u8]) -> Result<Vec<(String, Node)>, CameraFileError> {
-    let text = text(bytes)?;
-    if text.starts_with("<?xml") {
-        return Err(CameraFileError::Xml);
-    }
-    // `%YAML:1.0` is not a directive of YAML. As a comment it keeps its line.
-    let commented = text
-        .starts_with("%YAML")
-        .then(|| format!("#{}", &text[1..]));
-    let root = document(commented.as_deref().unwrap_or(text))?;
-    match root.map(|root| (root.line, root.content)) {
-        Some((_, Content::Map(entries))) => Ok(entries),
-        Some((line, _)) => Err(CameraFileError::Unsupported {
-            line,
+/// The names and values of the maps that the documents of a file are. Empty documents, as after the
+/// last `---` of a recorded message, are left out.
+pub(in crate::format) fn documents(
+    text: &str,
+) -> Result<Vec<Vec<(String, Node)>>, CameraFileError> {
+    // `%YAML:1.0` is not a directive of YAML, and stands within a file where two were joined. As a
+    // comment it keeps its line.
+    let is_directive = |line: &str| line.starts_with("%YAML");
+    let commented = text.lines().any(is_directive).then(|| {
+        let lines = text.split_inclusive('\n');
+        let lines = lines.map(|line| match is_directive(line) {
+            true => format!("#{}", &line[1..]),
+            false => line.to_owned(),
+        });
+        lines.collect::<String>()
+    });
+    let roots = roots(commented.as_deref().unwrap_or(text))?;
+    let maps = roots.into_iter().filter_map(|root| match root.content {
+        Content::Map(entries) => Some(Ok(entries)),
+        Content::Scalar(text) if text.is_empty() || text == "~" => None,
+        _ => Some(Err(CameraFileError::Unsupported {
+            line: root.line,
             problem: "not a map of names to values",
-        }),
-        None => Err(CameraFileError::Unsupported {
+        })),
+    });
+    let maps = maps.collect::<Result<Vec<_>, _>>()?;
+    match maps.is_empty() {
+        false => Ok(maps),
+        true => Err(CameraFileError::Unsupported {
             line: 1,
             problem: "there are no values",
         }),
@@ -89,9 +58,9 @@ enum OpenKind {
     },
 }
 
-/// The root of the only document; `None` for an empty text.
-fn document(text: &str) -> Result<Option<Node>, CameraFileError> {
-    let mut root = None;
+/// The roots of the documents.
+fn roots(text: &str) -> Result<Vec<Node>, CameraFileError> {
+    let mut roots = Vec::new();
     let mut open: Vec<Open> = Vec::new();
     for event in Parser::new_from_str(text) {
         let (event, span) = event.map_err(|error| CameraFileError::Syntax {
@@ -134,20 +103,14 @@ fn document(text: &str) -> Result<Option<Node>, CameraFileError> {
                     problem: "references to other values are not supported",
                 });
             }
-            Event::DocumentStart(_) if root.is_some() => {
-                return Err(CameraFileError::Unsupported {
-                    line,
-                    problem: "a second document begins here",
-                });
-            }
             _ => continue,
         };
         match open.last_mut() {
             Some(parent) => insert(parent, node)?,
-            None => root = Some(node),
+            None => roots.push(node),
         }
     }
-    Ok(root)
+    Ok(roots)
 }
 
 fn line_of(span: Span) -> usize {
@@ -156,10 +119,7 @@ fn line_of(span: Span) -> usize {
 
 fn begin(open: &mut Vec<Open>, line: usize, kind: OpenKind) -> Result<(), CameraFileError> {
     if open.len() == DEPTH {
-        return Err(CameraFileError::Unsupported {
-            line,
-            problem: "lists and maps are nested too deeply",
-        });
+        return Err(too_deep(line));
     }
     open.push(Open { line, kind });
     Ok(())

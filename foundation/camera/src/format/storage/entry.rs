@@ -1,7 +1,7 @@
 //! What a storage holds under a name.
 
 use super::matrix::Matrix;
-use super::tree::Node;
+use crate::format::node::Node;
 
 /// What a storage holds under a name.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Matrices of numbers.
 
-use super::tree::{Content, Node};
 use crate::format::error::{CameraFileError, Place, wrong_type};
+use crate::format::node::{Content, Node};
 
 /// Numbers in rows and columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,7 +116,15 @@ impl Matrix {
                 ))
             }
         };
-        let (rows, columns) = (size("rows")?, size("cols")?);
+        let (rows, columns) = match entry("sizes") {
+            Some((_, sizes)) => {
+                let sizes = Self::from_node(name, sizes)?;
+                // One dimension is a column; of more than two, the last ones are in one row.
+                let (rows, others) = sizes.values().split_first().unwrap_or((&0.0, &[]));
+                (*rows as usize, others.iter().product::<f64>() as usize)
+            }
+            None => (size("rows")?, size("cols")?),
+        };
         let channels = match entry("dt") {
             None => 1,
             Some((_, node)) => channels(node)
@@ -125,8 +133,13 @@ impl Matrix {
         let Some((_, data)) = entry("data") else {
             return Err(wrong_type(name, line, "a matrix with rows, cols and data"));
         };
-        let Content::List(items) = &data.content else {
-            return Err(wrong_type(name, data.line, "a matrix with a list of data"));
+        let items = match &data.content {
+            Content::List(items) => items.as_slice(),
+            // One number, as XML has it.
+            Content::Scalar(_) => std::slice::from_ref(data),
+            Content::Map(_) => {
+                return Err(wrong_type(name, data.line, "a matrix with a list of data"));
+            }
         };
         let values: Result<Vec<f64>, CameraFileError> =
             items.iter().map(|item| item.number(name)).collect();

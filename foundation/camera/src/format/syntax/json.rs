@@ -5,8 +5,20 @@ use std::fmt;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
+use crate::format::error::CameraFileError;
+
+/// The value of a text.
+pub(in crate::format) fn parse(text: &str) -> Result<Value, CameraFileError> {
+    let found = serde_json::from_str(text).map(|Distinct(value)| value);
+    found.map_err(|error| CameraFileError::Syntax {
+        line: error.line(),
+        format: "JSON",
+        problem: error.to_string(),
+    })
+}
+
 /// A value without repeated keys, of which a reader would take one in silence.
-pub(super) struct Distinct(pub(super) Value);
+struct Distinct(Value);
 
 impl<'de> Deserialize<'de> for Distinct {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -1,11 +1,12 @@
-//! The text of a file.
+//! The text of a file in YAML.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use super::Matrix;
 use super::entry::Entry;
-use super::tree::{Content, Node};
+use super::matrix::Matrix;
+use super::number::exact;
+use crate::format::node::{Content, Node};
 
 /// The column after which no number begins.
 const WIDTH: usize = 70;
@@ -48,7 +49,7 @@ fn push_matrix(text: &mut String, name: &str, matrix: &Matrix) {
             text.push_str("\n      ");
             column = 6;
         }
-        let number = number(*value);
+        let number = exact(*value);
         column += 1 + number.len();
         text.push(' ');
         text.push_str(&number);
@@ -81,29 +82,12 @@ fn push_node(text: &mut String, node: &Node) {
     }
 }
 
-/// A number with a point, as OpenCV writes elements of matrices: `0.` or 17 digits with an exponent
-/// of two digits or more.
-fn number(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        return format!("{value}.");
-    }
-    let text = format!("{value:.16e}");
-    let Some((mantissa, exponent)) = text.split_once('e') else {
-        return text;
-    };
-    let (sign, digits) = match exponent.strip_prefix('-') {
-        Some(digits) => ('-', digits),
-        None => ('+', exponent),
-    };
-    format!("{mantissa}e{sign}{digits:0>2}")
-}
-
 /// A number of its own: integers without a point.
-fn plain_number(value: f64) -> String {
+pub(super) fn plain_number(value: f64) -> String {
     if value.fract() == 0.0 && value.abs() < f64::from(i32::MAX) {
         format!("{value}")
     } else {
-        number(value)
+        exact(value)
     }
 }
 

@@ -1,0 +1,116 @@
+//! `nullcone camera calibrate`: one camera from pictures of a chessboard.
+
+use nullcone_shared_data::shared;
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{assert_failure, assert_success, json, nullcone, number};
+
+#[test]
+fn the_pictures_of_opencv_give_its_camera() {
+    let Some(pictures) = shared("data/vision/opencv") else {
+        return;
+    };
+    let pattern = pictures.join("left[01]*.jpg").display().to_string();
+    let folder = tempdir().unwrap();
+    let fixed = [
+        "camera",
+        "calibrate",
+        &pattern,
+        "--board",
+        "9x6",
+        "--square",
+        "0.025",
+    ];
+    let run = |more: &[&str]| {
+        let output = nullcone(folder.path(), [&fixed, more].concat());
+        assert_success(&output);
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let report = run(&["--out", "camera.yml", "--json", "--report", "page.html"]);
+    assert_eq!(number(&report, "/boards_used"), 13.0);
+    assert_eq!(report["lens"], "radial-tangential");
+    let rms = number(&report, "/rms_px");
+    assert!(rms < 0.2, "{rms}");
+    // Values and standard deviations by OpenCV's `findChessboardCornersSB` and
+    // `calibrateCameraExtended`, whose corners leave 0.235108 px.
+    for (index, (name, value, deviation)) in [
+        ("fx", 532.313_086, 0.524_612),
+        ("fy", 532.283_532, 0.549_641),
+        ("cx", 342.374_109, 0.555_637),
+        ("cy", 233.192_474, 0.615_212),
+        ("k1", -0.308_794, 0.006_458_98),
+        ("k2", 0.162_975, 0.049_167_6),
+        ("p1", 0.000_876_1, 0.000_133_434),
+        ("p2", 0.000_366_46, 0.000_167_307),
+        ("k3", -0.040_879_6, 0.104_167),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let found = &report["parameters"][index];
+        assert_eq!(found["name"], name);
+        let [found, own] = ["/value", "/deviation"].map(|key| number(found, key));
+        let apart = (found - value).abs() / deviation;
+        assert!(apart < 5.0, "{name}: {found}, not {value}");
+        // Deviations are as large as what remains.
+        let ratio = own / rms * 0.235_108 / deviation;
+        assert!((ratio - 1.0).abs() < 0.05, "{name}: ± {own}, {ratio}");
+    }
+    assert_eq!(report["verdict"], "good");
+    let views = report["views"].as_array().unwrap();
+    let all = views.iter().map(|view| number(view, "/rms_px"));
+    assert!(all.is_sorted_by(|a, b| a >= b));
+    let worst = views[0]["picture"].as_str().unwrap();
+    let worst = worst.rsplit_once('/').unwrap().1;
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    for part in [
+        "Residuals over the picture",
+        "Coverage",
+        "The worst boards",
+        "<svg",
+        "data:image/png",
+        worst,
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    let fisheye = run(&["--out", "f.yml", "--json", "--lens", "fisheye"]);
+    assert_eq!(fisheye["lens"], "fisheye");
+    // The camera is one that other commands read.
+    let line = ["camera", "convert", "camera.yml", "--out", "camera.xml"];
+    let camera = json(folder.path(), &line);
+    assert_eq!(
+        camera["cameras"][0]["focal_px"],
+        report["camera"]["focal_px"]
+    );
+    assert_eq!(camera["cameras"][0]["width_px"], 640);
+}
+
+#[test]
+fn pictures_that_do_not_belong_together_are_refused() {
+    let folder = tempdir().unwrap();
+    for (name, size) in [("a.pgm", "32 24"), ("b.pgm", "24 32"), ("c.pgm", "32 24")] {
+        let mut bytes = format!("P5 {size} 255\n").into_bytes();
+        bytes.extend([128; 32 * 24]);
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+    }
+    let run = |pictures: &str, more: &str| {
+        let line = format!("camera calibrate {pictures} --square 0.02 {more}");
+        nullcone(folder.path(), line.split_whitespace())
+    };
+    let usual = "--board 9x6 --out camera.yml";
+    assert_failure(
+        &run("*.pgm", usual),
+        &["32 × 24 pixels have a.pgm, c.pgm; 24 × 32 pixels have b.pgm"],
+    );
+    assert_failure(
+        &run("a.pgm c.pgm", usual),
+        &["in 0 of 2 pictures", "a.pgm: board not found"],
+    );
+    assert_failure(
+        &run("a.pgm", "--board 9x6 --out camera.png"),
+        &["camera.png", ".yml"],
+    );
+    let lens = run("a.pgm", "--board 9x6 --out camera.yml --lens wide");
+    assert_eq!(lens.status.code(), Some(2));
+}

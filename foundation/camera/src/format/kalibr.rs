@@ -1,0 +1,175 @@
+//! The `camchain.yaml` of kalibr.
+//!
+//! ```text
+//! cam0:
+//!   camera_model: pinhole
+//!   intrinsics: [525.25, 526.5, 319.5, 239.5]
+//!   distortion_model: radtan
+//!   distortion_coeffs: [-0.37, 0.24, 0.001, -0.002]
+//!   resolution: [640, 480]
+//! cam1:
+//!   T_cn_cnm1: [[1, 0, 0, -0.12], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+//!   …
+//! ```
+//!
+//! `intrinsics` are f_x, f_y, c_x and c_y; `radtan` has k1, k2, p1 and p2, and `equidistant` the
+//! four coefficients of a fisheye. `T_cn_cnm1` takes the frame of the camera before into that of
+//! this one, in metres. The world is the frame of the first camera, or, where there is no such
+//! chain, that of the inertial sensor, from which `T_cam_imu` leads. Models other than `pinhole`
+//! are refused.
+
+use std::fmt::Write;
+
+use ga_runtime::cga3::Motor;
+
+use super::camera_file::{CameraFile, NamedCamera};
+use super::error::CameraFileError;
+use super::fields::{first, lens, missing, named_lens, refused, rows, size, transform};
+use super::storage::{Storage, plain};
+use crate::{Intrinsics, LensModel};
+
+const CHAIN: &str = "T_cn_cnm1";
+const TO_SENSOR: &str = "T_cam_imu";
+const COEFFICIENTS: [&str; 2] = ["distortion_coeffs", "distortion_coefficients"];
+
+/// Whether there is a camera of kalibr.
+pub(super) fn is_chain(storage: &Storage) -> bool {
+    storage
+        .maps()
+        .iter()
+        .any(|(name, map)| is_camera(name, map))
+}
+
+fn is_camera(name: &str, map: &Storage) -> bool {
+    let has = ["camera_model", "intrinsics"].map(|key| map.has(key));
+    has == [true; 2] || (is_numbered(name) && has.contains(&true))
+}
+
+/// The cameras of a file.
+pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
+    let mut maps = storage.maps();
+    // Other maps, as of targets, are none of cameras.
+    maps.retain(|(name, map)| is_camera(name, map) || is_numbered(name));
+    let cameras = maps.iter().map(|(name, map)| camera(name, map));
+    let mut cameras = cameras.collect::<Result<Vec<_>, _>>()?;
+    let is_chain = maps.len() > 1 && maps.iter().skip(1).any(|(_, map)| map.has(CHAIN));
+    let mut world = Motor::default();
+    for (index, ((_, map), camera)) in maps.iter().zip(&mut cameras).enumerate() {
+        camera.pose = match (is_chain, index) {
+            (true, 0) => Some(world),
+            (true, _) => {
+                let step = transform(map, CHAIN)?.ok_or_else(|| missing(map, &[CHAIN]))?;
+                world = step * world;
+                Some(world)
+            }
+            (false, _) => transform(map, TO_SENSOR)?,
+        };
+    }
+    Ok(CameraFile::new(cameras))
+}
+
+/// Whether a name is `cam` with a number.
+fn is_numbered(name: &str) -> bool {
+    let number = name.strip_prefix("cam");
+    number.is_some_and(|number| number.parse::<usize>().is_ok())
+}
+
+fn camera(name: &str, map: &Storage) -> Result<NamedCamera, CameraFileError> {
+    match map.text("camera_model")? {
+        Some(model) if model != "pinhole" => {
+            return Err(CameraFileError::Model {
+                place: map.place("camera_model"),
+                found: model,
+                known: vec!["pinhole"],
+            });
+        }
+        _ => {}
+    }
+    let key = "intrinsics";
+    let values = map.list(key)?.ok_or_else(|| missing(map, &[key]))?;
+    let &[fx, fy, cx, cy] = values.as_slice() else {
+        return Err(CameraFileError::Shape {
+            place: map.place(key),
+            rows: values.len(),
+            columns: 1,
+            expected: "four: f_x, f_y, c_x and c_y",
+        });
+    };
+    let plain = Intrinsics::new([fx, fy], [cx, cy]);
+    let plain = plain.map_err(|error| refused(map.place(key), error))?;
+    let values = match first(map, &COEFFICIENTS) {
+        Some(key) => map.list(key)?.unwrap_or_default(),
+        None => Vec::new(),
+    };
+    let model = named_lens(map, "distortion_model")?;
+    if model.is_none() && !values.is_empty() {
+        return Err(missing(map, &["distortion_model"]));
+    }
+    let (lens, _) = lens(&values, model.or(Some(LensModel::Pinhole)))
+        .map_err(|error| refused(map.place(COEFFICIENTS[0]), error))?;
+    let size = size(map, &[], &["resolution"])?;
+    Ok(NamedCamera::new(name, plain.with_lens(lens)).with_size(size))
+}
+
+/// The text of a file.
+pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError> {
+    let mut text = String::new();
+    let has_poses = cameras.iter().all(|camera| camera.pose.is_some());
+    let mut before = None;
+    // Writing to a string does not fail.
+    for (index, camera) in cameras.iter().enumerate() {
+        let intrinsics = camera.intrinsics()?;
+        let lens = intrinsics.lens();
+        let coefficients = lens.coefficients();
+        let refuse = |what| CameraFileError::CannotHold {
+            format: "kalibr's camchain",
+            what,
+            name: camera.name.clone(),
+        };
+        if coefficients[4..].iter().any(|x| *x != 0.0) {
+            return Err(refuse("a distortion beyond k1, k2, p1 and p2"));
+        }
+        let model = match lens.model() {
+            LensModel::Fisheye => "equidistant",
+            LensModel::Pinhole | LensModel::RadialTangential => "radtan",
+        };
+        _ = writeln!(
+            text,
+            "cam{index}:\n  cam_overlaps: {:?}",
+            others(index, cameras.len())
+        );
+        if let (true, Some(pose)) = (has_poses, camera.pose) {
+            if let Some(before) = before {
+                _ = writeln!(text, "  {CHAIN}:");
+                let step: Motor<f64> = pose * Motor::reverse(before);
+                let last = [0.0, 0.0, 0.0, 1.0];
+                for row in rows(step).into_iter().chain([last]) {
+                    _ = writeln!(text, "  - {}", list(&row));
+                }
+            }
+            before = Some(pose);
+        }
+        let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
+        _ = writeln!(
+            text,
+            "  camera_model: pinhole\n  distortion_coeffs: {}\n  distortion_model: {model}\n  \
+             intrinsics: {}",
+            list(&coefficients[..4]),
+            list(&[fx, fy, cx, cy])
+        );
+        if let Some([width, height]) = camera.size {
+            _ = writeln!(text, "  resolution: [{width}, {height}]");
+        }
+        _ = writeln!(text, "  rostopic: /cam{index}/image_raw");
+    }
+    Ok(text)
+}
+
+fn others(index: usize, count: usize) -> Vec<usize> {
+    (0..count).filter(|other| *other != index).collect()
+}
+
+fn list(values: &[f64]) -> String {
+    let values: Vec<String> = values.iter().map(|value| plain(*value)).collect();
+    format!("[{}]", values.join(", "))
+}
