@@ -45,7 +45,12 @@ impl Person {
         let retarget = Retarget::new(&self.source, &self.skeleton, &Options::default()).unwrap();
         let locked = retarget.with_foot_locking(&FootLocking::new(UNIT)).unwrap();
         let last = self.source.frame_count() - 1;
-        assert!(locked.contacts().iter().all(|foot| foot.frames == (0..=last)));
+        assert!(
+            locked
+                .contacts()
+                .iter()
+                .all(|foot| foot.frames == (0..=last))
+        );
         assert_eq!(locked.contacts().len(), 2);
         let clip = retarget.clip(0..=last).unwrap();
         let poses = clip.frames().iter().enumerate().map(|(frame, pose)| {
@@ -135,7 +140,11 @@ fn soles_lie_flat_in_half_of_the_frames() {
         let once = person.rotated("LeftFoot", axis, 25.0, |frame| frame == 2);
         assert!(named(&once, kind).is_empty());
         let worst = person.rotated("LeftFoot", axis, 25.0, |frame| frame != 0);
-        let place = worst.iter().find(|fault| fault.kind() == kind).unwrap().place();
+        let place = worst
+            .iter()
+            .find(|fault| fault.kind() == kind)
+            .unwrap()
+            .place();
         assert!(place.frame != 0, "{worst:?}");
     }
     // A sole that is turned on the ground is flat.
@@ -202,10 +211,22 @@ fn other_faults_name_their_joints() {
     let Some(person) = Person::new() else { return };
     let head = person.rotated("Head", person.left(), 80.0, always);
     assert_eq!(named(&head, "head_off_trunk"), ["Head"]);
-    assert!(named(&person.rotated("Head", person.left(), 40.0, always), "head_off_trunk").is_empty());
+    assert!(
+        named(
+            &person.rotated("Head", person.left(), 40.0, always),
+            "head_off_trunk"
+        )
+        .is_empty()
+    );
     let stretched = person.moved("LeftHand", [0.0, 0.0, 2.0]);
     assert_eq!(named(&stretched, "bone_stretched"), ["LeftHand"]);
     let spins = person.rotated("LeftHand", UP, 90.0, |frame| frame == 2);
     assert_eq!(named(&spins, "rotation_too_fast"), ["LeftHand"]);
-    assert!(named(&person.rotated("LeftHand", UP, 90.0, always), "rotation_too_fast").is_empty());
+    assert!(
+        named(
+            &person.rotated("LeftHand", UP, 90.0, always),
+            "rotation_too_fast"
+        )
+        .is_empty()
+    );
 }

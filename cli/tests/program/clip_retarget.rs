@@ -430,7 +430,10 @@ fn what_another_format_leaves_out_of_the_target_is_listed() {
     // One mesh with its skin, and one animation of its own; joints have axes.
     let beside = ["meshes_left_out", "animations_left_out"];
     assert_eq!(left_out("man.clip"), beside);
-    assert_eq!(left_out("man.bvh"), [&beside[..], &["joint_axes_left_out"]].concat());
+    assert_eq!(
+        left_out("man.bvh"),
+        [&beside[..], &["joint_axes_left_out"]].concat()
+    );
     assert!(left_out("man.glb").is_empty());
 }
 
