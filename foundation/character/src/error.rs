@@ -10,7 +10,7 @@ use ga_camera::rig::RigError;
 use ga_camera::triangulation::TriangulationError;
 use ga_files::ReadError;
 use ga_image::file::FormatError as PictureFormatError;
-use ga_mesh::{FormatError, MeshError};
+use ga_mesh::{FileError, FormatError, MeshError};
 use ga_render::RenderError;
 use ga_render::sheet::SheetError;
 use ga_render::texture::TextureError;
@@ -91,6 +91,9 @@ pub enum CharacterError {
     /// The picture of a material cannot be read.
     #[error(transparent)]
     Texture(Box<TextureError>),
+    /// The file of a picture cannot be named from where the document is written.
+    #[error(transparent)]
+    Relocation(Box<FileError>),
     /// The node has no camera.
     #[error("node {node} has no camera")]
     NoCamera {

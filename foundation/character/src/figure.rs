@@ -6,7 +6,6 @@ use ga_anim::character::Character;
 use ga_anim::gltf::with_weights;
 use ga_image::plane::Plane;
 use ga_image::png;
-use ga_mesh::FileError;
 use ga_mesh::gltf::Document;
 
 use crate::error::CharacterError;
@@ -76,10 +75,11 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// [`FileError::Picture`] for a picture on another drive.
-    pub fn relocated(mut self, to: &Path) -> Result<Self, FileError> {
+    /// [`CharacterError::Relocation`] for a picture on another drive.
+    pub fn relocated(mut self, to: &Path) -> Result<Self, CharacterError> {
         if let (Some(document), Some(from)) = (&mut self.document, self.file.take()) {
-            *document = document.relocated(&from, to)?;
+            let relocated = document.relocated(&from, to);
+            *document = relocated.map_err(|error| CharacterError::Relocation(Box::new(error)))?;
             self.file = Some(to.to_path_buf());
         }
         Ok(self)

@@ -105,7 +105,7 @@ impl<W: Write + Seek> Writer<W> {
             let [width, height] = even(size);
             [width.min(height), width.max(height)]
         };
-        if short < 16 || short > 2160 || long > 3840 {
+        if !(16..=2160).contains(&short) || long > 3840 {
             return Err(VideoError::EncodedSize { size });
         }
         let [numerator, denominator] = rate.quotient().map(u32::from);
