@@ -130,6 +130,10 @@ impl<'a> GltfMotion<'a> {
     ///
     /// [`RecordingError::Unit`]; [`RecordingError::NoJoints`] where no nodes are given;
     /// [`MotionFileError::Shears`] and [`MotionFileError::Uneven`].
+    ///
+    /// # Panics
+    ///
+    /// When there is no such node.
     pub fn of_joints(
         player: &'a Player<'a>,
         nodes: &[usize],
@@ -139,7 +143,7 @@ impl<'a> GltfMotion<'a> {
         let mut is_moving = vec![false; document.nodes.len()];
         nodes.iter().for_each(|&node| is_moving[node] = true);
         let mut motion = Self::of_nodes(player, &is_moving, &bind_pose(player)?, metres_per_unit)?;
-        let is_morphed = |&node: &usize| motion.track_names(node).len() > 0;
+        let is_morphed = |&node: &usize| motion.track_names(node).next().is_some();
         motion.morphed = (0..document.nodes.len()).filter(is_morphed).collect();
         Ok(motion)
     }
@@ -365,7 +369,7 @@ impl<'a> GltfMotion<'a> {
     }
 
     /// The name of the track of each morph target of a node.
-    pub(super) fn track_names(&self, node: usize) -> impl ExactSizeIterator<Item = String> {
+    pub(super) fn track_names(&self, node: usize) -> impl Iterator<Item = String> {
         let document = self.player.document();
         let of_node = &document.nodes[node];
         let mesh = of_node.mesh.and_then(|mesh| document.meshes.get(mesh));
