@@ -229,6 +229,9 @@ fn of_shelves(u: f64, v: f64) -> [f64; 2] {
     [u + 4.0 + 3.0 * (v / 40.0).floor().clamp(0.0, 5.0), v]
 }
 
+/// Left and right view, the range of disparities, and the kinds of the faults.
+type Case<'a> = (&'a Plane<u8>, &'a Plane<u8>, [i32; 2], &'a [&'a str]);
+
 #[test]
 fn pairs_that_are_matched_badly_say_why() {
     let left = shelves(|u, v| [u, v]);
@@ -245,7 +248,7 @@ fn pairs_that_are_matched_badly_say_why() {
         ((mixed ^ mixed >> 13).wrapping_mul(2_246_822_519) >> 24) as u8
     });
     let grey = Plane::filled(320, 240, 90u8);
-    let cases: [(&Plane<u8>, &Plane<u8>, [i32; 2], &[&str]); 10] = [
+    let cases: [Case<'_>; 10] = [
         (&left, &right, [0, 32], &[]),
         (
             &right,

@@ -248,15 +248,9 @@ fn circles_are_not_fitted_along_the_border_of_the_picture() {
         // Through the centres of the outermost pixels, about half a pixel inside.
         assert!((circle.radius - 15.5).abs() < 0.4, "{centre:?}: {circle:?}");
         let ellipse = contour.ellipse.unwrap();
-        for axis in 0..2 {
-            assert!(
-                (circle.centre[axis] - centre[axis]).abs() < 0.4,
-                "{circle:?}"
-            );
-            assert!(
-                (ellipse.centre[axis] - centre[axis]).abs() < 1.5,
-                "{ellipse:?}"
-            );
+        for (axis, expected) in centre.into_iter().enumerate() {
+            assert!((circle.centre[axis] - expected).abs() < 0.4, "{circle:?}");
+            assert!((ellipse.centre[axis] - expected).abs() < 1.5, "{ellipse:?}");
         }
         let at_border = |[u, v]: &&[f64; 2]| *u == 0.0 || *v == 0.0 || *u == 79.0 || *v == 59.0;
         assert_eq!(
