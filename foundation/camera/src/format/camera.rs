@@ -2,7 +2,7 @@
 //!
 //! `camera_matrix` is K, `distortion_coefficients` are those of the lens in OpenCV's order,
 //! `image_width` and `image_height` the size of the pictures where it is known, and `fisheye_model`
-//! is 1 for a fisheye. Other names are [read](super::opencv) too.
+//! is 1 for a fisheye. Other names are read too.
 
 use super::storage::{Matrix, Storage};
 use crate::{Intrinsics, Lens, LensModel};

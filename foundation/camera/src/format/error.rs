@@ -109,9 +109,9 @@ pub enum CameraFileError {
         /// Its name.
         place: Place,
         /// The model.
-        found: String,
+        found: Box<str>,
         /// The models that are read.
-        known: Vec<&'static str>,
+        known: Box<[&'static str]>,
     },
     /// The format that is written cannot hold something without which the camera is another one.
     #[error("{format} cannot hold {what} of the camera {name:?}")]

@@ -128,7 +128,7 @@ pub(super) fn named_lens(
         Some((_, model)) => Ok(Some(*model)),
         None => Err(CameraFileError::Model {
             place: storage.place(key),
-            found: text,
+            found: text.into(),
             known: names.iter().map(|(known, _)| *known).collect(),
         }),
     }

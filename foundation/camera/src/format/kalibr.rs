@@ -79,8 +79,8 @@ fn camera(name: &str, map: &Storage) -> Result<NamedCamera, CameraFileError> {
         Some(model) if model != "pinhole" => {
             return Err(CameraFileError::Model {
                 place: map.place("camera_model"),
-                found: model,
-                known: vec!["pinhole"],
+                found: model.into(),
+                known: Box::new(["pinhole"]),
             });
         }
         _ => {}

@@ -3,7 +3,7 @@
 //! The names are those of OpenCV's `stereoCalibrate` and of its examples: `M1`, `D1`, `M2` and `D2`
 //! are K and the distortion of the left and the right camera, `R` and `T` the rotation and the
 //! translation in metres from the left camera to the right one, and the others those of
-//! [one camera](super::camera). Other names are [read](super::opencv) too.
+//! [one camera](super::camera). Other names are read too.
 
 use ga_runtime::cga3::Motor;
 

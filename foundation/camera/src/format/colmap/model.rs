@@ -80,11 +80,11 @@ pub(super) fn find(
         CameraFileError::Model {
             place,
             found: match (name, other) {
-                (Some(name), _) => name.to_owned(),
-                (None, Some((name, _))) => (*name).to_owned(),
-                (None, None) => number.to_string(),
+                (Some(name), _) => name.into(),
+                (None, Some((name, _))) => (*name).into(),
+                (None, None) => number.to_string().into(),
             },
-            known: MODELS.map(|model| model.name).to_vec(),
+            known: Box::new(MODELS.map(|model| model.name)),
         }
     })
 }
