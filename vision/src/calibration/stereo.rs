@@ -260,7 +260,7 @@ impl<'a> Rig<'a> {
         // One camera may see a board almost alike in two poses; both cameras tell which is right.
         let errors = [&found.state, &from_right].map(|state| found.pair_rms(state));
         for (pair, board) in from_right.boards.into_iter().enumerate() {
-            if errors[1][pair] < errors[0][pair] {
+            if errors[0][pair].is_finite() && errors[1][pair] < errors[0][pair] {
                 found.state.boards[pair] = board;
             }
         }
