@@ -51,6 +51,25 @@ pub enum ViewGeometryError {
         /// The root mean square of their distances from the line, in pixels.
         distance: f64,
     },
+    /// The pixels of a view are too near one place for their noise.
+    #[error(
+        "all pixels of the {view} view are within {distance} px of one place, which is too near"
+    )]
+    OnePlace {
+        /// Which view.
+        view: View,
+        /// The root mean square of their distances from the place, in pixels.
+        distance: f64,
+    },
+    /// The pairs determine a motion so badly that it is not worth its name.
+    #[error(
+        "the pairs of pixels determine the motion no better than to {degrees:.0}°: they are too near \
+         each other or too noisy, or the baseline is too short"
+    )]
+    Uncertain {
+        /// The standard deviation of the rotation or the direction, whichever is greater.
+        degrees: f64,
+    },
     /// A rotation alone explains the pairs: the cameras are in one place, or all points are so far
     /// away that the baseline does not show.
     #[error(

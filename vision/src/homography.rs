@@ -92,12 +92,12 @@ impl Homography {
     /// camera from the plane as its unit; with the opposite translation and the plane on the other
     /// side a motion has the same map.
     ///
-    /// A point x of the plane `n · x = 1` moves to `R x + t = (R + t nᵀ) x`, so that H is a multiple
-    /// of `R + t nᵀ`, which rotates the vectors across n and keeps their length. The vectors that H
-    /// makes neither longer nor shorter, beside its other singular values, are those of two planes
-    /// through its middle singular vector: each of them is across the normal of one solution (O. D.
-    /// Faugeras and F. Lustman, "Motion and structure from motion in a piecewise planar
-    /// environment", 1988). Both explain the views of the plane alike.
+    /// A point x of the plane `n · x = 1` moves to `R x + t = (R + t nᵀ) x`, so that H is a
+    /// multiple of `R + t nᵀ`, which rotates the vectors across n and keeps their length. The
+    /// vectors that H makes neither longer nor shorter, beside its other singular values, are those
+    /// of two planes through its middle singular vector: each of them is across the normal of one
+    /// solution (O. D. Faugeras and F. Lustman, "Motion and structure from motion in a piecewise
+    /// planar environment", 1988). Both explain the views of the plane alike.
     ///
     /// `None` where the cameras are in one place, which shows no plane.
     ///

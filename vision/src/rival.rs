@@ -2,14 +2,20 @@
 
 /// Whether observations do not tell an explanation from the one that is best, from the squared
 /// errors that both leave, observation by observation; `variance` is that of one of the
-/// `components` of an error of the best explanation.
+/// `components` of an error of the best explanation, and sums over errors vary by `correlation`
+/// times as much as if these were independent.
 ///
 /// The difference of the sums of squares is compared with its own standard deviation, which the
 /// differences of the single squares show (Q. H. Vuong, "Likelihood ratio tests for model selection
 /// and non-nested hypotheses", Econometrica 57, 1989). Noise alone does not make these vary by more
 /// than `4 · components · variance²`: what goes beyond speaks against the explanation. A difference
 /// of less than nine variances, a ratio of the likelihoods below e^4.5, never decides.
-pub(crate) fn is_rival(best: &[f64], other: &[f64], variance: f64, components: usize) -> bool {
+pub(crate) fn is_rival(
+    [best, other]: [&[f64]; 2],
+    variance: f64,
+    components: usize,
+    correlation: f64,
+) -> bool {
     /// The standard deviations within which explanations are equal.
     const DEVIATIONS: f64 = 3.0;
     /// The variances within which they are.
@@ -25,6 +31,7 @@ pub(crate) fn is_rival(best: &[f64], other: &[f64], variance: f64, components: u
     }
     let noise = 4.0 * components as f64 * variance * variance;
     let spread = (squares / count - (sum / count).powi(2)).clamp(0.0, noise);
-    let equal = (DEVIATIONS * (count * spread).sqrt()).max(VARIANCES * variance);
+    let equal = DEVIATIONS * (count * spread * correlation).sqrt();
+    let equal = equal.max(VARIANCES * variance * correlation);
     sum <= equal + count * ROUNDING
 }

@@ -198,3 +198,81 @@ fn views_with_too_little_texture_are_named() {
         assert_failure(&output, &[&parts, "6 pairs of pixels are needed"]);
     }
 }
+
+/// Two views of a plane with two motions: the camera moves towards an inclined wall. The second
+/// motion follows from the first: with H = R (I + τ nᵀ) and w = τ + |τ|²/2 n, the other normal is
+/// along w, and the other τ is |w| n − |τ|²/2 w/|w|.
+#[test]
+fn a_wall_that_two_motions_explain_is_ambiguous() {
+    let folder = views();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    // The wall n · x = 1, and a translation t in units of its distance, without a rotation.
+    let length = (0.3_f64 * 0.3 + 0.2 * 0.2 + 1.0).sqrt();
+    let n = [0.3, 0.2, 1.0].map(|x| x / length);
+    let t = [0.03, -0.02, -0.2];
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let wall = |u: usize, v: usize, t: [f64; 3]| {
+        let ray = [(u as f64 - 159.5) / 300.0, (v as f64 - 119.5) / 300.0, 1.0];
+        // A point x + t of the ray, with x on the wall.
+        let depth = (1.0 + dot(n, t)) / dot(n, ray);
+        texture(
+            300.0 * (depth * ray[0] - t[0]),
+            300.0 * (depth * ray[1] - t[1]),
+        )
+    };
+    write("a.pgm", &pgm(|u, v| wall(u, v, [0.0; 3])));
+    write("b.pgm", &pgm(|u, v| wall(u, v, t)));
+    let arguments = ["a.pgm", "b.pgm", "--camera", "k.yml"];
+    let output = pose(folder.path(), &[&arguments[..], &["--json"]].concat());
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["ambiguous"], true, "{report}");
+    assert_eq!(
+        report["alternatives"].as_array().unwrap().len(),
+        1,
+        "{report}"
+    );
+    assert_eq!(report["warnings"][0]["kind"], "ambiguous_motion");
+    let square = dot(t, t);
+    let w: [f64; 3] = std::array::from_fn(|k| t[k] + 0.5 * square * n[k]);
+    let size = dot(w, w).sqrt();
+    let in_left: [f64; 3] = std::array::from_fn(|k| size * n[k] - 0.5 * square * w[k] / size);
+    // Its direction in the frame of the right camera is H/(1 + τ'·n') of the left one.
+    let other = std::array::from_fn(|k| in_left[k] + t[k] * dot(n, in_left));
+    let is_found = |expected: [f64; 3]| {
+        let length = dot(expected, expected).sqrt();
+        let near = |found: &Value| {
+            let found = [0, 1, 2].map(|k| found[k].as_f64().unwrap());
+            dot(found, expected) > 0.9995 * length
+        };
+        near(&report["translation_direction"]) || near(&report["alternatives"][0]["direction"])
+    };
+    assert!(is_found(t) && is_found(other), "{other:?} {report}");
+    let output = pose(folder.path(), &arguments);
+    assert!(text(&output.stdout).contains("or translation along"));
+    assert!(text(&output.stderr).contains("another motion explains the views as well"));
+}
+
+/// Two views of one plane, whose second motion has a third of the points behind a camera.
+#[test]
+fn the_motion_with_all_points_in_front_is_taken() {
+    let case = "cases/vision/pose-planar-twofold";
+    let Some(path) = nullcone_shared_data::shared(case) else {
+        return;
+    };
+    let truth = std::fs::read_to_string(path.join("truth.json")).unwrap();
+    let truth: Value = serde_json::from_str(&truth).unwrap();
+    let output = pose(&path, &["a.png", "b.png", "--camera", "K.yml", "--json"]);
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let cosine: f64 = (0..3)
+        .map(|k| {
+            let found = number(&report, &format!("/translation_direction/{k}"));
+            found * number(&truth, &format!("/t_direction/{k}"))
+        })
+        .sum();
+    // A quarter of a degree.
+    assert!(cosine > 0.99999, "{report}");
+    assert_eq!(report["in_front"], report["inliers"]);
+    assert_eq!(report["ambiguous"], false);
+}

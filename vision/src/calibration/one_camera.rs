@@ -8,6 +8,7 @@ use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
 use crate::calibration::CalibrationError;
 use crate::homography::{Homography, in_plane};
+use crate::perspective_n_point;
 use ga_camera::frame::{Board, CameraFrame, Pose};
 use ga_camera::{CameraError, Intrinsics};
 use ga_numerics::least_squares::{Covariance, Loss, Minimum, Options, minimise};
@@ -50,6 +51,9 @@ pub struct CameraCalibration {
     pub rms: f64,
     /// The same for each view.
     pub view_rms: Vec<f64>,
+    /// The views whose board is seen as well, within noise, in another pose, as small or distant
+    /// boards are: their motors may be those of the other.
+    pub ambiguous: Vec<usize>,
 }
 
 impl CameraOptions {
@@ -123,6 +127,7 @@ pub fn calibrate_camera(
     if let Ok(found) = minimise(&bundle, state.clone(), &rough) {
         state = found.state;
     }
+    let ambiguous = choose_boards(views, places, &mut state);
     let minimum = minimise(&bundle, state, &Options::default())?;
     let covariance = covariance(&bundle, &minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
@@ -134,6 +139,7 @@ pub fn calibrate_camera(
         deviations,
         rms: (minimum.cost / (count * views.len() as f64)).sqrt(),
         view_rms: view_rms.collect(),
+        ambiguous,
         boards: minimum.state.boards.into_iter().map(Pose::new).collect(),
     })
 }
@@ -245,6 +251,28 @@ fn initial_boards(
         motion.ok_or(CalibrationError::View { view })
     };
     views.iter().enumerate().map(motor).collect()
+}
+
+/// Takes for each board the better of the two poses in which a plane is seen almost alike, and
+/// returns the views in which both explain the corners.
+fn choose_boards(
+    views: &[Vec<[f64; 2]>],
+    places: &[Point<f64>],
+    state: &mut BundleState,
+) -> Vec<usize> {
+    let camera = state.cameras[0];
+    let mut ambiguous = Vec::new();
+    for (view, (corners, board)) in views.iter().zip(&mut state.boards).enumerate() {
+        let options = perspective_n_point::Options::default();
+        // Where no pose is found, the search goes on from that of the homography.
+        if let Ok(found) = perspective_n_point::estimate(places, corners, &camera, &options) {
+            *board = found.world_to_camera;
+            if found.is_ambiguous() {
+                ambiguous.push(view);
+            }
+        }
+    }
+    ambiguous
 }
 
 /// Checks the corners of views of a board.

@@ -242,16 +242,29 @@ impl<'a> Rig<'a> {
             free: free.into(),
         };
         let rig = median_motion(&left, &right, places);
-        let state = BundleState {
+        let from_left = BundleState {
             cameras: vec![left.intrinsics, right.intrinsics],
             rig,
             boards: motors(&left.boards),
         };
-        Ok(Self {
+        let right_boards = motors(&right.boards).into_iter();
+        let from_right = BundleState {
+            boards: right_boards.map(|board| rig.reverse() * board).collect(),
+            ..from_left.clone()
+        };
+        let mut found = Self {
             bundle,
-            state,
+            state: from_left,
             deviations: [left.deviations, right.deviations],
-        })
+        };
+        // One camera may see a board almost alike in two poses; both cameras tell which is right.
+        let errors = [&found.state, &from_right].map(|state| found.pair_rms(state));
+        for (pair, board) in from_right.boards.into_iter().enumerate() {
+            if errors[0][pair].is_finite() && errors[1][pair] < errors[0][pair] {
+                found.state.boards[pair] = board;
+            }
+        }
+        Ok(found)
     }
 
     /// For each pair the root mean square distance of the corners of both views.

@@ -35,7 +35,8 @@ pub struct PerspectivePose {
     pub root_mean_square: f64,
     /// The covariance of a small motion that follows the pose, `exp(B) M`, with the rotation vector
     /// of B in radians and then its velocity of the origin in the unit of the points; to second
-    /// order, from the distances that remain. `None` where the points do not show their noise.
+    /// order, from the distances that remain. `None` for four points, and where the points that
+    /// agree do not show their noise.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other poses that explain the pixels as well, within noise: the best first, and each without
     /// alternatives of its own. A plane that is small against its distance is seen almost alike
@@ -65,9 +66,11 @@ impl PerspectivePose {
         const DEVIATIONS: f64 = 3.0;
         /// An angle in radians that may be rounding.
         const ROUNDING: f64 = 1e-6;
+        /// A deviation in radians where none is known.
+        const UNKNOWN: f64 = 1e-3;
         let [a, b] = [self, other].map(|pose| pose.world_to_camera.rotor());
         let (_, angle) = (a * b.reverse()).canonical().to_axis_angle();
-        angle <= DEVIATIONS * self.rotation_deviation().unwrap_or(0.0) + ROUNDING
+        angle <= DEVIATIONS * self.rotation_deviation().unwrap_or(UNKNOWN) + ROUNDING
     }
 }
 
@@ -147,7 +150,7 @@ pub fn estimate(
     let squares = |one: &Refined| problem.squares(one.minimum.state, search.threshold);
     let best_squares = squares(best);
     for rival in &minima[1..] {
-        if is_rival(&best_squares, &squares(rival), variance, 2) {
+        if is_rival([&best_squares, &squares(rival)], variance, 2, 1.0) {
             let rival = rival.pose(&problem, options.threshold);
             let is_known =
                 found.is_near(&rival) || found.alternatives.iter().any(|one| one.is_near(&rival));
@@ -228,19 +231,24 @@ struct Refined {
 }
 
 impl Refined {
+    /// The variance of a coordinate of a pixel, for the covariance of the pose.
+    fn variance(&self, threshold: Option<f64>) -> Option<f64> {
+        let selected = match threshold {
+            Some(threshold) => SelectedNoise::new(self.minimum.variance()?, threshold, 2)?.factor,
+            None => 1.0,
+        };
+        Some(selected * self.minimum.student_variance()?)
+    }
+
     fn pose(&self, problem: &Observed<'_>, threshold: Option<f64>) -> PerspectivePose {
         let selected = problem.selected(&self.inliers);
         let part = Observed {
             observations: &selected,
             ..*problem
         };
-        let variance = self.minimum.variance();
-        let variance = variance.and_then(|variance| match threshold {
-            Some(threshold) => Some(SelectedNoise::new(variance, threshold, 2)?.of_estimate),
-            None => Some(variance),
-        });
-        let covariance =
-            variance.and_then(|variance| self.minimum.curved_covariance(&part, variance));
+        let covariance = self
+            .variance(threshold)
+            .and_then(|variance| self.minimum.curved_covariance(&part, variance));
         let entries = |covariance: Covariance| {
             std::array::from_fn(|row| std::array::from_fn(|column| covariance.shared(row, column)))
         };

@@ -65,9 +65,9 @@ impl Bearing {
             .ok_or(CameraError::NotFinite(direction.coordinates()))
     }
 
-    /// Half the squared distance, in square pixels, of the pixel from that of another direction: the
-    /// least sum of squares by which the pixels of two views move onto each other. To first order
-    /// by the derivatives; infinite for a direction on the other side of the camera.
+    /// Half the squared distance, in square pixels, of the pixel from that of another direction:
+    /// the least sum of squares by which the pixels of two views move onto each other. To first
+    /// order by the derivatives; infinite for a direction on the other side of the camera.
     pub(super) fn half_squared_distance(&self, other: Vector<f64>) -> f64 {
         if other.dot(self.direction) <= 0.0 {
             return f64::INFINITY;

@@ -16,6 +16,8 @@ pub(super) struct Settled {
     pub(super) minimum: Minimum<Motor<f64>>,
     pub(super) inliers: Vec<usize>,
     pub(super) selected: Vec<BearingPair>,
+    /// Whether it is a motion of a plane that is a better model than points anywhere.
+    pub(super) is_of_plane: bool,
 }
 
 /// One of the four motions with the essential matrix of a minimum.
@@ -81,9 +83,24 @@ pub(super) fn candidates(pairs: &[BearingPair], search: &Search) -> (Vec<Settled
     }
     let cost = |one: &Settled| rate(pairs, search, one.minimum.state).unwrap_or(f64::INFINITY);
     let best = found.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let planar = best.map(|best| planar::motions(&best.selected, search));
-    for start in planar.unwrap_or_default() {
-        add(&mut found, settle(pairs, search, start));
+    let plane = best.and_then(|best| {
+        let plane = planar::plane(&best.selected, search)?;
+        let variance = best.minimum.variance().unwrap_or(0.0);
+        let is_of_plane = plane.is_preferred(best.minimum.cost, variance);
+        Some((plane.motions, is_of_plane))
+    });
+    for (start, is_of_plane) in plane
+        .iter()
+        .flat_map(|(motions, is)| motions.map(|m| (m, *is)))
+    {
+        let settled = settle(pairs, search, start);
+        add(
+            &mut found,
+            settled.map(|settled| Settled {
+                is_of_plane,
+                ..settled
+            }),
+        );
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     for (index, settled) in found.iter().enumerate() {
@@ -97,17 +114,17 @@ pub(super) fn candidates(pairs: &[BearingPair], search: &Search) -> (Vec<Settled
     (found, candidates)
 }
 
-/// Adds a minimum that is not among those found.
+/// Adds a minimum, unless it is among those found.
 fn add(found: &mut Vec<Settled>, settled: Option<Settled>) {
     /// Angles below which motions are equal, in radians.
-    const EQUAL: f64 = 1e-6;
-    let is_known = |new: &Settled| {
-        found
-            .iter()
-            .any(|other| are_near(new.minimum.state, other.minimum.state, [EQUAL; 2]))
-    };
-    let new = settled.filter(|new| !is_known(new));
-    found.extend(new);
+    const EQUAL: f64 = 1e-5;
+    let Some(new) = settled else { return };
+    let motor = new.minimum.state;
+    let mut known = found.iter_mut();
+    match known.find(|other| are_near(motor, other.minimum.state, [EQUAL; 2])) {
+        Some(other) => other.is_of_plane |= new.is_of_plane,
+        None => found.push(new),
+    }
 }
 
 /// Whether two motions have nearly one epipolar geometry: angles between their rotations and
@@ -190,6 +207,7 @@ fn settle(pairs: &[BearingPair], search: &Search, start: Motor<f64>) -> Option<S
             minimum,
             inliers,
             selected,
+            is_of_plane: false,
         };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, settled));

@@ -16,19 +16,27 @@ pub(super) fn check_finite(pairs: &[PixelPair]) -> Result<(), ViewGeometryError>
     Ok(())
 }
 
-/// Refuses pixels whose root mean square distance from one line is not above a limit in pixels, or
-/// above rounding.
-pub(super) fn check_lines(pairs: &[PixelPair], limit: f64) -> Result<(), ViewGeometryError> {
+/// Refuses pixels whose root mean square distance from one line is not above their noise in pixels,
+/// or above rounding, and pixels that are near one place for their noise.
+pub(super) fn check_lines(pairs: &[PixelPair], noise: f64) -> Result<(), ViewGeometryError> {
+    /// Within so many deviations of their noise, pixels seem to determine what they do not.
+    const PLACE: f64 = 20.0;
     for view in [View::Left, View::Right] {
         let pixel = |pair: &PixelPair| match view {
             View::Left => pair.left,
             View::Right => pair.right,
         };
         let [along, across] = extents(pairs.iter().map(pixel));
-        if across <= limit.max(1e-9 * along) {
+        if across <= noise.max(1e-9 * along) {
             return Err(ViewGeometryError::Collinear {
                 view,
                 distance: across,
+            });
+        }
+        if along <= PLACE * noise {
+            return Err(ViewGeometryError::OnePlace {
+                view,
+                distance: along.hypot(across),
             });
         }
     }

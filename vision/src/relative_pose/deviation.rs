@@ -8,43 +8,53 @@ use crate::feature::PixelPair;
 use ga_numerics::least_squares::{Covariance, Minimum};
 use ga_numerics::ransac::SelectedNoise;
 
-/// Pairs that differ by no more than this in both views, in pixels, show one corner and have one
-/// error.
-const REACH: f64 = 2.0;
+/// Distances of corners in the left view up to which their errors may be alike, in pixels: the
+/// pictures of their surroundings overlap.
+const REACH: f64 = 16.0;
 
 /// The covariance of the twist that follows a motion, from the distances of the pairs that a
-/// threshold has kept. `None` where there are no more pairs than unknowns, or they do not determine
-/// the motion or their noise.
+/// threshold has kept. `None` for up to seven pairs, and where they do not determine the motion or
+/// their noise.
 pub(super) fn covariance(
     problem: &SampsonCost<'_>,
     minimum: &Minimum<Motor<f64>>,
     pixels: &[PixelPair],
     threshold: f64,
 ) -> Option<[[f64; 6]; 6]> {
-    let noise = SelectedNoise::new(minimum.variance()?, threshold, 1)?;
-    let repeated = pixels.len() as f64 / corners(pixels) as f64;
-    let covariance = minimum.curved_covariance(problem, noise.of_estimate * repeated)?;
+    let selected = SelectedNoise::new(minimum.variance()?, threshold, 1)?.factor;
+    let correlation = correlation(problem, minimum.state, pixels);
+    let variance = minimum.student_variance()? * selected * correlation;
+    let covariance = minimum.curved_covariance(problem, variance)?;
     Some(of_twist(&covariance, minimum.state))
 }
 
-/// How many corners pairs show, where one may have been found in several scales of the views.
-fn corners(pixels: &[PixelPair]) -> usize {
-    let mut order: Vec<&PixelPair> = pixels.iter().collect();
-    order.sort_by(|a, b| a.left[0].total_cmp(&b.left[0]));
-    let mut chosen: Vec<&PixelPair> = Vec::new();
-    for pair in order {
-        let nearby = chosen.iter().rev();
-        let mut nearby = nearby.take_while(|other| pair.left[0] - other.left[0] <= REACH);
-        let is_same = |other: &&PixelPair| {
-            let [[u, v], [x, y]] = [pair.left, pair.right];
-            let [[a, b], [c, d]] = [other.left, other.right];
-            (u - a).hypot(v - b) <= REACH && (x - c).hypot(y - d) <= REACH
-        };
-        if !nearby.any(is_same) {
-            chosen.push(pair);
+/// By how much sums over the pairs vary more than those of independent errors, 1 or more: the sum
+/// of the products of the distances of neighbouring pairs over the sum of their squares (T. G.
+/// Conley, "GMM estimation with cross sectional dependence", Journal of Econometrics 92, 1999). The
+/// errors of corners that are near each other, or of one corner in several scales, are alike.
+pub(super) fn correlation(
+    problem: &SampsonCost<'_>,
+    motor: Motor<f64>,
+    pixels: &[PixelPair],
+) -> f64 {
+    let distances = problem.pairs.iter().map(|one| one.sampson_distance(motor));
+    let mut placed: Vec<([f64; 2], f64)> =
+        pixels.iter().map(|one| one.left).zip(distances).collect();
+    placed.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+    let (mut products, mut squares) = (0.0, 0.0);
+    for (index, (place, distance)) in placed.iter().enumerate() {
+        squares += distance * distance;
+        let before = placed[..index].iter().rev();
+        for (other, other_distance) in before.take_while(|one| place[0] - one.0[0] <= REACH) {
+            if (place[0] - other[0]).hypot(place[1] - other[1]) <= REACH {
+                products += distance * other_distance;
+            }
         }
     }
-    chosen.len()
+    match squares > 0.0 {
+        true => (1.0 + 2.0 * products / squares).max(1.0),
+        false => 1.0,
+    }
 }
 
 /// The covariance of a twist, from that of a rotation and two coordinates across the translation.

@@ -82,12 +82,11 @@ pub struct RelativePose {
     pub root_mean_square: f64,
     /// The covariance of a small motion that follows the result, `exp(B) M`, with the rotation
     /// vector of B in radians and then its velocity of the origin, which is across the translation;
-    /// to second order, from the distances that remain. `None` where there are no more than five
-    /// pairs, or the threshold is too small against the noise for the pairs to show it. Pairs that
-    /// show one corner, as those that [`match_views`](crate::feature::match_views) finds in several
-    /// scales, count once. The errors are normally distributed with it; for few pairs, n, the
-    /// region that contains 95 % of them is that of the F distribution with 5 and n − 5 degrees of
-    /// freedom.
+    /// to second order, from the distances that remain. `None` for up to seven pairs, and where the
+    /// threshold is too small against the noise for the pairs to show it. The errors
+    /// of neighbouring pairs may be alike, as those of a corner that
+    /// [`match_views`](crate::feature::match_views) finds in several scales: it is greater by as
+    /// much as their distances are.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other motions that explain the pairs as well, within noise, with points in front of both
     /// cameras: the best first, and each without alternatives of its own. Two views of a plane
@@ -142,8 +141,9 @@ pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &In
 /// explain them as well, they are its [alternatives](RelativePose::alternatives).
 ///
 /// # Errors
-/// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite or on one line, a
-/// rotation alone explains the pairs, or too few of them agree.
+/// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite, on one line or near one
+/// place, a rotation alone explains the pairs, too few of them agree, or the motion is not determined
+/// to half a radian.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -200,6 +200,8 @@ pub fn estimate_from_bearings(
 ) -> Result<RelativePose, ViewGeometryError> {
     /// Five pairs have up to ten solutions; a sixth selects one of them.
     const NEEDED: usize = 6;
+    /// Standard deviations in radians above which a motion is not determined.
+    const UNCERTAIN: f64 = 0.5;
     if pixels.len() != pairs.len() {
         return Err(ViewGeometryError::Counts {
             pixels: pixels.len(),
@@ -223,13 +225,14 @@ pub fn estimate_from_bearings(
     };
     let (minima, candidates) = candidates(pairs, &search);
     let Some(best) = candidates.first() else {
-        check_rotation(pairs, &search, NEEDED, f64::INFINITY)?;
+        rotation::check(pairs, &search, NEEDED, f64::INFINITY)?;
         return Err(ViewGeometryError::Undetermined);
     };
     let Settled {
         minimum,
         inliers,
         selected,
+        ..
     } = &minima[best.settled];
     if !degenerate::is_consensus(pixels, inliers.len(), options.threshold) {
         return Err(ViewGeometryError::NoConsensus {
@@ -240,25 +243,62 @@ pub fn estimate_from_bearings(
     let agreeing: Vec<PixelPair> = inliers.iter().map(|&k| pixels[k]).collect();
     degenerate::check_lines(&agreeing, minimum.root_mean_square())?;
     let variance = minimum.variance().unwrap_or(f64::INFINITY);
-    check_rotation(selected, &search, inliers.len(), variance)?;
+    rotation::check(selected, &search, inliers.len(), variance)?;
     if 2 * best.in_front <= inliers.len() {
         return Err(ViewGeometryError::Behind {
             in_front: best.in_front,
             pairs: inliers.len(),
         });
     }
-    let pose = |one: &Candidate| RelativePose::new(one, &minima[one.settled], pixels, options);
-    let mut found = pose(best).ok_or(ViewGeometryError::Undetermined)?;
-    for rival in &candidates[1..] {
-        let is_front = 2 * rival.in_front > minima[rival.settled].inliers.len();
-        if is_front && is_rival(&best.squares, &rival.squares, variance, 1) {
-            let rival = pose(rival).filter(|rival| !found.is_near(rival));
-            let known = &found.alternatives;
-            let rival = rival.filter(|rival| !known.iter().any(|one| one.is_near(rival)));
-            found.alternatives.extend(rival);
+    let found = RelativePose::new(best, &minima[best.settled], pixels, options);
+    let mut found = found.ok_or(ViewGeometryError::Undetermined)?;
+    let deviations = [found.rotation_deviation(), found.direction_deviation()];
+    let deviation = deviations.into_iter().flatten().fold(0.0, f64::max);
+    if deviation > UNCERTAIN {
+        return Err(ViewGeometryError::Uncertain {
+            degrees: deviation.to_degrees(),
+        });
+    }
+    found.alternatives = alternatives(&found, &minima, &candidates, pixels, options);
+    Ok(found)
+}
+
+/// The candidates that explain the pairs as well as the first one, in another way.
+fn alternatives(
+    found: &RelativePose,
+    minima: &[Settled],
+    candidates: &[Candidate],
+    pixels: &[PixelPair],
+    options: &Options,
+) -> Vec<RelativePose> {
+    /// The part of the pairs that are in front of both cameras for each motion of a plane.
+    const IN_FRONT: f64 = 0.95;
+    let mut alternatives: Vec<RelativePose> = Vec::new();
+    let [best, others @ ..] = candidates else {
+        return alternatives;
+    };
+    let first = &minima[best.settled];
+    let variance = first.minimum.variance().unwrap_or(0.0);
+    let agreeing: Vec<PixelPair> = first.inliers.iter().map(|&k| pixels[k]).collect();
+    let problem = SampsonCost {
+        pairs: &first.selected,
+    };
+    let correlation = deviation::correlation(&problem, first.minimum.state, &agreeing);
+    for other in others {
+        let settled = &minima[other.settled];
+        let part = other.in_front as f64 / settled.inliers.len() as f64;
+        let is_twofold = first.is_of_plane && settled.is_of_plane && part >= IN_FRONT;
+        let squares: [&[f64]; 2] = [&best.squares, &other.squares];
+        let is_equal = part > 0.5 && is_rival(squares, variance, 1, correlation);
+        if (is_twofold || is_equal)
+            && let Some(pose) = RelativePose::new(other, settled, pixels, options)
+            && !found.is_near(&pose)
+            && !alternatives.iter().any(|known| known.is_near(&pose))
+        {
+            alternatives.push(pose);
         }
     }
-    Ok(found)
+    alternatives
 }
 
 impl RelativePose {
@@ -296,36 +336,12 @@ impl RelativePose {
         const DEVIATIONS: f64 = 3.0;
         /// Angles in radians that may be rounding.
         const ROUNDING: f64 = 1e-6;
+        /// A deviation in radians where none is known.
+        const UNKNOWN: f64 = 1e-3;
         let motors = [self, other].map(|pose| pose.left_to_right.motor);
         let angles = angles_between(motors[0], motors[1]);
         let deviations = [self.rotation_deviation(), self.direction_deviation()];
         let mut pairs = angles.into_iter().zip(deviations);
-        pairs.all(|(angle, one)| angle <= DEVIATIONS * one.unwrap_or(0.0) + ROUNDING)
+        pairs.all(|(angle, one)| angle <= DEVIATIONS * one.unwrap_or(UNKNOWN) + ROUNDING)
     }
-}
-
-/// Refuses pairs that a rotation explains about as well as a motion with a translation.
-fn check_rotation(
-    pairs: &[BearingPair],
-    search: &Search,
-    agreeing: usize,
-    variance: f64,
-) -> Result<(), ViewGeometryError> {
-    /// The part of the pairs that must agree with the rotation.
-    const PART: f64 = 0.9;
-    /// Variances whose quotient is below this are about equal.
-    const RATIO: f64 = 2.0;
-    /// The standard deviation, in pixels, that rounding may cause.
-    const ROUNDING: f64 = 1e-7;
-    let Some(fit) = rotation::fit_rotation(pairs, search) else {
-        return Ok(());
-    };
-    let explains_most = fit.inliers as f64 >= PART * agreeing as f64;
-    if explains_most && fit.variance < RATIO * variance.max(ROUNDING * ROUNDING) {
-        return Err(ViewGeometryError::PureRotation {
-            rotation_rms: fit.variance.sqrt(),
-            motion_rms: variance.sqrt(),
-        });
-    }
-    Ok(())
 }

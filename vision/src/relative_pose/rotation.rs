@@ -3,18 +3,45 @@
 use ga_runtime::cga3::{Direction, Rotor};
 
 use super::sampson::BearingPair;
+use crate::geometry_error::ViewGeometryError;
 use ga_numerics::ransac::{Consensus, Search};
 
+/// Refuses pairs that a rotation explains about as well as a motion with a translation.
+pub(super) fn check(
+    pairs: &[BearingPair],
+    search: &Search,
+    agreeing: usize,
+    variance: f64,
+) -> Result<(), ViewGeometryError> {
+    /// The part of the pairs that must agree with the rotation.
+    const PART: f64 = 0.9;
+    /// Variances whose quotient is below this are about equal.
+    const RATIO: f64 = 2.0;
+    /// The standard deviation, in pixels, that rounding may cause.
+    const ROUNDING: f64 = 1e-7;
+    let Some(fit) = fit_rotation(pairs, search) else {
+        return Ok(());
+    };
+    let explains_most = fit.inliers as f64 >= PART * agreeing as f64;
+    if explains_most && fit.variance < RATIO * variance.max(ROUNDING * ROUNDING) {
+        return Err(ViewGeometryError::PureRotation {
+            rotation_rms: fit.variance.sqrt(),
+            motion_rms: variance.sqrt(),
+        });
+    }
+    Ok(())
+}
+
 /// The rotation that explains most pairs.
-pub(super) struct RotationFit {
+struct RotationFit {
     /// How many pairs agree with it.
-    pub(super) inliers: usize,
+    inliers: usize,
     /// The variance of a pixel coordinate that they show.
-    pub(super) variance: f64,
+    variance: f64,
 }
 
 /// The rotation that explains most pairs. `None` where no two pairs determine one.
-pub(super) fn fit_rotation(pairs: &[BearingPair], search: &Search) -> Option<RotationFit> {
+fn fit_rotation(pairs: &[BearingPair], search: &Search) -> Option<RotationFit> {
     let problem = Rotations(pairs);
     // An error has two components here and one in the epipolar geometry.
     let search = Search {

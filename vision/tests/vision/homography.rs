@@ -1,7 +1,10 @@
 //! Homographies against the maps that made the pairs.
 
+use ga_runtime::cga3::Motor;
 use ga_vision::homography::Homography;
+use nullcone_shared_data::json::{matrix, numbers, rows};
 use proptest::prelude::*;
+use serde_json::Value;
 
 /// The image of a place by a matrix with 1 in its last entry.
 fn mapped(m: &[f64; 8], [x, y]: [f64; 2]) -> [f64; 2] {
@@ -40,6 +43,45 @@ proptest! {
         let (found, truth) = (found.apply(other).unwrap(), mapped(&map, other));
         prop_assert!((found[0] - truth[0]).hypot(found[1] - truth[1]) < 1e-7);
     }
+}
+
+/// With either sign of a translation.
+#[test]
+fn the_motions_of_a_plane_are_those_of_opencv() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/data/homography_motions.json"
+    );
+    let text = std::fs::read_to_string(path).unwrap();
+    let records: Value = serde_json::from_str(&text).unwrap();
+    let records = records.as_array().unwrap();
+    assert_eq!(records.len(), 6);
+    for record in records {
+        let [directions, images] = ["directions", "images"].map(|key| rows::<2>(&record[key]));
+        let seen = Homography::from_pairs(&directions, &images).unwrap();
+        let found = seen.motions().unwrap();
+        for expected in record["motions"].as_array().unwrap() {
+            let (rotation, t) = (
+                matrix(&expected["rotation"]),
+                numbers::<3>(&expected["translation"]),
+            );
+            let is_equal = |motor: &Motor<f64>| {
+                let apart = |found: &[f64], expected: &[f64], sign: f64| -> f64 {
+                    let pairs = found.iter().zip(expected);
+                    pairs.map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max)
+                };
+                let turned = motor.rotor().to_matrix();
+                let moved = motor.translator().displacement();
+                apart(turned.as_flattened(), rotation.as_flattened(), 1.0) < 1e-9
+                    && apart(&moved, &t, 1.0).min(apart(&moved, &t, -1.0)) < 1e-9
+            };
+            assert!(found.iter().any(is_equal), "{found:?} {expected}");
+        }
+    }
+    // A rotation alone shows no plane.
+    let turned = PLACES.map(|[x, y]| [-y, x]);
+    let seen = Homography::from_pairs(&PLACES, &turned).unwrap();
+    assert_eq!(seen.motions(), None);
 }
 
 #[test]

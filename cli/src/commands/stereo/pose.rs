@@ -31,11 +31,11 @@ use crate::frame::{self, Command, Context, Warning};
 /// "cameras": […, …], "pairs": …, "pairs_outside_field": …, "inliers": …, "in_front": …,
 /// "rms_px": …, "ambiguous": …, "alternatives": [{"rotation": …, "direction": …, …}, …],
 /// "seconds": …}. The matrix is given by rows, and axis and direction have length 1. The deviations
-/// are standard deviations of the result, estimated from what remains; a corner that is matched in
-/// several scales counts once. pairs counts the matched corners, pairs_outside_field those of them
-/// that are left out because the distortion of a lens cannot be inverted there, inliers those that
-/// agree with the motion, and rms_px is the root mean square of their distances from the epipolar
-/// condition. Equal seeds give equal results.
+/// are standard deviations of the result, estimated from what remains; they are larger where the
+/// errors of neighbouring corners are alike. pairs counts the matched corners, pairs_outside_field
+/// those of them that are left out because the distortion of a lens cannot be inverted there,
+/// inliers those that agree with the motion, and rms_px is the root mean square of their distances
+/// from the epipolar condition. Equal seeds give equal results.
 ///
 /// Two views of a plane often have two motions that explain them alike. Then ambiguous is true, a
 /// warning says so, and alternatives has the others: the matrix of the rotation, the direction of

@@ -11,12 +11,17 @@ use super::covariance::Covariance;
 /// (JᵀWJ)⁻¹`. Where one direction is determined far worse than the others, as the direction of a
 /// translation beside a rotation that shows almost the same, the valley of the cost along it bends,
 /// and errors leave the thin ellipsoid. In coordinates y in which the ellipsoid is the unit ball
-/// the cost is `variance · (|y|² + T(y, y, y)/3 + …)`. The valley is then at `y = s + B(s, s)` with
-/// `B = −T/2`, and normally distributed s give y the second moments
+/// the cost is `variance · (|y|² + T(y, y, y)/3 + …)`, and what is as likely as the cost says has
+/// the second moments about the minimum (L. Tierney and J. B. Kadane, "Accurate approximations for
+/// posterior moments and marginal densities", 1986)
 ///
 /// ```text
-/// I + (Σᵢ Bᵢᵢ)(Σᵢ Bᵢᵢ)ᵀ + 2 Σᵢⱼ Bᵢⱼ Bᵢⱼᵀ
+/// I + (Σᵢ Bᵢᵢ)(Σᵢ Bᵢᵢ)ᵀ + 2 Σᵢⱼ Bᵢⱼ Bᵢⱼᵀ + …,   B = −T/2
 /// ```
+///
+/// The terms that are left out contain fourth derivatives and the bend along a direction itself;
+/// together they make the moments smaller along the valley, so that what is returned is rather too
+/// large there.
 ///
 /// The numbers of T are differences of the cost between places that are one standard deviation
 /// away along one to three of the axes. `None` where there is no covariance to first order, or no

@@ -96,6 +96,16 @@ impl<State> Minimum<State> {
         (redundancy > 0).then(|| self.cost / redundancy as f64)
     }
 
+    /// The variance of a component of a residual as it is known from few: that of Student's t
+    /// distribution with ν degrees of freedom for an estimated variance of 1, ν/(ν − 2), times
+    /// [`variance`](Self::variance), with ν = residuals − unknowns. `None` for ν up to 2.
+    #[must_use]
+    pub fn student_variance(&self) -> Option<f64> {
+        let redundancy = self.residuals.checked_sub(self.unknowns + 2)?;
+        let factor = (redundancy + 2) as f64 / redundancy as f64;
+        Some(factor * self.variance().filter(|_| redundancy > 0)?)
+    }
+
     /// The covariance of the unknowns, to first order, for independent errors of the residuals'
     /// components with a variance: `variance · (JᵀWJ)⁻¹`. `None` where the residuals do not
     /// determine the unknowns.
@@ -105,10 +115,9 @@ impl<State> Minimum<State> {
     }
 
     /// The covariance of the unknowns to second order, for a problem without groups: it also holds
-    /// where the valley of the cost bends within a standard deviation. For normally distributed
-    /// errors of the unknowns to first order, their second moments about the minimum, as third
-    /// derivatives of the cost change them. `None` where the residuals do not determine the
-    /// unknowns, or do not exist one standard deviation away.
+    /// where the valley of the cost bends within a standard deviation. It is the second moments
+    /// about the minimum, as third derivatives of the cost enlarge them. `None` where the residuals
+    /// do not determine the unknowns, or do not exist one standard deviation away.
     #[must_use]
     pub fn curved_covariance<P: Problem<State = State>>(
         &self,

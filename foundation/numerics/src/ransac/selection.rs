@@ -20,7 +20,7 @@
 /// // A threshold of two standard deviations: kept errors have 0.774 of the variance.
 /// let noise = SelectedNoise::new(0.774, 2.0, 1).unwrap();
 /// assert!((noise.variance - 1.0).abs() < 1e-3);
-/// assert!((noise.of_estimate - 0.774 / 0.774_f64.powi(2)).abs() < 1e-3);
+/// assert!((noise.factor - 0.774_f64.powi(-2)).abs() < 1e-2);
 /// // Errors that are spread evenly up to the threshold do not show how large they were.
 /// assert!(SelectedNoise::new(4.0 / 3.0, 2.0, 1).is_none());
 /// ```
@@ -28,8 +28,9 @@
 pub struct SelectedNoise {
     /// The variance σ² of a component before the selection.
     pub variance: f64,
-    /// The variance with which least squares of what is kept have the right covariance.
-    pub of_estimate: f64,
+    /// By how much the covariance of an estimate is greater than that of least squares with the
+    /// mean square of what is kept.
+    pub factor: f64,
 }
 
 impl SelectedNoise {
@@ -52,7 +53,7 @@ impl SelectedNoise {
         if wanted <= quotient(GREATEST) {
             return Some(Self {
                 variance: mean_square,
-                of_estimate: mean_square,
+                factor: 1.0,
             });
         }
         let [mut low, mut high] = [LEAST, GREATEST];
@@ -66,7 +67,7 @@ impl SelectedNoise {
         let part = part(low);
         Some(Self {
             variance: mean_square / part,
-            of_estimate: mean_square / (part * part),
+            factor: (part * part).recip(),
         })
     }
 }

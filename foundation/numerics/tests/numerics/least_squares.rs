@@ -240,3 +240,40 @@ fn a_wall_is_not_a_minimum() {
         "{found:?}"
     );
 }
+
+/// A valley along the parabola y = x², of the width w: x has the variance 1, and y the second
+/// moment w² + E[x⁴] = w² + 3. To first order the moment of y is w² alone.
+struct Parabola {
+    width: f64,
+}
+
+impl Problem for Parabola {
+    type State = [f64; 2];
+
+    fn columns(&self) -> Columns {
+        Columns::dense(2)
+    }
+
+    fn evaluate(&self, [x, y]: &[f64; 2], equations: &mut Equations) -> Option<()> {
+        equations.add([*x], &[(0, [1.0])]);
+        let across = (y - x * x) / self.width;
+        let derivatives = [(0, [-2.0 * x / self.width]), (1, [1.0 / self.width])];
+        equations.add([across], &derivatives);
+        Some(())
+    }
+
+    fn stepped(&self, [x, y]: &[f64; 2], step: &[f64]) -> Option<[f64; 2]> {
+        Some([x + step[0], y + step[1]])
+    }
+}
+
+#[test]
+fn a_valley_that_bends_is_wider_than_it_is_across() {
+    let problem = Parabola { width: 0.5 };
+    let minimum = minimise(&problem, [0.0, 0.0], &Options::default()).unwrap();
+    let first = minimum.covariance(1.0).unwrap();
+    assert!((first.shared(1, 1) - 0.25).abs() < 1e-12);
+    let curved = minimum.curved_covariance(&problem, 1.0).unwrap();
+    assert!((curved.shared(1, 1) - 3.25).abs() < 1e-9);
+    assert!(curved.shared(0, 1).abs() < 1e-9 && curved.shared(0, 0) >= 1.0);
+}

@@ -5,7 +5,7 @@ use ga_runtime::cga3::{Motor, MotorGenerator, Point};
 use ga_vision::perspective_n_point::{Options, PerspectivePose, estimate};
 
 use super::super::motor;
-use super::{Coverage, Random, mahalanobis, runs};
+use super::{Coverage, NOISE, Random, check, mahalanobis, runs};
 
 /// The squared Mahalanobis distance of the twist from a pose to the truth.
 fn distance(found: &PerspectivePose, truth: Motor<f64>) -> Option<f64> {
@@ -27,13 +27,13 @@ fn coverage(
     options: Options,
     truth: Motor<f64>,
     points: impl Fn(&mut Random) -> Vec<[f64; 3]>,
-) {
+) -> Coverage {
     let intrinsics = Intrinsics::new([focal; 2], [319.5, 239.5]).unwrap();
     let camera = Camera {
         intrinsics,
         world_to_camera: truth,
     };
-    let mut coverage = Coverage::default();
+    let mut coverage = Coverage::new(format!("known points, {name}"));
     for run in 0..runs() {
         let mut random = Random::new(run);
         let points: Vec<_> = points(&mut random).into_iter().map(Point::from).collect();
@@ -55,7 +55,7 @@ fn coverage(
         coverage.second += usize::from(nearest < first);
         coverage.add(nearest, 6);
     }
-    coverage.check(&format!("known points, {name}"));
+    coverage
 }
 
 /// The corners of a board of 9 × 6, with steps out of its plane.
@@ -73,39 +73,49 @@ fn inclined(depth: f64) -> Motor<f64> {
 
 #[test]
 fn general_scenes() {
-    let cloud = |random: &mut Random| {
-        let point = |_| [0; 3].map(|_| random.within(-0.1, 0.1));
-        (0..50).map(point).collect()
+    let cloud = |count: usize| {
+        move |random: &mut Random| {
+            let point = |_| [0; 3].map(|_| random.within(-0.1, 0.1));
+            (0..count).map(point).collect::<Vec<_>>()
+        }
     };
-    let truth = inclined(0.6);
-    coverage("general", 700.0, Options::default(), truth, cloud);
+    let (truth, options) = (inclined(0.6), Options::default());
     let threshold = Options {
-        threshold: Some(1.0),
-        ..Options::default()
+        threshold: Some(3.0 * NOISE),
+        ..options
     };
-    coverage(
-        "general, threshold 2 deviations",
-        700.0,
-        threshold,
-        truth,
-        cloud,
-    );
+    check(&[
+        coverage("general", 700.0, options, truth, cloud(50)),
+        coverage(
+            "general, threshold 3 deviations",
+            700.0,
+            threshold,
+            truth,
+            cloud(50),
+        ),
+        coverage("general, 12 points", 700.0, options, truth, cloud(12)),
+    ]);
 }
 
 #[test]
 fn boards() {
     let flat = |random: &mut Random| board(random, 0.0);
-    let options = Options::default();
-    coverage("planar", 700.0, options, inclined(0.5), flat);
-    coverage("planar, far away", 700.0, options, inclined(3.0), flat);
-    let facing = motor([1.0, 0.5, 0.2], 0.02, [0.02, -0.01, 0.5]);
-    coverage("planar, facing the camera", 700.0, options, facing, flat);
     let rough = |random: &mut Random| board(random, 0.002);
-    coverage("nearly planar", 700.0, options, inclined(0.5), rough);
-    coverage("planar, narrow", 4000.0, options, inclined(4.0), flat);
+    let options = Options::default();
+    let facing = motor([1.0, 0.5, 0.2], 0.02, [0.02, -0.01, 0.5]);
+    let far = coverage("planar, far away", 700.0, options, inclined(3.0), flat);
+    // A board of 20 cm, 3 m away: both poses explain the corners.
+    assert!(far.ambiguous > far.counted / 2, "{}", far.ambiguous);
+    check(&[
+        far,
+        coverage("planar", 700.0, options, inclined(0.5), flat),
+        coverage("planar, facing the camera", 700.0, options, facing, flat),
+        coverage("nearly planar", 700.0, options, inclined(0.5), rough),
+        coverage("planar, narrow", 4000.0, options, inclined(4.0), flat),
+    ]);
 }
 
-/// A road of points on both sides, along which the camera looks.
+/// Points on both sides of a road, along which the camera looks.
 #[test]
 fn forward_views() {
     let road = |random: &mut Random| {
@@ -117,8 +127,8 @@ fn forward_views() {
                 random.within(3.0, 30.0),
             ]
         };
-        (0..50).map(point).collect()
+        (0..50).map(point).collect::<Vec<_>>()
     };
     let truth = motor([0.3, 1.0, -0.2], 0.03, [0.05, 0.02, 0.5]);
-    coverage("forward", 700.0, Options::default(), truth, road);
+    check(&[coverage("forward", 700.0, Options::default(), truth, road)]);
 }

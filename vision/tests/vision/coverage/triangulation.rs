@@ -8,7 +8,7 @@ use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
 use super::super::motor;
-use super::{Coverage, NOISE, Random, mahalanobis, runs};
+use super::{Coverage, NOISE, Random, check, mahalanobis, runs};
 
 fn coverage(name: &str, motors: &[Motor<f64>], point: impl Fn(&mut Random) -> [f64; 3]) {
     let intrinsics = Intrinsics::new([700.0; 2], [319.5, 239.5]).unwrap();
@@ -20,8 +20,8 @@ fn coverage(name: &str, motors: &[Motor<f64>], point: impl Fn(&mut Random) -> [f
         })
         .collect();
     let two = TwoViews::new(&cameras[0], &cameras[1]).unwrap();
-    let mut of_two = Coverage::default();
-    let mut of_many = Coverage::default();
+    let mut of_two = Coverage::new(format!("points, {name}, two views"));
+    let mut of_many = Coverage::new(format!("points, {name}, {} views", cameras.len()));
     for run in 0..runs() {
         let mut random = Random::new(run);
         let truth = Point::from(point(&mut random));
@@ -45,8 +45,7 @@ fn coverage(name: &str, motors: &[Motor<f64>], point: impl Fn(&mut Random) -> [f
         let scaled = |i: usize, j: usize| NOISE * NOISE * found.covariance[i][j];
         of_many.add(mahalanobis(&error(found.position), scaled), 3);
     }
-    of_two.check(&format!("points, {name}, two views"));
-    of_many.check(&format!("points, {name}, {} views", cameras.len()));
+    check(&[of_two, of_many]);
 }
 
 #[test]
