@@ -171,7 +171,7 @@ mod tests {
         let mut view = View::new(WIDTH, HEIGHT, false);
         let level = |column, row| if is_board(column, row) { 200u8 } else { 90 };
         let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity);
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity, 0);
         let is_hole =
             |column: usize, row: usize| column < 20 || (42..60).contains(&column) && row > 10;
         let is_wrong = |column: usize, row: usize| column > 100 && row > 70;
@@ -216,7 +216,7 @@ mod tests {
         let mut view = View::new(WIDTH, HEIGHT, false);
         let level = |column: usize, row: usize| 90 + 9 * ((column + row) % 2) as u8;
         let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity);
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity, 0);
         let mut map = vec![steps(7.0); WIDTH * HEIGHT];
         map[WIDTH * 40 + 60] = steps(12.0);
         let mut filled = map.clone();
