@@ -304,6 +304,55 @@ fn a_compressed_clip_is_read_back_within_its_bound() {
     }
 }
 
+/// A leg whose joint is twice as large as that of the other side, with a foot at half the distance,
+/// so that the body is its own mirror image; and tracks of both sides.
+#[test]
+fn units_of_joints_and_tracks_change_sides() {
+    let turned = |angle: f64| Rotor::from_axis_angle([1.0, 0.0, 0.0], angle).unwrap();
+    let at = |place: [f64; 3], angle: f64, scale: f64| {
+        Transform::from_parts(
+            place.into(),
+            turned(angle),
+            Vector::new(scale, scale, scale),
+        )
+    };
+    let rests = [
+        at([0.0, 2.0, 0.0], 0.0, 1.0),
+        at([1.0, -1.0, 0.0], 0.0, 2.0),
+        at([0.0, -0.5, 0.0], 0.0, 1.0),
+        at([-1.0, -1.0, 0.0], 0.0, 1.0),
+        at([0.0, -1.0, 0.0], 0.0, 1.0),
+        at([0.0, 1.0, 0.0], 0.0, 1.0),
+    ];
+    let joints = NAMES.iter().zip(PARENTS).zip(rests);
+    let joints = joints.map(|((&name, parent), rest)| RecordedJoint {
+        name: name.into(),
+        parent,
+        rest,
+    });
+    // The left foot leaves its place at rest.
+    let mut locals = rests.to_vec();
+    locals[0] = at([0.3, 2.1, 0.4], 0.2, 1.0);
+    locals[1] = at([1.0, -1.0, 0.0], 0.7, 2.0);
+    locals[2] = at([0.1, -0.45, 0.2], -0.4, 1.0);
+    locals[3] = at([-1.0, -1.0, 0.0], -0.3, 1.0);
+    let tracks = [("eye.L", 0.25), ("eye.R", 0.75), ("mouth", 0.5)];
+    let tracks = tracks.map(|(name, value)| ScalarTrack {
+        name: name.into(),
+        values: vec![value],
+    });
+    let recording = Recording::new(joints.collect(), 0.01, locals, tracks.into()).unwrap();
+    let mirrored = recording.mirrored(Vector::new(1.0, 0.0, 0.0)).unwrap();
+    let image = reflection(DVec3::X);
+    let (before, after) = (places(&recording, 0), places(&mirrored, 0));
+    for (joint, &other) in COUNTERPARTS.iter().enumerate() {
+        let error = after[joint].distance(image(before[other]));
+        assert!(error < 1e-12, "{}: {error}", NAMES[joint]);
+    }
+    let values = mirrored.tracks().iter().map(|track| track.values[0]);
+    assert_eq!(values.collect::<Vec<_>>(), [0.75, 0.25, 0.5]);
+}
+
 fn still(joints: &[(&str, Option<usize>)], frames: usize) -> Recording {
     let joint = |&(name, parent): &(&str, Option<usize>)| RecordedJoint {
         name: name.into(),

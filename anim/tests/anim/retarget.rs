@@ -376,6 +376,43 @@ fn soles_of_a_mesh_are_its_lowest_vertices() {
 }
 
 #[test]
+fn soles_belong_to_the_strongest_joint_and_to_bones_that_lie_low() {
+    let positions = [[0.0, 0.0, 0.0], [0.0, 3.0, 0.0]].map(Point::from);
+    let of_mesh = |row: Vec<(u32, f64)>| {
+        let weights = SkinWeights::new(2, [row, vec![(0, 1.0)]]).unwrap();
+        Soles::of_mesh(&positions, &weights).unwrap()
+    };
+    assert_eq!(of_mesh(vec![(0, 0.2), (1, 0.8)]), of_mesh(vec![(1, 1.0)]));
+    assert_ne!(of_mesh(vec![(0, 0.8), (1, 0.2)]), of_mesh(vec![(1, 1.0)]));
+
+    // 16 high, so that 1 is low: the shin is no sole, whether it begins at 3 or at 8 and ends at
+    // 0.5 or at 1.5, since the foot lies lower.
+    let of_leg = |shin: f64, ankle: f64, toes: f64| {
+        let bone = |name: &str, parent, head, tail| Joint {
+            name: name.into(),
+            parent,
+            head,
+            tail,
+        };
+        let foot = [0.0, 0.9, 0.0];
+        Soles::of_skeleton(
+            &Skeleton::new(vec![
+                bone("hips", None, [0.0, 16.0, 0.0], [0.0, 12.0, 0.0]),
+                bone("shin", Some(0), [0.0, shin, 0.0], [0.0, ankle, 0.0]),
+                bone("foot", Some(1), foot, [0.0, toes, 2.0]),
+            ])
+            .unwrap(),
+        )
+    };
+    let known = of_leg(8.0, 1.5, 0.0);
+    for (shin, ankle) in [(3.0, 1.5), (3.0, 1.2), (8.0, 0.5)] {
+        assert_eq!(of_leg(shin, ankle, 0.0), known, "{shin} {ankle}");
+    }
+    // A toe that is not low takes the foot out, and the lowest ends are left.
+    assert_ne!(of_leg(8.0, 1.5, 1.2), known);
+}
+
+#[test]
 fn what_cannot_be_carried_over_is_an_error() {
     let still = vec![0.0; 3 + 3 * BODY.len()];
     let source = recording(std::slice::from_ref(&still));
