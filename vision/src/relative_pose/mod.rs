@@ -142,8 +142,8 @@ pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &In
 ///
 /// # Errors
 /// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite, on one line or near one
-/// place, a rotation alone explains the pairs, too few of them agree, or the motion is not determined
-/// to half a radian.
+/// place, a rotation alone explains the pairs, too few of them agree, or the motion is not
+/// determined to half a radian.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};

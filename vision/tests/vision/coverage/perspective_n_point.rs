@@ -120,7 +120,7 @@ fn boards() {
 fn forward_views() {
     let road = |random: &mut Random| {
         let point = |k: usize| {
-            let side = if k % 2 == 0 { -1.0 } else { 1.0 };
+            let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
             [
                 side + random.within(-0.2, 0.2),
                 random.within(-0.5, 0.5),
