@@ -201,7 +201,8 @@ fn views_with_too_little_texture_are_named() {
 
 /// Two views of a plane with two motions: the camera moves towards an inclined wall. The second
 /// motion follows from the first: with H = R (I + τ nᵀ) and w = τ + |τ|²/2 n, the other normal is
-/// along w, and the other τ is |w| n − |τ|²/2 w/|w|.
+/// along w, and the other τ is |w| n − |τ|²/2 w/|w|; both change their signs where w points
+/// backwards, since the wall is in front of the camera.
 #[test]
 fn a_wall_that_two_motions_explain_is_ambiguous() {
     let folder = views();
@@ -236,6 +237,7 @@ fn a_wall_that_two_motions_explain_is_ambiguous() {
     let square = dot(t, t);
     let w: [f64; 3] = std::array::from_fn(|k| t[k] + 0.5 * square * n[k]);
     let size = dot(w, w).sqrt();
+    let size = size * w[2].signum();
     let in_left: [f64; 3] = std::array::from_fn(|k| size * n[k] - 0.5 * square * w[k] / size);
     // Its direction in the frame of the right camera is H/(1 + τ'·n') of the left one.
     let other = std::array::from_fn(|k| in_left[k] + t[k] * dot(n, in_left));

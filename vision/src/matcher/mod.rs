@@ -394,7 +394,7 @@ impl Matcher {
             }
             check::hide(opposite, width, right.seen());
             confirm(map, opposite, spare, width, islands, options.mode);
-            keep_confirmed(confidence, map, width);
+            keep(confidence, width, |place| map[place] != UNKNOWN);
             *textured = flat::doubt(left, confidence);
         });
     }
@@ -407,6 +407,7 @@ impl Matcher {
             left,
             maps: [map, spare],
             opposite,
+            confidence,
             weighted,
             visibility,
             ..
@@ -415,6 +416,7 @@ impl Matcher {
             visibility.fill(map, left, opposite, spare);
             fill::fill_rows(spare, *width);
             planes::apply(map, left, opposite, spare);
+            keep(confidence, *width, |place| map[place] == spare[place]);
             weighted.at_edges(spare, left, map);
             median::median(map, *width, spare);
             median::median(spare, *width, map);
@@ -452,11 +454,11 @@ fn confirm(
     }
 }
 
-/// Sets the confidence to 0 where the disparity is not known.
-fn keep_confirmed(confidence: &mut [u8], map: &[u16], width: usize) {
+/// Sets the confidence to 0 but for the pixels that are kept.
+fn keep(confidence: &mut [u8], width: usize, is_kept: impl Fn(usize) -> bool + Sync + Send) {
     refine::over_rows(confidence, width, |first, rows| {
-        for (level, disparity) in rows.iter_mut().zip(&map[first * width..]) {
-            if *disparity == UNKNOWN {
+        for (place, level) in (first * width..).zip(rows) {
+            if !is_kept(place) {
                 *level = 0;
             }
         }
