@@ -151,3 +151,41 @@ fn limit(places: impl Iterator<Item = [f64; 3]>, part: f64) -> f64 {
     );
     low + part * (high - low)
 }
+
+#[cfg(test)]
+mod tests {
+    use ga_runtime::cga3::Translator;
+
+    use super::*;
+    use crate::skeleton::Joint;
+
+    #[test]
+    fn the_middle_of_soles_is_their_mean() {
+        let positions = [[0.0, 0.0, 0.0], [0.5, 0.0, 1.0], [0.0, 9.0, 0.0]].map(Point::from);
+        let rows = [1, 1, 0].map(|joint| vec![(joint, 1.0)]);
+        let weights = SkinWeights::new(2, rows).unwrap();
+        let soles = Soles::of_mesh(&positions, &weights).unwrap();
+        assert_eq!(soles.middle(|_| true), Some(Vector::new(0.25, 0.0, 0.5)));
+        assert_eq!(soles.middle(|joint| joint == 0), None);
+    }
+
+    /// In the pose from which soles were found, they lie on the ground of that pose.
+    #[test]
+    fn soles_of_a_pose_move_with_their_joints() {
+        let bone = |name: &str, parent, head, tail| Joint {
+            name: name.into(),
+            parent,
+            head,
+            tail,
+        };
+        let skeleton = Skeleton::new(vec![
+            bone("leg", None, [0.0, 16.0, 0.0], [0.0, 1.0, 0.0]),
+            bone("foot", Some(0), [0.0, 0.5, 0.0], [0.0, 0.0, 2.0]),
+        ]);
+        let skeleton = skeleton.unwrap();
+        let lifted = Translator::from_displacement([3.0, 5.0, 0.0]).into();
+        let motions = [lifted, lifted];
+        let lowest = Soles::of_pose(&skeleton, &motions).lowest(&motions);
+        assert!((lowest - 5.0).abs() < 1e-12, "{lowest}");
+    }
+}

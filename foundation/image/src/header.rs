@@ -21,8 +21,9 @@ impl<'a> Header<'a> {
 
     /// The letter or digit after the P with which the file begins.
     pub(crate) fn magic(&mut self) -> Result<u8, FormatError> {
+        let begins = self.bytes.first().is_none_or(|byte| *byte == b'P');
         match self.word()? {
-            [b'P', kind] => Ok(*kind),
+            [b'P', kind] if begins => Ok(*kind),
             _ => {
                 self.at = 0;
                 Err(self.error("the file does not begin with P and one letter or digit"))

@@ -382,11 +382,18 @@ fn no_values_and_values_with_any_name_come_back() {
         Storage::decode(empty.as_bytes()).unwrap(),
         Storage::default()
     );
-    for name in ["- a", "a: b", ")M1", "#", "---", "\"", "a b", "1"] {
+    // YAML allows 1024 characters before the colon, unless the name is marked.
+    let [long, escaped] = ["n".repeat(1500), "\u{5}".repeat(300)];
+    for name in [
+        "- a", "a: b", ")M1", "#", "---", "\"", "a b", "1", &long, &escaped,
+    ] {
         let mut storage = Storage::default();
         storage.set_number(name, 1.5);
         let back = Storage::decode(storage.encode().as_bytes()).unwrap();
-        assert_eq!(back.number(name).unwrap(), Some(1.5), "{name:?}");
+        let again = Storage::decode(back.encode().as_bytes()).unwrap();
+        for read in [back, again] {
+            assert_eq!(read.number(name).unwrap(), Some(1.5), "{name:?}");
+        }
     }
 }
 

@@ -208,6 +208,11 @@ fn headers_of_floats_end_in_any_line_end() {
             assert_eq!(error.to_string(), message);
         }
     }
+    // The letters that tell the format are the first two bytes.
+    for before in [" ", "\n", "#\n"] {
+        let file = [before.as_bytes(), b"Pf 1 2 -1.0 ", &data].concat();
+        assert!(pfm::decode(&file).is_err(), "{before:?}");
+    }
 }
 
 fn comes_back<'a>(picture: impl Into<PictureView<'a>>) -> Result<(), TestCaseError> {

@@ -10,6 +10,8 @@ use crate::format::node::{Content, Node};
 
 /// The column after which no number begins.
 const WIDTH: usize = 70;
+/// The greatest length of a name without a mark; YAML allows 1024 characters.
+const LONGEST: usize = 1000;
 
 pub(super) fn encode(entries: &[(String, Entry)]) -> String {
     let mut text = String::from("%YAML:1.0\n---\n");
@@ -73,7 +75,7 @@ fn push_node(text: &mut String, node: &Node) {
             text.push('{');
             for (index, (name, value)) in entries.iter().enumerate() {
                 text.push_str(if index == 0 { " " } else { ", " });
-                text.push_str(&quoted(name));
+                text.push_str(&explicit(quoted(name)));
                 text.push_str(": ");
                 push_node(text, value);
             }
@@ -93,14 +95,24 @@ pub(super) fn plain_number(value: f64) -> String {
 
 /// A name, in double quotes where it is not made of letters, digits, `_`, `-` and `.`.
 fn key(name: &str) -> Cow<'_, str> {
-    let is_plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+    let is_plain = name.len() <= LONGEST
+        && name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && name
             .chars()
             .all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
     if is_plain {
         Cow::Borrowed(name)
     } else {
-        Cow::Owned(in_quotes(name))
+        Cow::Owned(explicit(in_quotes(name)))
+    }
+}
+
+/// A name as YAML has it before `:`. A long one is marked by `?`, and has a line of its own.
+fn explicit(name: String) -> String {
+    if name.len() > LONGEST {
+        format!("? {name}\n")
+    } else {
+        name
     }
 }
 
