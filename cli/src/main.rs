@@ -33,7 +33,7 @@ use commands::{
     animate, body, camera, capture, clip, completions, contour, curve, demo, draw, expand, man,
     mesh, quality, render, skin, stereo, texture, video,
 };
-use frame::{Context, Options};
+use frame::{Context, Execute, Options};
 
 /// Animation, stereo vision and pictures on conformal geometric algebra.
 ///
@@ -125,30 +125,30 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
 
 fn run(command: &Command, context: &Context) -> Result<ExitCode> {
     match command {
-        Command::Demo(arguments) => frame::run(arguments, context),
-        Command::Animate(arguments) => frame::run(arguments, context),
-        Command::Body(arguments) => body::run(arguments, context),
-        Command::Camera(arguments) => camera::run(arguments, context),
-        Command::Capture(arguments) => frame::run(arguments, context),
-        Command::Expand(arguments) => frame::run(arguments, context),
-        Command::Clip(arguments) => clip::run(arguments, context),
-        Command::Contour(arguments) => frame::run(arguments, context),
-        Command::Curve(arguments) => frame::run(arguments, context),
-        Command::Draw(arguments) => frame::run(arguments, context),
-        Command::Mesh(arguments) => mesh::run(arguments, context),
-        Command::Quality(arguments) => quality::run(arguments, context),
-        Command::Render(arguments) => frame::run(arguments, context),
-        Command::Skin(arguments) => frame::run(arguments, context),
-        Command::Stereo(arguments) => stereo::run(arguments, context),
-        Command::Texture(arguments) => frame::run(arguments, context),
-        Command::Video(arguments) => video::run(arguments, context),
+        Command::Demo(arguments) => arguments.execute(context),
+        Command::Animate(arguments) => arguments.execute(context),
+        Command::Body(arguments) => arguments.execute(context),
+        Command::Camera(arguments) => arguments.execute(context),
+        Command::Capture(arguments) => arguments.execute(context),
+        Command::Expand(arguments) => arguments.execute(context),
+        Command::Clip(arguments) => arguments.execute(context),
+        Command::Contour(arguments) => arguments.execute(context),
+        Command::Curve(arguments) => arguments.execute(context),
+        Command::Draw(arguments) => arguments.execute(context),
+        Command::Mesh(arguments) => arguments.execute(context),
+        Command::Quality(arguments) => arguments.execute(context),
+        Command::Render(arguments) => arguments.execute(context),
+        Command::Skin(arguments) => arguments.execute(context),
+        Command::Stereo(arguments) => arguments.execute(context),
+        Command::Texture(arguments) => arguments.execute(context),
+        Command::Video(arguments) => arguments.execute(context),
         Command::Completions(arguments) => {
             let program = Cli::command();
-            frame::run(&Completions { arguments, program }, context)
+            Completions { arguments, program }.execute(context)
         }
         Command::Man(arguments) => {
             let program = examples::with_examples(Cli::command());
-            frame::run(&Manual { arguments, program }, context)
+            Manual { arguments, program }.execute(context)
         }
     }
 }

@@ -19,8 +19,8 @@
 //!   root as well, with a [warning](Bvh::warnings). The description adds, and so does three.js at
 //!   every joint. assimp takes the positions of a joint with six channels as they are, and
 //!   Blender those of every joint: it stands a bone at its offset and moves it by the difference
-//!   of position and offset. How MotionBuilder reads them is not documented. In recordings of
-//!   Ubisoft the offset of the root is a place in the room like its positions, so that adding
+//!   of position and offset. Autodesk does not publish how MotionBuilder reads them. In recordings
+//!   of Ubisoft the offset of the root is a place in the room like its positions, so that adding
 //!   would put the body at twice its height.
 //! - Where the positions of other joints are near their offsets, within a quarter of their lengths,
 //!   in most frames, they take the place of these.

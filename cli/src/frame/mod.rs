@@ -3,6 +3,7 @@
 
 mod command;
 mod context;
+mod group;
 mod next;
 mod page;
 mod progress;
@@ -17,6 +18,7 @@ use serde::Serialize;
 
 pub(crate) use command::{Command, Report};
 pub(crate) use context::{Context, Options};
+pub(crate) use group::{Execute, group};
 pub(crate) use next::command_line;
 pub(crate) use progress::Progress;
 pub(crate) use shown::Shown;
@@ -40,7 +42,7 @@ struct Object<'a, R> {
 const NOT_GOOD: u8 = 3;
 
 /// Runs a command, and prints its report as it is asked for.
-pub(crate) fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
+fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     let mut report = match command.run(context) {
         Ok(report) => report,
         Err(error) => {

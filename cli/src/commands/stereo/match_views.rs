@@ -3,24 +3,22 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, ensure};
-use clap::ValueEnum;
+use anyhow::{Context as _, Result};
+use clap::ArgGroup;
 use ga_image::png;
 use ga_image::sample::Sample;
-use ga_vision::diagnosis::of_match::{MatchFault, faults_of_match};
+use ga_vision::diagnosis::of_match::faults_of_match;
 use ga_vision::disparity::range::DisparityRange;
 use ga_vision::disparity::{file, picture};
-use ga_vision::matcher::{MatchSummary, Matcher, MatcherOptions, Mode as MatcherMode};
+use ga_vision::matcher::{MatchSummary, Matcher, MatcherOptions};
 use serde::Serialize;
 
+use super::matching::{MatchingArguments, Mode, warnings};
 use super::rectify::RIG;
 use super::views::{self, ViewPair};
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
 use crate::output;
-
-/// More threads than this are taken for a mistake.
-const MOST_THREADS: i64 = 1024;
 
 /// Find the disparity of each pixel of two rectified views.
 ///
@@ -42,37 +40,15 @@ const MOST_THREADS: i64 = 1024;
 /// uncertain, a warning says what `nullcone stereo diagnose` finds, and the verdict is doubtful.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
+#[command(group = ArgGroup::new("range").args(["max_disparity", "auto_range"]).required(true))]
 pub(crate) struct Arguments {
     #[command(flatten)]
     views: ViewPair,
-    /// Disparities are less than this number of pixels.
-    #[arg(
-        long,
-        value_name = "N",
-        allow_negative_numbers = true,
-        required_unless_present = "auto_range"
-    )]
-    max_disparity: Option<i32>,
-    /// The least disparity in pixels. Cameras that are turned towards each other see negative ones.
-    #[arg(
-        long,
-        value_name = "N",
-        allow_negative_numbers = true,
-        default_value_t = 0
-    )]
-    min_disparity: i32,
+    #[command(flatten)]
+    matching: MatchingArguments,
     /// Find the range of disparities from corners that both views show.
-    #[arg(long, conflicts_with_all = ["max_disparity", "min_disparity"])]
+    #[arg(long, conflicts_with = "min_disparity")]
     auto_range: bool,
-    /// Leave disparities unknown that are less certain, from 0 to 1.
-    #[arg(long, value_name = "C", default_value_t = 0.0)]
-    min_confidence: f32,
-    /// How much work is done.
-    #[arg(long, value_enum, default_value_t = Mode::Balanced)]
-    mode: Mode,
-    /// The number of threads; by default as many as the machine can run at the same time.
-    #[arg(long, value_name = "N", value_parser = threads())]
-    threads: Option<u16>,
     /// The disparities of the left view: .pfm holds floats in pixels, infinite where unknown, and
     /// .png whole numbers of 16 bits, 256 × the disparity, 0 where unknown.
     #[arg(long, value_name = "FILE")]
@@ -85,49 +61,6 @@ pub(crate) struct Arguments {
     picture: Option<PathBuf>,
     #[command(flatten)]
     check: Check,
-}
-
-/// Fails where the least confidence is none.
-pub(super) fn check_confidence(least: f32) -> Result<()> {
-    ensure!(
-        (0.0..=1.0).contains(&least),
-        "--min-confidence {least} is not from 0 to 1"
-    );
-    Ok(())
-}
-
-/// The warnings of a pair that was matched badly.
-pub(super) fn warnings(faults: &[MatchFault]) -> Vec<Warning> {
-    let faults = faults.iter();
-    faults
-        .map(|fault| Warning::new(fault.kind(), fault))
-        .collect()
-}
-
-pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(1..=MOST_THREADS)
-}
-
-/// How much work is done.
-#[derive(Clone, Copy, Debug, ValueEnum, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Mode {
-    /// The least time.
-    Fast,
-    /// More accurate on flat surfaces.
-    Balanced,
-    /// Also more accurate beside near objects.
-    Best,
-}
-
-impl From<Mode> for MatcherMode {
-    fn from(mode: Mode) -> Self {
-        match mode {
-            Mode::Fast => Self::Fast,
-            Mode::Balanced => Self::Balanced,
-            Mode::Best => Self::Best,
-        }
-    }
 }
 
 /// What is printed.
@@ -158,7 +91,7 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        check_confidence(self.min_confidence)?;
+        self.matching.check()?;
         let mut files = context.files(self.views.paths())?;
         let format = files.write("--out", &self.out, &[Format::Pfm, Format::Png])?;
         files.write_if_given("--confidence", self.confidence.as_ref(), &[Format::Png])?;
@@ -168,9 +101,9 @@ impl Command for Arguments {
         let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
 
         progress.step("finding the range");
-        let threads = self.threads.map_or(0, usize::from);
-        let (range, range_points) = match self.max_disparity {
-            Some(beyond) => ([self.min_disparity, beyond], None),
+        let threads = self.matching.threads();
+        let (range, range_points) = match self.matching.max_disparity {
+            Some(beyond) => ([self.matching.min_disparity, beyond], None),
             None => {
                 let found = DisparityRange::of(&left, &right, threads).with_context(|| {
                     format!("{}: --max-disparity gives the range", self.views.named())
@@ -182,7 +115,7 @@ impl Command for Arguments {
         let begin = Instant::now();
         let options = MatcherOptions {
             range,
-            mode: self.mode.into(),
+            mode: self.matching.mode.into(),
             threads,
         };
         let found = Matcher::new(options, left.width(), left.height())
@@ -191,7 +124,7 @@ impl Command for Arguments {
         let seconds = begin.elapsed().as_secs_f64();
         progress.step("checking");
         let warnings = warnings(&faults_of_match([&left, &right], &found, range));
-        let found = found.at_least(self.min_confidence);
+        let found = found.at_least(self.matching.min_confidence);
         // The files need memory as well.
         drop((left, right));
 
@@ -221,7 +154,7 @@ impl Command for Arguments {
             max_disparity_px: range[1],
             range_points,
             warnings,
-            mode: self.mode,
+            mode: self.matching.mode,
             found: found.summary(),
             seconds,
         })

@@ -12,7 +12,7 @@ use ga_runtime::cga3::Motor;
 use ga_vision::surface::{DepthSummary, PairOptions, RectifiedPair, Surface, SurfaceOptions};
 use serde::Serialize;
 
-use super::match_views::{Mode, check_confidence, threads, warnings};
+use super::matching::{MatchingArguments, Mode, warnings};
 use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::format::{Format, endings};
@@ -24,7 +24,8 @@ use crate::{mesh_file, output};
 /// The views are as the cameras took them: they are rectified with the rig of a file (of any
 /// format, such as OpenCV's YAML, which `nullcone stereo calibrate` writes), matched, and each
 /// pixel that both cameras see becomes a point. Where --rig is a Middlebury calib.txt, the views
-/// are taken as rectified already.
+/// are taken as rectified already. Without --max-disparity, that file or the views decide how far
+/// disparities are looked for.
 ///
 /// The ending of --out decides: .ply holds a cloud of points, .obj and .glb a surface of triangles;
 /// --cloud asks for points in any of them, --surface for triangles. Neighbouring pixels are joined
@@ -69,20 +70,8 @@ pub(crate) struct Arguments {
     /// Lay the left view on the surface as a picture, instead of a colour for each vertex.
     #[arg(long, conflicts_with = "cloud")]
     texture: bool,
-    /// Disparities are less than this number of pixels; without it, the views decide.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    max_disparity: Option<i32>,
-    /// The least disparity in pixels.
-    #[arg(
-        long,
-        value_name = "N",
-        allow_negative_numbers = true,
-        default_value_t = 0
-    )]
-    min_disparity: i32,
-    /// How much work the matcher does.
-    #[arg(long, value_enum, default_value_t = Mode::Balanced)]
-    mode: Mode,
+    #[command(flatten)]
+    matching: MatchingArguments,
     /// Cut the surface where the disparities of neighbouring pixels differ by more.
     #[arg(long, value_name = "PIXELS", default_value_t = 1.0)]
     cut: f64,
@@ -95,9 +84,6 @@ pub(crate) struct Arguments {
     /// Leave out what is farther away, in metres.
     #[arg(long, value_name = "METRES", default_value_t = f64::INFINITY)]
     far: f64,
-    /// Leave out pixels that are less certain, from 0 to 1.
-    #[arg(long, value_name = "C", default_value_t = 0.0)]
-    min_confidence: f32,
     /// Leave out points whose depth has a greater standard deviation than this part of it, where
     /// disparities have one of 0.25 px; `inf` for none.
     #[arg(long, value_name = "PART", default_value_t = SurfaceOptions::default().depth_deviation)]
@@ -105,9 +91,6 @@ pub(crate) struct Arguments {
     /// Which way the axes point.
     #[arg(long, value_enum, default_value_t = Axes::YUp)]
     axes: Axes,
-    /// The number of threads; by default as many as the machine can run at the same time.
-    #[arg(long, value_name = "N", value_parser = threads())]
-    threads: Option<u16>,
     #[command(flatten)]
     check: Check,
 }
@@ -169,14 +152,14 @@ impl Command for Arguments {
         };
         progress.step("matching");
         let given = file.rectified.and_then(|rectified| rectified.disparities);
+        let given = given.and_then(|count| i32::try_from(count).ok());
+        let matching = &self.matching;
         let options = PairOptions {
-            min_disparity: self.min_disparity,
-            max_disparity: self
-                .max_disparity
-                .or(given.and_then(|n| i32::try_from(n).ok())),
-            mode: self.mode.into(),
-            threads: self.threads.map_or(0, usize::from),
-            least_confidence: self.min_confidence,
+            min_disparity: matching.min_disparity,
+            max_disparity: matching.max_disparity.or(given),
+            mode: matching.mode.into(),
+            threads: matching.threads(),
+            least_confidence: matching.min_confidence,
         };
         let found = pair.disparities(&options);
         let found = found.with_context(|| self.views.named())?;
@@ -215,7 +198,7 @@ impl Command for Arguments {
             min_disparity_px: found.range[0],
             max_disparity_px: found.range[1],
             warnings,
-            mode: self.mode,
+            mode: matching.mode,
             points: mesh.vertex_count(),
             triangles: mesh.faces().len(),
             depths,
@@ -235,7 +218,7 @@ fn keeps_materials(format: Format) -> bool {
 impl Arguments {
     /// Fails where the arguments contradict each other.
     fn check(&self, format: Format) -> Result<()> {
-        check_confidence(self.min_confidence)?;
+        self.matching.check()?;
         ensure!(
             !self.texture || keeps_materials(format),
             "{}: the format holds no pictures; --texture needs {}",

@@ -105,7 +105,7 @@ pub enum ObjProblem {
     NoFaces,
     /// The colour of a vertex is out of range.
     #[error(
-        "{value} is no part of a colour, which is from 0 to 1, or a whole number up to 255 where all \
+        "{value} is not a part of a colour, which is from 0 to 1, or a whole number up to 255 where all \
          in the file are"
     )]
     ColourOutOfRange {
@@ -113,7 +113,7 @@ pub enum ObjProblem {
         value: f64,
     },
     /// The colours of the vertices, or their opacities, are whole numbers up to 255.
-    #[error("{value} is no part of a colour, which is from 0 to 1")]
+    #[error("{value} is not a part of a colour, which is from 0 to 1")]
     ByteColours {
         /// The first number beyond 1.
         value: f64,

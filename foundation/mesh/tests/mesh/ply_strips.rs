@@ -52,7 +52,7 @@ fn colours_up_to_255_are_bytes() {
         let strict = ply::read_with_warnings(&path, Reading::Strict).map_err(|e| e.to_string());
         match expected {
             Some(_) => {
-                let end = "line 11: 255 is no part of a colour, which is from 0 to 1";
+                let end = "line 11: 255 is not a part of a colour, which is from 0 to 1";
                 assert!(strict.unwrap_err().ends_with(end));
             }
             None => assert!(strict.is_ok()),
@@ -61,7 +61,7 @@ fn colours_up_to_255_are_bytes() {
     let error = ply::decode(file("0 0 0 255 0.5 0\n0 0 0 0 0 1\n").as_bytes()).unwrap_err();
     let error = error.to_string();
     assert!(
-        error.starts_with("line 11: 255 is no part of a colour"),
+        error.starts_with("line 11: 255 is not a part of a colour"),
         "{error}"
     );
 }

@@ -309,7 +309,7 @@ fn colours_up_to_255_are_bytes() {
         });
         assert_eq!(warnings, Vec::from_iter(expected.clone()), "{colours:?}");
         let strict = read_as(colours, Reading::Strict).map(|(_, warnings)| warnings);
-        let refused = expected.map(|_| "is no part of a colour, which is from 0 to 1");
+        let refused = expected.map(|_| "is not a part of a colour, which is from 0 to 1");
         match (strict, refused) {
             (Err(error), Some(end)) => assert!(error.to_string().ends_with(end), "{error}"),
             (found, None) => assert_eq!(found, Ok(vec![])),
@@ -323,7 +323,7 @@ fn colours_up_to_255_are_bytes() {
     for (colours, start) in [
         (
             ["255 128 0", "0.5 0 0", ""],
-            "line 1: 255 is no part of a colour",
+            "line 1: 255 is not a part of a colour",
         ),
         (["1 0.5 0", "0 1.5 0", ""], "line 2: 1.5 is no"),
         (["255 0 0", "0 0 0", "0 300 0"], "line 3: 300 is no"),
