@@ -166,6 +166,14 @@ pub enum MotionFileError {
         /// How many positions there are.
         found: usize,
     },
+    /// There is no such node.
+    #[error("there is no node {node}: the document has {count}")]
+    NoNode {
+        /// The number of the node.
+        node: usize,
+        /// How many nodes there are.
+        count: usize,
+    },
     /// No node has a mesh.
     #[error("no node has a mesh")]
     NoMesh,
@@ -175,11 +183,12 @@ pub enum MotionFileError {
     /// The vertices and faces do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The frame of a node is sheared, mirrored, flat or unevenly scaled.
+    /// The frame of a node is sheared, mirrored, flat or scaled non-uniformly.
     #[error(
-        "node {node}: its frame in the world is scaled unevenly, so that no joint below rotates"
+        "node {node}: its frame in the world is scaled non-uniformly, so that no joint below can \
+         rotate"
     )]
-    Uneven {
+    NonUniformScale {
         /// The node.
         node: usize,
     },

@@ -6,6 +6,7 @@ use std::time::Instant;
 use ga_anim::MotionFileError;
 use ga_anim::clip::Clip;
 use ga_anim::gltf::Rigged;
+use ga_anim::motion_file::Loss;
 use ga_anim::recording::RecordingError;
 use ga_camera::Camera;
 use ga_mesh::gltf::Document;
@@ -23,6 +24,7 @@ use crate::{BodyError, BodyModel, Observation};
 ///
 /// ```
 /// use ga_anim::gltf::Rigged;
+use ga_anim::motion_file::Loss;
 /// use ga_anim::skeleton::{Joint, Skeleton};
 /// use ga_body::character::CharacterFit;
 /// use ga_body::format::JointViews;
@@ -49,7 +51,7 @@ use crate::{BodyError, BodyModel, Observation};
 /// let fitted = CharacterFit::new(arm, &joints, &[camera])?.fit(30.0, true, |_, _| ())?;
 /// assert_eq!(fitted.report.joints, ["Shoulder", "Elbow", "Wrist"]);
 /// assert!(fitted.report.reprojection_rms_px < 0.1);
-/// assert_eq!(fitted.to_document("pose")?.animations.len(), 1);
+/// assert_eq!(fitted.to_document("pose")?.0.animations.len(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -278,11 +280,11 @@ impl<'a> CharacterFit<'a> {
 
 impl FittedCharacter {
     /// The character with its poses as the first animation, of this name, or one with a number
-    /// where another animation has it.
+    /// where another animation has it; and what of the poses is not there.
     ///
     /// # Errors
     /// [`MotionFileError`] where the document of the character cannot hold it.
-    pub fn to_document(&self, name: &str) -> Result<Document, MotionFileError> {
+    pub fn to_document(&self, name: &str) -> Result<(Document, Vec<Loss>), MotionFileError> {
         let poses = self.poses.iter().map(|fit| fit.pose.clone()).collect();
         let clip = Clip::new(1.0 / self.report.frames_per_second, poses);
         let clip = clip.map_err(RecordingError::from)?;

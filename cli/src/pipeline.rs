@@ -15,6 +15,7 @@ use crate::film_file::{self, Film};
 use crate::format::Format;
 use crate::frame::Progress;
 use crate::mesh_file::missing_parts;
+use crate::motion_file::lost;
 use crate::output;
 use crate::report::{Input, Performed, Report, Tool, Written};
 
@@ -114,10 +115,8 @@ pub(crate) fn perform(
         .context("two cameras cannot see the motion")?;
     progress.step("drawing the contact sheet");
     let (sheet, left_out) = pictures::sheet(&figure, &animation, &overlay)?;
-    let warnings = figure
-        .file
-        .as_ref()
-        .map(|file| missing_parts(file, left_out));
+    let file = figure.file.as_ref();
+    let mut warnings = file.map_or(Vec::new(), |file| missing_parts(file, left_out));
     let mut staged = Staged::default();
     let mut written = Vec::new();
     if let Some(path) = &arguments.film {
@@ -143,7 +142,9 @@ pub(crate) fn perform(
     }
     progress.step("making the model");
     let figure = figure.relocated(&arguments.model())?;
-    let mut files = model::files(&figure, &animation.clip, &animation.name)?;
+    let (mut files, losses) = model::files(&figure, &animation.clip, &animation.name)?;
+    let losses = losses.iter().map(|loss| lost(loss, &arguments.model()));
+    warnings.extend(losses);
     files.insert(2, sheet);
 
     let report = Report {
@@ -177,6 +178,6 @@ pub(crate) fn perform(
         report,
         written,
         seconds: begin.elapsed().as_secs_f64(),
-        warnings: warnings.unwrap_or_default(),
+        warnings,
     })
 }

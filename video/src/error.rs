@@ -169,11 +169,17 @@ pub enum VideoError {
         /// What is wrong.
         problem: String,
     },
-    /// The operating system could not write a frame, or what follows it.
+    /// The operating system could not write a frame.
     #[error("frame {frame} cannot be written: {source}")]
     Write {
         /// The frame.
         frame: usize,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The operating system could not write the index of the frames.
+    #[error("the index of the frames cannot be written: {source}")]
+    WriteIndex {
         /// What the operating system said.
         source: io::Error,
     },
@@ -285,6 +291,7 @@ impl VideoError {
             | Self::Pattern { .. }
             | Self::Mp4 { .. }
             | Self::EncodedSize { .. }
+            | Self::WriteIndex { .. }
             | Self::Layout { .. }
             | Self::Views { .. }
             | Self::Properties { .. } => None,

@@ -4,7 +4,7 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
-use super::parts::{even_parts, to_node};
+use super::parts::{to_node, uniform_parts};
 use super::rigged::Rigged;
 use crate::file_error::MotionFileError;
 use crate::skeleton::{Joint, Skeleton, SkeletonError};
@@ -23,7 +23,7 @@ impl Rigged {
     ///
     /// [`MotionFileError::Skeleton`] for another number of factors than joints,
     /// [`MotionFileError::Length`] for a factor that is not positive and finite,
-    /// [`MotionFileError::Uneven`], and where the longer bones are not finite.
+    /// [`MotionFileError::NonUniformScale`], and where the longer bones are not finite.
     ///
     /// # Examples
     ///
@@ -63,7 +63,8 @@ impl Rigged {
         // For each joint the factor of the tree that it is in.
         let mut of_tree: Vec<f64> = Vec::with_capacity(joints.len());
         for (joint, &node) in self.nodes.iter().enumerate() {
-            let local = even_parts(&rest.locals[node]).ok_or(MotionFileError::Uneven { node })?;
+            let local = uniform_parts(&rest.locals[node])
+                .ok_or(MotionFileError::NonUniformScale { node })?;
             let (mut place, mut scale) = (local.translation(), local.scale);
             let whole = match joints[joint].parent {
                 Some(parent) => {
@@ -77,7 +78,7 @@ impl Rigged {
                     let back = match player.parents()[node] {
                         Some(above) => {
                             let back = rest.world[above].inverse();
-                            back.ok_or(MotionFileError::Uneven { node: above })?
+                            back.ok_or(MotionFileError::NonUniformScale { node: above })?
                         }
                         None => Affine::default(),
                     };

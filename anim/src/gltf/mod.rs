@@ -49,7 +49,7 @@ pub(crate) use character::all_joints;
 pub use character::{character, meshes_without_joint};
 pub use export::{joint_nodes, vertex_weights};
 pub use moment::{Moment, MomentPart};
-pub(crate) use parts::{even, even_parts, parts, quaternion, to_node};
+pub(crate) use parts::{parts, quaternion, to_node, uniform, uniform_parts, uniform_within};
 pub use placement::{Part, Placed, Placement};
 pub use player::{LocalFrame, NodePose, Player};
 pub use reweighted::with_weights;

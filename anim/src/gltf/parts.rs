@@ -24,18 +24,22 @@ pub(crate) fn parts(frame: &LocalFrame) -> Option<Transform<f64>> {
     with_factors(map, factors.into(), TOLERANCE)
 }
 
-/// A frame whose matrix, where it has one, scales evenly.
-pub(crate) fn even_parts(frame: &LocalFrame) -> Option<Transform<f64>> {
-    // Files write factors in single precision, some with few digits.
-    const TOLERANCE: f64 = 1e-4;
+/// A frame whose matrix, where it has one, scales uniformly.
+pub(crate) fn uniform_parts(frame: &LocalFrame) -> Option<Transform<f64>> {
     match frame {
         LocalFrame::Parts(parts) => Some(*parts),
-        LocalFrame::Matrix(map) => even(*map, TOLERANCE),
+        LocalFrame::Matrix(map) => uniform(*map),
     }
 }
 
-/// The transform of a map that translates, rotates and scales evenly, up to a part of the factor.
-pub(crate) fn even(map: Affine<f64>, tolerance: f64) -> Option<Transform<f64>> {
+/// The transform of a map that translates, rotates and scales uniformly, up to what files do that
+/// write factors in single precision, some with few digits.
+pub(crate) fn uniform(map: Affine<f64>) -> Option<Transform<f64>> {
+    uniform_within(map, 1e-4)
+}
+
+/// As [`uniform`], up to a part of the factor.
+pub(crate) fn uniform_within(map: Affine<f64>, tolerance: f64) -> Option<Transform<f64>> {
     let factor = map.determinant().cbrt();
     let factors = Vector::new(factor, factor, factor);
     let transform = || with_factors(map, factors, tolerance);

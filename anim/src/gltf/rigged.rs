@@ -6,6 +6,7 @@ use super::Player;
 use super::character::{all_joints, skeleton_of};
 use crate::clip::Clip;
 use crate::file_error::MotionFileError;
+use crate::motion_file::Loss;
 use crate::recording::GltfMotion;
 use crate::skeleton::{Skeleton, SkeletonError};
 
@@ -44,8 +45,9 @@ impl Rigged {
     ///
     /// # Errors
     ///
-    /// [`MotionFileError::Skeleton`] for another number of nodes than joints.
-    pub fn of_nodes(
+    /// [`MotionFileError::Skeleton`] for another number of nodes than joints, and
+    /// [`MotionFileError::NoNode`] for a node that the document does not have.
+    pub fn from_nodes(
         document: Document,
         skeleton: Skeleton,
         nodes: Vec<usize>,
@@ -53,6 +55,10 @@ impl Rigged {
         let (expected, found) = (skeleton.len(), nodes.len());
         if expected != found {
             return Err(SkeletonError::PoseLength { expected, found }.into());
+        }
+        let count = document.nodes.len();
+        if let Some(&node) = nodes.iter().find(|&&node| node >= count) {
+            return Err(MotionFileError::NoNode { node, count });
         }
         Ok(Self {
             document,
@@ -109,19 +115,33 @@ impl Rigged {
     }
 
     /// The document with a clip as its first animation. Its own animations follow; where one of
-    /// them has the name already, the clip gets a number at the end of its name. The transforms of
-    /// the nodes are those of [`Recording::of_joints`](crate::recording::Recording::of_joints); a
-    /// node has keys for what it does not have by itself. Factors stay as they are, so that skins
-    /// and inverse bind matrices keep their meaning.
+    /// them has the name already, the clip gets a number at the end of its name. The result also
+    /// says what of the clip is not in the document.
+    ///
+    /// With A the frame of the node above a joint as its skin was bound, which has the rotation R,
+    /// L the joint's own motion and h its place at rest, the transform T(t) r s of its node becomes
+    ///
+    /// ```text
+    /// T(t + A⁻¹ (L h − h)) (~R L R) r s,
+    /// ```
+    ///
+    /// where L is after the motion of the whole for a root. A node has keys for what it does not
+    /// have by itself. Factors stay as they are, so that skins and inverse bind matrices keep their
+    /// meaning.
     ///
     /// # Errors
     ///
-    /// Those of [`GltfMotion::of_joints`], and [`RecordingError`](crate::recording::RecordingError)
-    /// for a clip of another skeleton and for joints that are scaled unevenly.
-    pub fn with_clip(&self, name: &str, clip: &Clip) -> Result<Document, MotionFileError> {
+    /// [`MotionFileError::Shears`] and [`MotionFileError::NonUniformScale`], and
+    /// [`RecordingError`](crate::recording::RecordingError) for a clip of another skeleton and for
+    /// frames above a joint that are scaled non-uniformly.
+    pub fn with_clip(
+        &self,
+        name: &str,
+        clip: &Clip,
+    ) -> Result<(Document, Vec<Loss>), MotionFileError> {
         let player = Player::new(&self.document)?;
         let motion = GltfMotion::of_joints(&player, &self.nodes, 1.0)?;
         let recording = motion.recording_of_clip(&self.skeleton, &self.nodes, clip)?;
-        Ok(motion.with_first(name, &recording, true)?.0)
+        motion.with_first(name, &recording, true)
     }
 }

@@ -74,10 +74,14 @@ impl MotionFile {
             _ => None,
         };
         let found = likely_unit.map_or(1.0, |unit| unit.metres);
+        let given = options.metres_per_unit;
         Self {
+            metres_per_unit: match contents {
+                Contents::Clip(_) => 1.0,
+                _ => given.unwrap_or(found),
+            },
             contents,
             options,
-            metres_per_unit: options.metres_per_unit.unwrap_or(found),
             likely_unit,
         }
     }

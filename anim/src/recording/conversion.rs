@@ -6,6 +6,7 @@ use ga_runtime::vga3::Vector;
 
 use super::{RecordedJoint, Recording, check_joints, model_maps, model_motors};
 use crate::clip::Clip;
+use crate::gltf::uniform;
 use crate::kinematics::KinematicsError;
 use crate::pose::{Pose, moved};
 use crate::recording::RecordingError;
@@ -98,80 +99,55 @@ impl Recording {
     pub fn from_clip(skeleton: &Skeleton, clip: &Clip) -> Result<Self, RecordingError> {
         let of_skeleton: Vec<Option<usize>> = (0..skeleton.len()).map(Some).collect();
         let joints = RecordedJoint::of_skeleton(skeleton, 1.0);
-        Self::of_joints(joints, &of_skeleton, (skeleton, 1.0), clip)
+        let recording = Self::of_joints(joints, &of_skeleton, (skeleton, 1.0), clip)?;
+        Ok(recording.with_ends_of(skeleton, 1.0))
     }
 
     /// The recording of a clip on joints that have axes, and perhaps factors, of their own.
     ///
     /// `of_skeleton` says for each joint which one of the skeleton it is; the skeleton's unit is
-    /// given in metres. With A the frame of the parent at rest, which has the rotation R and is
-    /// scaled evenly, L the joint's own motion and h its place at rest, its transform T(t) r s at
-    /// rest becomes
+    /// given in metres, and the joints stand at rest where those of the skeleton do. With A the
+    /// frame of the parent at rest, which has the rotation R and is scaled uniformly, L the joint's
+    /// own motion and h its place at rest, its transform T(t) r s at rest becomes
     ///
     /// ```text
     /// T(t + A⁻¹ (L h − h)) (~R L R) r s.
     /// ```
     ///
     /// For a root of the skeleton, L is after the motion of the whole. Joints that are none of the
-    /// skeleton stay at rest relative to their parents. The [`ends`](Self::ends) of bones are those
-    /// of the skeleton.
+    /// skeleton stay at rest relative to their parents.
     ///
     /// # Errors
     ///
-    /// [`RecordingError::Skeleton`] where the clip is for a skeleton with another number of joints,
-    /// [`RecordingError::ScaledUnevenly`] where A is not scaled evenly, and those of
-    /// [`Recording::new`].
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use ga_anim::recording::{RecordedJoint, Recording};
-    /// use ga_anim::skeleton::{Joint, Skeleton};
-    /// use ga_anim::transform::Transform;
-    /// use ga_anim::{clip::Clip, pose::Pose};
-    /// use ga_runtime::cga3::{Motor, Rotor};
-    ///
-    /// let axis = |axis| Rotor::from_axis_angle(axis, 0.5).ok_or("no axis");
-    /// let hip = Joint { name: "hip".into(), parent: None, head: [0.0; 3], tail: [1.0; 3] };
-    /// let leg = Skeleton::new(vec![hip])?;
-    /// let pose = Pose::from_rotors(&leg, Motor::default(), &[axis([0.0, 0.0, 1.0])?])?;
-    /// let clip = Clip::new(0.01, vec![pose])?;
-    /// let rest = Transform::from(Motor::from(axis([0.0, 0.0, 1.0])?));
-    /// let joint = RecordedJoint { name: "hip".into(), parent: None, rest };
-    /// let recording = Recording::of_joints(vec![joint], &[Some(0)], (&leg, 0.01), &clip)?;
-    /// let (_, angle) = recording.locals()[0].rotor().to_axis_angle();
-    /// assert!((angle - 1.0).abs() < 1e-12);
-    /// assert_eq!(recording.ends(), [Some([0.01; 3])]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn of_joints(
+    /// [`RecordingError::Unit`]; [`RecordingError::Skeleton`] where the clip is for a skeleton with
+    /// another number of joints; [`RecordingError::NonUniformScale`] where A is not scaled
+    /// uniformly; and those of [`Recording::new`].
+    pub(crate) fn of_joints(
         joints: Vec<RecordedJoint>,
         of_skeleton: &[Option<usize>],
         (skeleton, metres_per_unit): (&Skeleton, f64),
         clip: &Clip,
     ) -> Result<Self, RecordingError> {
-        let count = skeleton.len();
-        let is_known = |joint: &Option<usize>| joint.is_none_or(|joint| joint < count);
-        if joints.len() != of_skeleton.len() || !of_skeleton.iter().all(is_known) {
-            let (expected, found) = (joints.len(), of_skeleton.len());
-            return Err(SkeletonError::PoseLength { expected, found }.into());
+        if !metres_per_unit.is_finite() || metres_per_unit <= 0.0 {
+            return Err(RecordingError::Unit(metres_per_unit));
         }
         check_joints(&joints)?;
-        let (mut frames, mut above) = (Vec::<Frame>::new(), Vec::with_capacity(joints.len()));
+        let (mut frames, mut above) = (Vec::<Affine<f64>>::new(), Vec::new());
         for (described, own) in joints.iter().zip(of_skeleton) {
             let parent = described.parent;
-            let frame = parent.map_or(Frame::default(), |parent| frames[parent]);
+            let frame = parent.map_or(Affine::default(), |parent| frames[parent]);
             let back = own.map(|own| {
                 let name = parent.map_or(&described.name, |parent| &joints[parent].name);
-                let uneven = || RecordingError::ScaledUnevenly { name: name.clone() };
-                Ok::<_, RecordingError>((own, frame.rotor, frame.back().ok_or_else(uneven)?))
+                let (rotor, back) = way_into(frame)
+                    .ok_or_else(|| RecordingError::NonUniformScale { name: name.clone() })?;
+                Ok::<_, RecordingError>((own, rotor, back))
             });
             above.push(back.transpose()?);
-            frames.push(frame.then(&described.rest));
+            frames.push(frame * described.rest.to_affine());
         }
         let mut locals = Vec::with_capacity(clip.frames().len() * joints.len());
         for pose in clip.frames() {
-            let (expected, found) = (count, pose.joints.len());
+            let (expected, found) = (skeleton.len(), pose.joints.len());
             if expected != found {
                 return Err(SkeletonError::PoseLength { expected, found }.into());
             }
@@ -195,16 +171,19 @@ impl Recording {
                 ));
             }
         }
-        let end = |(joint, own): (usize, &Option<usize>)| {
-            let own = (*own)?;
-            let Joint { head, tail, .. } = &skeleton.joints()[own];
-            let is_leaf = joints.iter().all(|other| other.parent != Some(joint));
-            let way = (Vector::from(*tail) - Vector::from(*head)) * metres_per_unit;
-            (is_leaf && head != tail).then(|| way.coordinates())
+        Self::new(joints, clip.frame_time(), locals, Vec::new())
+    }
+
+    /// The recording with the [`ends`](Self::ends) of the bones of a skeleton that has the same
+    /// joints, and whose unit is given in metres.
+    pub(crate) fn with_ends_of(self, skeleton: &Skeleton, metres_per_unit: f64) -> Self {
+        let end = |(index, joint): (usize, &Joint)| {
+            let way = (Vector::from(joint.tail) - Vector::from(joint.head)) * metres_per_unit;
+            let is_end = skeleton.children(index).next().is_none() && joint.head != joint.tail;
+            is_end.then(|| way.coordinates())
         };
-        let ends = of_skeleton.iter().enumerate().map(end).collect();
-        let recording = Self::new(joints, clip.frame_time(), locals, Vec::new())?;
-        Ok(Self { ends, ..recording })
+        let ends = skeleton.joints().iter().enumerate().map(end).collect();
+        Self { ends, ..self }
     }
 
     fn rest_motors(&self) -> Result<Vec<Motor<f64>>, KinematicsError> {
@@ -245,38 +224,11 @@ fn way_of(motion: Motor<f64>, place: [f64; 3]) -> Vector<f64> {
     }
 }
 
-/// The frame of a joint in model space at rest, and its rotation.
-#[derive(Clone, Copy, Default)]
-struct Frame {
-    map: Affine<f64>,
-    rotor: Rotor<f64>,
-}
-
-impl Frame {
-    /// The frame of a joint below with this transform.
-    fn then(&self, local: &Transform<f64>) -> Self {
-        Self {
-            map: self.map * local.to_affine(),
-            rotor: self.rotor * local.rotor(),
-        }
-    }
-
-    /// The way back into the frame, where it is scaled evenly.
-    fn back(&self) -> Option<Affine<f64>> {
-        // Files write factors in single precision, some with few digits.
-        const TOLERANCE: f64 = 1e-4;
-        let factor = self.map.determinant().cbrt();
-        let even = self.rotor.to_matrix();
-        let pairs = even
-            .as_flattened()
-            .iter()
-            .zip(self.map.linear.as_flattened());
-        let is_even =
-            |(even, found): (&f64, &f64)| (even * factor - found).abs() <= TOLERANCE * factor.abs();
-        pairs
-            .into_iter()
-            .all(is_even)
-            .then(|| self.map.inverse())
-            .flatten()
-    }
+/// The rotation of a frame that is scaled uniformly, perhaps by a negative factor, and the way into
+/// it.
+fn way_into(frame: Affine<f64>) -> Option<(Rotor<f64>, Affine<f64>)> {
+    let sign = frame.determinant().signum();
+    let positive = frame.linear.map(|row| row.map(|x| sign * x));
+    let rotor = uniform(Affine::new(positive, frame.translation))?.rotor();
+    Some((rotor, frame.inverse()?))
 }

@@ -154,9 +154,9 @@ pub enum RecordingError {
     /// A joint is scaled.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
-    /// The frame of a joint is scaled unevenly.
-    #[error("joint {name:?} is scaled unevenly, so that no joint below it rotates")]
-    ScaledUnevenly {
+    /// The frame of a joint is scaled non-uniformly.
+    #[error("joint {name:?} is scaled non-uniformly, so that no joint below it can rotate")]
+    NonUniformScale {
         /// Its name.
         name: String,
     },
@@ -194,7 +194,7 @@ pub enum RecordingError {
     /// A joint is scaled so that its image is not a rotation, a translation and factors along its
     /// axes.
     #[error(
-        "joint {name:?} is scaled unevenly or by a negative factor in {}, and has no mirror image",
+        "joint {name:?} is scaled non-uniformly or by a negative factor in {}, and has no mirror image",
         frame.map_or("rest".to_owned(), |frame| format!("frame {frame}"))
     )]
     MirrorScaled {

@@ -1,4 +1,4 @@
-use ga_mesh::gltf::{Document, Keys, Node};
+use ga_mesh::gltf::{Document, Keys, Mesh, Node};
 use ga_runtime::geometry::Affine;
 use ga_runtime::vga3::Vector;
 
@@ -7,17 +7,16 @@ use super::{RecordedJoint, Recording, ScalarTrack};
 use crate::clip::Clip;
 use crate::clip::compressed::ShellError;
 use crate::file_error::MotionFileError;
-use crate::gltf::{LocalFrame, NodePose, Player, bind_pose, even, even_parts, parts};
+use crate::gltf::{LocalFrame, NodePose, Player, bind_pose, parts, uniform_parts, uniform_within};
 use crate::recording::RecordingError;
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// An animation of a glTF document as the motion of joints, or joints that are to move.
+/// An animation of a glTF document as the motion of joints.
 ///
 /// The joints are the joints of all skins, the nodes that the animation moves, and the nodes above
-/// them; or nodes that are [given](Self::of_joints). A node that stays where it is, with all nodes
-/// above it, is not a joint where it only moves, rotates and scales evenly: its frame then belongs
-/// to the joints below it.
+/// them. A node that stays where it is, with all nodes above it, is not a joint where it only
+/// moves, rotates and scales uniformly: its frame then belongs to the joints below it.
 ///
 /// # Examples
 ///
@@ -57,9 +56,21 @@ pub struct GltfMotion<'a> {
     pub(super) morphed: Vec<usize>,
 }
 
-/// As a part of the factor, by how much a frame may deviate from an even one that belongs to the
-/// joints below: the deviation is in every frame of them.
-const EVEN: f64 = 1e-6;
+/// As a part of the factor, by how much a frame that belongs to the joints below may deviate from
+/// one that is scaled uniformly: the deviation is in every frame of them.
+const UNIFORM: f64 = 1e-6;
+
+/// Between the name of a node and the number of a morph target.
+const NUMBERED: &str = ", morph target ";
+
+impl ScalarTrack {
+    /// Whether it is of a morph target without a name, which in another document may have this
+    /// number for another thing.
+    #[must_use]
+    pub fn is_of_numbered_target(&self) -> bool {
+        self.name.contains(NUMBERED)
+    }
+}
 
 /// Where the transform of a joint comes from.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +78,8 @@ pub(super) struct Source {
     pub(super) node: usize,
     /// The transform at rest, without what lies above.
     rest: Transform<f64>,
+    /// The transform of the node without an animation.
+    stands: Transform<f64>,
     /// The frame in the world of the nodes above that are not joints.
     pub(super) above: Transform<f64>,
 }
@@ -129,12 +142,12 @@ impl<'a> GltfMotion<'a> {
     /// # Errors
     ///
     /// [`RecordingError::Unit`]; [`RecordingError::NoJoints`] where no nodes are given;
-    /// [`MotionFileError::Shears`] and [`MotionFileError::Uneven`].
+    /// [`MotionFileError::Shears`] and [`MotionFileError::NonUniformScale`].
     ///
     /// # Panics
     ///
     /// When there is no such node.
-    pub fn of_joints(
+    pub(crate) fn of_joints(
         player: &'a Player<'a>,
         nodes: &[usize],
         metres_per_unit: f64,
@@ -182,7 +195,7 @@ impl<'a> GltfMotion<'a> {
             }
             let above = match parents[node] {
                 Some(parent) if !is_joint[parent] => {
-                    even(pose.world[parent], EVEN).unwrap_or_default()
+                    uniform_within(pose.world[parent], UNIFORM).unwrap_or_default()
                 }
                 _ => Transform::default(),
             };
@@ -190,12 +203,17 @@ impl<'a> GltfMotion<'a> {
             let rest = match pose.locals[node] == stands.locals[node] {
                 true => own,
                 false => {
-                    let bound = even_parts(&pose.locals[node]);
-                    let bound = bound.ok_or(MotionFileError::Uneven { node })?;
+                    let bound = uniform_parts(&pose.locals[node]);
+                    let bound = bound.ok_or(MotionFileError::NonUniformScale { node })?;
                     bound_rest(&own, &bound, longest)
                 }
             };
-            let source = Source { node, rest, above };
+            let source = Source {
+                node,
+                rest,
+                stands: own,
+                above,
+            };
             joint_of[node] = Some(motion.joints.len());
             motion.joints.push(RecordedJoint {
                 name: name(node, &document.nodes[node]),
@@ -216,7 +234,7 @@ impl<'a> GltfMotion<'a> {
     /// # Errors
     ///
     /// As [`Recording::of_joints`].
-    pub fn recording_of_clip(
+    pub(crate) fn recording_of_clip(
         &self,
         skeleton: &Skeleton,
         nodes: &[usize],
@@ -228,7 +246,8 @@ impl<'a> GltfMotion<'a> {
         Recording::of_joints(self.joints.clone(), &of_skeleton, skeleton, clip)
     }
 
-    /// The joints, parents before children. A joint's transform at rest is that of its node.
+    /// The joints, parents before children. A joint's transform at rest is that of its node without
+    /// an animation.
     #[must_use]
     pub fn joints(&self) -> &[RecordedJoint] {
         &self.joints
@@ -304,7 +323,8 @@ impl<'a> GltfMotion<'a> {
             for source in &self.sources {
                 let own = match pose.locals[source.node] {
                     LocalFrame::Parts(parts) => parts,
-                    LocalFrame::Matrix(_) => source.rest,
+                    // An animation does not move it.
+                    LocalFrame::Matrix(_) => source.stands,
                 };
                 locals.push(self.local(source, own));
             }
@@ -368,15 +388,20 @@ impl<'a> GltfMotion<'a> {
         names.map(track).collect()
     }
 
-    /// The name of the track of each morph target of a node.
+    /// The name of the track of each morph target of a node: its name as most programs write it, in
+    /// the `targetNames` of the mesh, or its number.
     pub(super) fn track_names(&self, node: usize) -> impl Iterator<Item = String> {
         let document = self.player.document();
         let of_node = &document.nodes[node];
         let mesh = of_node.mesh.and_then(|mesh| document.meshes.get(mesh));
         let primitive = mesh.and_then(|mesh| mesh.primitives.first());
         let count = primitive.map_or(0, |primitive| primitive.targets.len());
+        let names = mesh.map_or(Vec::new(), Mesh::target_names);
         let name = name(node, of_node);
-        (0..count).map(move |target| format!("{name}, morph target {target}"))
+        (0..count).map(move |target| match names.get(target) {
+            Some(of_target) => format!("{name}, {of_target}"),
+            None => format!("{name}{NUMBERED}{target}"),
+        })
     }
 
     /// The transform of a joint in metres: that of its node, after what lies above.
@@ -416,7 +441,7 @@ fn joint_nodes(player: &Player, is_moving: &[bool], pose: &NodePose) -> Vec<bool
     let mut is_joint = is_needed;
     for &node in order {
         let is_at_top = parents[node].is_none_or(|parent| !is_joint[parent]);
-        if is_at_top && !is_moving[node] && even(pose.world[node], EVEN).is_some() {
+        if is_at_top && !is_moving[node] && uniform_within(pose.world[node], UNIFORM).is_some() {
             is_joint[node] = false;
         }
     }

@@ -107,7 +107,7 @@ struct Image {
 }
 
 impl Image {
-    /// The image of the counterpart's transform; `None` where it is scaled unevenly.
+    /// The image of the counterpart's transform; `None` where it is scaled non-uniformly.
     fn of(&self, plane: DualPlane<f64>, other: &Transform<f64>) -> Option<Transform<f64>> {
         even_factor(quotient(other.scale, self.rest_scale))?;
         let moved = (other.translation() - self.places[0]) * self.factor;

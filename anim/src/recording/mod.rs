@@ -16,7 +16,7 @@
 //! ```
 //!
 //! [`Recording::to_skeleton`] and [`Recording::to_clip`] convert one way, [`Recording::from_clip`]
-//! and [`Recording::of_joints`] the other way.
+//! the other way.
 
 mod blend;
 mod conversion;

@@ -144,6 +144,7 @@ impl GltfMotion<'_> {
             keys.add(&mut document, source.node, (joint, unit), own);
         }
         let mut left: Vec<&super::ScalarTrack> = recording.tracks.iter().collect();
+        let rest = self.player.pose(None, 0.0)?;
         for &node in &self.morphed {
             let names: Vec<String> = self.track_names(node).collect();
             let tracks = names.iter().map(|name| {
@@ -151,16 +152,16 @@ impl GltfMotion<'_> {
                 place.map(|place| left.remove(place))
             });
             let tracks: Vec<Option<&super::ScalarTrack>> = tracks.collect();
-            // In a new animation what the recording does not know stays as the node has it.
+            // What the recording does not know stays as the node has it.
             if self.animation.is_none() && tracks.iter().all(Option::is_none) {
                 continue;
             }
+            let own = rest.weights(node);
             let frames = 0..recording.frame_count();
             let weights = frames.flat_map(|frame| {
-                let weight = |track: &Option<&super::ScalarTrack>| {
-                    track.map_or(0.0, |track| track.values[frame] as f32)
-                };
-                tracks.iter().map(weight).collect::<Vec<f32>>()
+                let of_targets = tracks.iter().zip(own);
+                of_targets
+                    .map(move |(track, own)| track.map_or(*own, |track| track.values[frame]) as f32)
             });
             keys.push(node, Keys::Weights(weights.collect()));
         }

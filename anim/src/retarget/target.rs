@@ -11,7 +11,8 @@ use crate::skeleton::Skeleton;
 
 /// A skeleton in a file with what it stands on. Its motions are written by
 /// [`Written`](crate::motion_file::Written), with the file as
-/// [`like`](crate::motion_file::WriteOptions::like).
+/// [`like`](crate::motion_file::WriteOptions::like) and as a
+/// [new animation](crate::motion_file::Animations::First) of it.
 ///
 /// # Examples
 ///
@@ -135,7 +136,9 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// Those of [`Recording::of_joints`], and of [`GltfMotion::of_joints`] for glTF.
+    /// [`RecordingError`](crate::recording::RecordingError) for a clip of another skeleton, for a
+    /// unit that is not positive, and where a frame that is scaled non-uniformly is above a joint.
+    /// For glTF also [`MotionFileError::Shears`] and [`MotionFileError::NonUniformScale`].
     pub fn recording(&self, clip: &Clip) -> Result<Recording, MotionFileError> {
         let unit = self.metres_per_unit();
         let joints = match (self.file.contents(), &self.recording) {
@@ -149,6 +152,7 @@ impl Target {
         };
         let of_skeleton: Vec<Option<usize>> = (0..joints.len()).map(Some).collect();
         let skeleton = (&self.skeleton, unit);
-        Ok(Recording::of_joints(joints, &of_skeleton, skeleton, clip)?)
+        let recording = Recording::of_joints(joints, &of_skeleton, skeleton, clip)?;
+        Ok(recording.with_ends_of(&self.skeleton, unit))
     }
 }

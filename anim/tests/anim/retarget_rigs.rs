@@ -25,7 +25,7 @@ fn moved(document: &Document, motion: &Bvh) -> Document {
     let rigged = Rigged::new(document).unwrap();
     let retarget = Retarget::new(motion, rigged.skeleton(), &Options::default()).unwrap();
     let clip = retarget.clip(0..=motion.frame_count() - 1).unwrap();
-    rigged.with_clip("motion", &clip).unwrap()
+    rigged.with_clip("motion", &clip).unwrap().0
 }
 
 /// Where a node is in the world at the frames of the motion, as any viewer has it.

@@ -199,6 +199,60 @@ fn other_formats_stand_as_the_skin_was_bound() {
     }
 }
 
+/// A clip is in metres, whatever unit is given with it.
+#[test]
+fn the_unit_of_a_clip_is_a_metre() {
+    let Some(rigs) = rigs() else {
+        return;
+    };
+    let recording = rigs[0].recording(&dance(rigs[0].skeleton())).unwrap();
+    let in_clip = written(&rigs[0], &recording, Format::Clip, Animations::Alone);
+    let options = Options {
+        metres_per_unit: Some(0.01),
+        ..Options::default()
+    };
+    let target = Target::new(MotionFile::new(in_clip.contents, options)).unwrap();
+    assert_eq!(target.metres_per_unit(), 1.0);
+    let clip = dance(target.skeleton());
+    let recording = target.recording(&clip).unwrap();
+    assert!(apart(&recording, target.skeleton(), &clip, 1.0) < 1e-6);
+}
+
+/// A frame above a joint that is turned round by two negative factors, or is mirrored in a point.
+#[test]
+fn joints_move_below_negative_factors() {
+    for scale in [[-2.0, -2.0, 2.0], [-2.0; 3]] {
+        let node = |name: &str, children: &[usize], scale| Node {
+            name: Some(name.to_owned()),
+            children: children.to_vec(),
+            transform: Transform::Decomposed {
+                translation: [0.3, 1.0, 0.1],
+                rotation: [0.0, 0.6, 0.0, 0.8],
+                scale,
+            },
+            ..Node::default()
+        };
+        let rig = Document {
+            nodes: vec![
+                node("rig", &[1], scale),
+                node("hips", &[2], [1.0; 3]),
+                node("head", &[], [1.0; 3]),
+            ],
+            skins: vec![Skin {
+                joints: vec![1, 2],
+                ..Skin::default()
+            }],
+            ..Document::default()
+        };
+        let file = MotionFile::new(Contents::Gltf(Box::new(rig)), Options::default());
+        let target = Target::new(file).unwrap();
+        let clip = dance(target.skeleton());
+        let recording = target.recording(&clip).unwrap();
+        let error = apart(&recording, target.skeleton(), &clip, 1.0);
+        assert!(error < 1e-12, "{scale:?}: {error}");
+    }
+}
+
 /// All channels, offsets, ends and the unit.
 #[test]
 fn a_recording_keeps_its_form_as_a_target() {
@@ -237,7 +291,7 @@ fn a_recording_keeps_its_form_as_a_target() {
     assert!(apart(&again, target.skeleton(), &clip, 0.01) < 1e-12);
 }
 
-/// A rig in centimetres below a node that scales it, with a morph target.
+/// A rig in centimetres below a node that scales it, with two morph targets.
 #[test]
 fn what_a_scaled_rig_does_not_keep_in_another_format_is_listed() {
     let node = |name: &str, children: &[usize], translation, scale| Node {
@@ -250,14 +304,15 @@ fn what_a_scaled_rig_does_not_keep_in_another_format_is_listed() {
         },
         ..Node::default()
     };
+    let target = MorphTarget {
+        positions: vec![[1.0; 3]],
+        ..MorphTarget::default()
+    };
     let vertex = Primitive {
         positions: vec![[0.0; 3]],
         joints: vec![vec![[0; 4]]],
         weights: vec![vec![[1.0, 0.0, 0.0, 0.0]]],
-        targets: vec![MorphTarget {
-            positions: vec![[1.0; 3]],
-            ..MorphTarget::default()
-        }],
+        targets: vec![target.clone(), target],
         ..Primitive::default()
     };
     let rig = Document {
@@ -273,6 +328,7 @@ fn what_a_scaled_rig_does_not_keep_in_another_format_is_listed() {
         ],
         meshes: vec![Mesh {
             primitives: vec![vertex],
+            weights: vec![0.0, 0.125],
             ..Mesh::default()
         }],
         skins: vec![Skin {
@@ -319,14 +375,17 @@ fn what_a_scaled_rig_does_not_keep_in_another_format_is_listed() {
         Keys::Weights(keys) => Some((channel.node, keys.clone())),
         _ => None,
     });
-    assert_eq!(weights, Some((3, vec![0.0, 0.25, 0.5, 0.75, 1.0])));
+    // The other target keeps its weight.
+    let keys = [0.0, 0.25, 0.5, 0.75, 1.0].map(|key| [key, 0.125]);
+    assert_eq!(weights, Some((3, keys.concat())));
     // Only the hips leave their place.
     let moved = channels.iter();
     let moved = moved.filter(|channel| matches!(channel.keys, Keys::Translation(_)));
     assert_eq!(moved.map(|channel| channel.node).collect::<Vec<_>>(), [1]);
     let again = Recording::from_gltf(document(&in_gltf.contents), 0, 1.0, None).unwrap();
     assert!(apart(&again, target.skeleton(), &clip, 1.0) < 1e-6);
-    assert_eq!(again.tracks(), &tracks[..1]);
+    assert_eq!(again.tracks()[0], tracks[0]);
+    assert_eq!(again.tracks()[1].values, [0.125; 5]);
     assert!(
         recording
             .with_tracks(vec![ScalarTrack {

@@ -155,12 +155,12 @@ fn a_real_figure_plays_a_clip() {
     };
     let poses = (0..5).map(|frame| pose(skeleton, &numbers(frame), [0.1 * frame as f64, 0.2, 0.0]));
     let clip = Clip::new(0.04, poses.collect()).unwrap();
-    let played = rigged.with_clip("dance", &clip).unwrap();
+    let played = rigged.with_clip("dance", &clip).unwrap().0;
     // Its own animation follows.
     assert_eq!(played.animations[0].name.as_deref(), Some("dance"));
     assert_eq!(played.animations[1..], document.animations);
     let twice = Rigged::new(&played).unwrap().with_clip("dance", &clip);
-    let names = twice.unwrap().animations.into_iter().map(|it| it.name);
+    let names = twice.unwrap().0.animations.into_iter().map(|it| it.name);
     let names: Vec<_> = names.take(2).flatten().collect();
     assert_eq!(names, ["dance 2", "dance"]);
     assert_eq!(
@@ -187,7 +187,7 @@ fn a_skeleton_alone_plays_a_clip() {
     );
     let clip = clip.unwrap();
     let rigged = Rigged::of_skeleton(&skeleton);
-    let document = rigged.with_clip("bow", &clip).unwrap();
+    let document = rigged.with_clip("bow", &clip).unwrap().0;
     assert_played(&rigged, &document, &clip, 5e-6);
     // Only roots move along.
     let moved = document.animations[0].channels.iter();
@@ -201,7 +201,7 @@ fn a_skeleton_alone_plays_a_clip() {
         rigged.with_clip("short", &short),
         Err(MotionFileError::Recording(RecordingError::Skeleton(_)))
     ));
-    // A frame that is scaled unevenly has no rotation below it.
+    // A frame that is scaled non-uniformly has no rotation below it.
     let node = |children: Vec<usize>, scale| Node {
         children,
         transform: Transform::Decomposed {
@@ -211,15 +211,15 @@ fn a_skeleton_alone_plays_a_clip() {
         },
         ..Node::default()
     };
-    let uneven = Document {
+    let stretched = Document {
         nodes: vec![node(vec![1], [1.0, 2.0, 1.0]), node(vec![], [1.0; 3])],
         ..Document::default()
     };
-    let rigged = Rigged::new(&uneven).unwrap();
+    let rigged = Rigged::new(&stretched).unwrap();
     let still = Clip::new(0.1, vec![Pose::rest(2)]).unwrap();
     assert_eq!(
         rigged.with_clip("still", &still).unwrap_err(),
-        RecordingError::ScaledUnevenly {
+        RecordingError::NonUniformScale {
             name: "node 0".into()
         }
         .into()
@@ -247,7 +247,7 @@ proptest! {
         }
         let pose = pose(longer.skeleton(), &numbers, way);
         let clip = Clip::new(0.1, vec![pose]).unwrap();
-        let played = longer.with_clip("longer", &clip).unwrap();
+        let played = longer.with_clip("longer", &clip).unwrap().0;
         assert_played(&longer, &played, &clip, 1e-4);
     }
 }
@@ -263,8 +263,8 @@ fn a_figure_grows_with_its_skin() {
     let count = rigged.skeleton().len();
     let still = Clip::new(1.0, vec![Pose::rest(count)]).unwrap();
     let grown = rigged.with_lengths(&vec![1.25; count]).unwrap();
-    let before = character(&rigged.with_clip("still", &still).unwrap()).unwrap();
-    let after = character(&grown.with_clip("still", &still).unwrap()).unwrap();
+    let before = character(&rigged.with_clip("still", &still).unwrap().0).unwrap();
+    let after = character(&grown.with_clip("still", &still).unwrap().0).unwrap();
     assert_eq!(before.mesh.vertex_count(), after.mesh.vertex_count());
     for (old, new) in before.mesh.coordinates().zip(after.mesh.coordinates()) {
         let wanted = Vector::from(old) * 1.25;

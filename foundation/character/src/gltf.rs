@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{self, Rigged};
+use ga_anim::motion_file::Loss;
 use ga_mesh::gltf::model::{Dielectric, Model, Skin, to_document};
 use ga_mesh::gltf::{
     Document, Image, ImageSource, Node, Sampler, TextureElement, TextureInfo, Transform,
@@ -22,29 +23,35 @@ pub(crate) const MATERIAL: &str = "skin";
 pub(crate) const ROUGHNESS: f64 = 0.8;
 
 /// The figure with a motion as binary glTF: its document with the motion as the first animation, or
-/// else its mesh with skeleton and skin weights, painted with a PNG where it is painted.
+/// else its mesh with skeleton and skin weights, painted with a PNG where it is painted. The result
+/// also says what of the motion is not in it.
 ///
 /// # Errors
 ///
 /// [`CharacterError::Document`] for a clip of another skeleton, [`CharacterError::Gltf`] where
 /// numbers do not fit the format, and [`CharacterError::Encode`] for a painted skin without pixels.
-pub fn encode(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<u8>, CharacterError> {
-    Ok(ga_mesh::gltf::encode(&animated(figure, clip, clip_name)?)?)
+pub fn encode(
+    figure: &Figure,
+    clip: &Clip,
+    clip_name: &str,
+) -> Result<(Vec<u8>, Vec<Loss>), CharacterError> {
+    let (document, losses) = animated(figure, clip, clip_name)?;
+    Ok((ga_mesh::gltf::encode(&document)?, losses))
 }
 
-/// The document that [`encode`] writes.
+/// The document that [`encode`] writes, and what of the motion is not in it.
 pub(crate) fn animated(
     figure: &Figure,
     clip: &Clip,
     clip_name: &str,
-) -> Result<Document, CharacterError> {
+) -> Result<(Document, Vec<Loss>), CharacterError> {
     let rigged = match &figure.document {
         Some(document) => Rigged::new(&scaled(document, figure.metres_per_unit))?,
         None => {
             let skeleton = figure.character.skeleton.clone();
             let nodes = (0..skeleton.len()).collect();
             let png = figure.png()?;
-            Rigged::of_nodes(document_of(figure, png.as_deref())?, skeleton, nodes)?
+            Rigged::from_nodes(document_of(figure, png.as_deref())?, skeleton, nodes)?
         }
     };
     Ok(rigged.with_clip(clip_name, clip)?)

@@ -27,7 +27,7 @@
 //!
 //! let seen = TwoViews::new(&figure.character, &keys, 1)?;
 //! assert!(seen.noise_free.joint_position_error_max_metres < 1e-9);
-//! let files = model::files(&figure, &keys, "walk")?;
+//! let (files, _) = model::files(&figure, &keys, "walk")?;
 //! assert_eq!(files[1].name, "model.glb");
 //! # Ok::<(), ga_character::CharacterError>(())
 //! ```

@@ -1,6 +1,7 @@
 //! A figure as files: OBJ at rest, binary glTF with its motion.
 
 use ga_anim::clip::Clip;
+use ga_anim::motion_file::Loss;
 use ga_mesh::obj;
 use serde::{Serialize, Serializer};
 
@@ -42,13 +43,18 @@ fn length<S: Serializer>(contents: &[u8], serializer: S) -> Result<S::Ok, S::Err
 }
 
 /// The mesh at rest, in metres, and the mesh with skeleton, skin weights and one animation; then
-/// the material and the picture that the first refers to, if the figure is painted.
+/// the material and the picture that the first refers to, if the figure is painted. The result also
+/// says what of the motion is not in the second.
 ///
 /// # Errors
 ///
 /// [`CharacterError::Encode`] for a painted skin without pixels, [`CharacterError::Document`] for a
 /// clip of another skeleton, and [`CharacterError::Gltf`] where numbers do not fit the format.
-pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>, CharacterError> {
+pub fn files(
+    figure: &Figure,
+    clip: &Clip,
+    clip_name: &str,
+) -> Result<(Vec<File>, Vec<Loss>), CharacterError> {
     let mesh = &figure.character.mesh;
     let file = |name, contents| File {
         name,
@@ -60,10 +66,11 @@ pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>,
         vertices: Some(mesh.vertex_count()),
         ..file(name, contents)
     };
-    let glb = of_mesh(GLB, gltf::encode(figure, clip, clip_name)?);
+    let (glb, losses) = gltf::encode(figure, clip, clip_name)?;
+    let glb = of_mesh(GLB, glb);
     let Some((png, paint)) = figure.png()?.zip(figure.paint.as_ref()) else {
         let text = obj::encode(mesh);
-        return Ok(vec![of_mesh(OBJ, text.into_bytes()), glb]);
+        return Ok((vec![of_mesh(OBJ, text.into_bytes()), glb], losses));
     };
     let material = ga_mesh::Material {
         roughness: gltf::ROUGHNESS,
@@ -86,5 +93,5 @@ pub fn files(figure: &Figure, clip: &Clip, clip_name: &str) -> Result<Vec<File>,
         pixels: Some([paint.width(), paint.height()]),
         ..file(SKIN, png)
     });
-    Ok(files)
+    Ok((files, losses))
 }

@@ -31,7 +31,8 @@ pub const FILM_SIZE: [u32; 2] = [360, 480];
 ///
 /// A figure with a document is drawn as that has it: with its materials, the weights of its morph
 /// targets, and meshes that no joint moves. Its vertices are moved by the linear blend, which is
-/// what glTF says; those of other figures by motors. The camera sees all that joints move.
+/// what glTF says; those of other figures by motors. The camera sees all that joints move; morph
+/// targets do not influence it.
 ///
 /// # Errors
 ///
@@ -153,7 +154,7 @@ impl Shots<'_> {
         for &(caption, pose) in &self.moments {
             let added = sequence.add(&Frame {
                 caption,
-                positions: &self.figure.character.skinned(pose, Method::Motor)?,
+                positions: &self.figure.character.skinned(pose, self.method())?,
                 bones: &self.marks((caption, pose))?.bones,
             });
             added.map_err(|error| self.failed(error))?;
@@ -165,16 +166,21 @@ impl Shots<'_> {
     fn document(&self) -> Result<Document, CharacterError> {
         let poses = self.moments.iter().map(|&(_, pose)| pose.clone());
         let clip = Clip::new(1.0, poses.collect()).map_err(MotionFileError::from)?;
-        gltf::animated(self.figure, &clip, "moments")
+        Ok(gltf::animated(self.figure, &clip, "moments")?.0)
     }
 
     fn scene<'a>(&self, document: &'a Document) -> Result<AnimatedScene<'a>, CharacterError> {
         let file = self.figure.file.as_ref();
         let scene = AnimatedScene::new(document, file.and_then(|file| file.parent()))?;
-        Ok(match self.figure.document {
-            Some(_) => scene,
-            None => scene.with_method(Method::Motor),
-        })
+        Ok(scene.with_method(self.method()))
+    }
+
+    /// How vertices with several joints are moved.
+    fn method(&self) -> Method {
+        match self.figure.document {
+            Some(_) => Method::Linear,
+            None => Method::Motor,
+        }
     }
 
     fn picture(

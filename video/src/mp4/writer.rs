@@ -1,12 +1,12 @@
 //! Films that are written as H.264 in MP4.
 
-use std::io::{Seek, SeekFrom, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::num::NonZeroU32;
 
 use ga_image::film::Rate;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
-use ga_image::y4m::{Sampling, planes};
+use ga_image::y4m::{Sampling, Siting, planes};
 use ga_image::ycbcr::{Range, YCbCr};
 use openh264::OpenH264API;
 use openh264::encoder::{
@@ -25,8 +25,11 @@ use crate::VideoError;
 /// The quantiser of all blocks, from 0 to 51: fine enough that edges of drawings stay clean.
 const QUANTISER: u8 = 20;
 
-/// Seconds from one picture that is stored whole to the next.
-const WHOLE_EVERY: f64 = 2.0;
+/// Seconds from one key frame, which is stored without reference to others, to the next.
+const KEY_FRAME_EVERY: f64 = 2.0;
+
+/// The most frames for whose index room is kept at the beginning: nine hours at 30 a second.
+const MOST_RESERVED: usize = 1_000_000;
 
 /// The least units of time in a second: players are made for about so many.
 const TIMESCALE: u32 = 10_000;
@@ -38,7 +41,7 @@ const COLOURS: YCbCr = YCbCr {
 };
 
 /// A film in MP4 that is written picture by picture: H.264 with 8 bits, 4:2:0, BT.709, limited
-/// range.
+/// range, the colour differences at the first of two columns.
 ///
 /// The quantiser is constant, so that the quality is. The index comes first, where room is kept for
 /// it; in memory are the frame that is written and some bytes of the index for each one before.
@@ -89,7 +92,7 @@ pub struct Writer<W> {
 
 impl<W: Write + Seek> Writer<W> {
     /// Writes what stands before the first picture into an empty file. With more pictures than
-    /// `frames` the index comes last.
+    /// `frames`, or than a million, the index comes last.
     ///
     /// # Errors
     ///
@@ -114,7 +117,7 @@ impl<W: Write + Seek> Writer<W> {
             .qp(QpRange::new(QUANTISER, QUANTISER))
             .complexity(Complexity::High)
             .intra_frame_period(IntraFramePeriod::from_num_frames(
-                (WHOLE_EVERY * per_second).ceil() as u32,
+                (KEY_FRAME_EVERY * per_second).ceil() as u32,
             ))
             // Those that the encoder knows; the times are in the file.
             .max_frame_rate(FrameRate::from_hz(per_second.clamp(1.0, 60.0) as f32))
@@ -129,7 +132,7 @@ impl<W: Write + Seek> Writer<W> {
         let encoder = Encoder::with_api_config(OpenH264API::from_source(), configuration)
             .map_err(|error| encoding(0, error))?;
         let options = Mp4FileMuxerOptions {
-            reserved_moov_box_size: estimate_maximum_moov_box_size(&[frames]),
+            reserved_moov_box_size: estimate_maximum_moov_box_size(&[frames.min(MOST_RESERVED)]),
             ..Mp4FileMuxerOptions::default()
         };
         let muxer = Mp4FileMuxer::with_options(options).map_err(|error| encoding(0, error))?;
@@ -165,12 +168,12 @@ impl<W: Write + Seek> Writer<W> {
         }
         let [width, height] = even(size);
         let [luma, cb, cr] = if [width, height] == size {
-            planes(picture, Sampling::Quarter, COLOURS)
+            planes(picture, Sampling::Quarter, Siting::Left, COLOURS)
         } else {
             let padded = Plane::from_fn(width, height, |column, row| {
                 picture.row(row.min(size[1] - 1))[column.min(size[0] - 1)]
             });
-            planes(&padded, Sampling::Quarter, COLOURS)
+            planes(&padded, Sampling::Quarter, Siting::Left, COLOURS)
         };
         let source = YUVSlices::new(
             (luma.values(), cb.values(), cr.values()),
@@ -186,7 +189,7 @@ impl<W: Write + Seek> Writer<W> {
         let sample = Sample {
             track_kind: TrackKind::Video,
             sample_entry: entry,
-            keyframe: unit.is_whole,
+            keyframe: unit.is_key_frame,
             timescale: self.timescale,
             duration: self.duration,
             composition_time_offset: None,
@@ -206,25 +209,23 @@ impl<W: Write + Seek> Writer<W> {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Encoding`] without pictures, and [`VideoError::Write`].
+    /// [`VideoError::Encoding`] without pictures, and [`VideoError::WriteIndex`].
     pub fn finish(mut self) -> Result<(), VideoError> {
-        let frame = self.frame;
-        if frame == 0 {
+        if self.frame == 0 {
             return Err(encoding(0, "a film has at least one picture"));
         }
+        let failed = |source| VideoError::WriteIndex { source };
         let index = self.muxer.finalize();
-        let index = index.map_err(|error| encoding(frame, error))?;
+        let index = index.map_err(|error| failed(io::Error::other(error.to_string())))?;
         for (place, bytes) in index.offset_and_bytes_pairs() {
-            let written = self.writer.seek(SeekFrom::Start(place));
-            let written = written.and_then(|_| self.writer.write_all(bytes));
-            written.map_err(|source| VideoError::Write { frame, source })?;
+            self.writer.seek(SeekFrom::Start(place)).map_err(failed)?;
+            self.writer.write_all(bytes).map_err(failed)?;
         }
-        let written = self.writer.flush();
-        written.map_err(|source| VideoError::Write { frame, source })
+        self.writer.flush().map_err(failed)
     }
 
-    /// The description of the film, which is said with its first frame. All that are stored whole
-    /// must have its parameter sets.
+    /// The description of the film, which is said with its first frame. All key frames must have
+    /// its parameter sets.
     fn entry(
         &mut self,
         unit: &AccessUnit,
@@ -287,7 +288,7 @@ struct AccessUnit {
     /// The sequence and the picture parameter set.
     sets: [Option<Vec<u8>>; 2],
     /// Whether it is decoded without another frame.
-    is_whole: bool,
+    is_key_frame: bool,
 }
 
 impl AccessUnit {
@@ -295,7 +296,7 @@ impl AccessUnit {
         let mut found = Self {
             bytes: Vec::new(),
             sets: [None, None],
-            is_whole: false,
+            is_key_frame: false,
         };
         let layers = (0..encoded.num_layers()).filter_map(|layer| encoded.layer(layer));
         for layer in layers {
@@ -310,7 +311,7 @@ impl AccessUnit {
                     Some(7) => found.sets[0] = Some(unit.to_vec()),
                     Some(8) => found.sets[1] = Some(unit.to_vec()),
                     kind => {
-                        found.is_whole |= kind == Some(5);
+                        found.is_key_frame |= kind == Some(5);
                         found.bytes.extend((unit.len() as u32).to_be_bytes());
                         found.bytes.extend(unit);
                     }

@@ -113,8 +113,8 @@ fn file(
         animations: &[],
     };
     let nodes = (0..skeleton.len()).collect();
-    let rigged = Rigged::of_nodes(to_document(&model).unwrap(), skeleton.clone(), nodes);
-    let document = rigged.unwrap().with_clip("clip", clip).unwrap();
+    let rigged = Rigged::from_nodes(to_document(&model).unwrap(), skeleton.clone(), nodes);
+    let document = rigged.unwrap().with_clip("clip", clip).unwrap().0;
     ga_mesh::gltf::encode(&document).unwrap()
 }
 
@@ -147,6 +147,7 @@ proptest! {
         let nodes = joint_nodes(&skeleton);
         let recording = Recording::from_clip(&skeleton, &clip).unwrap();
         prop_assert_eq!(nodes.len(), skeleton.len());
+        prop_assert_eq!(recording.frame_time(), 0.25);
         let mut rest: Vec<Motor<f64>> = Vec::new();
         for (node, joint) in nodes.iter().zip(skeleton.joints()) {
             prop_assert_eq!((&node.name, node.parent), (&joint.name, joint.parent));

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed;
-use ga_anim::motion_file::{Animations, Format as MotionFormat, Options, WriteOptions};
-use ga_anim::recording::Recording;
+use ga_anim::motion_file::{Animations, Format as MotionFormat, Loss, Options, WriteOptions};
+use ga_anim::recording::{Recording, ScalarTrack};
 use ga_anim::retarget::{MapOrigin, Target, Transfer};
+use ga_files::is_same_file;
 use serde::Serialize;
 
 use super::input::{MotionArguments, checked_unit};
@@ -127,7 +128,8 @@ impl Command for Arguments {
         let transfer = transfer.with_context(|| format!("{file} cannot move {target_file}"))?;
         let verdict = Verdict::of(&warnings);
         let recording = target.recording(&transfer.clip);
-        let recording = recording.and_then(|it| Ok(it.with_tracks(source.tracks().to_vec())?));
+        let tracks = self.tracks(&source, &mut warnings);
+        let recording = recording.and_then(|it| Ok(it.with_tracks(tracks)?));
         let recording = recording.with_context(|| target_file.clone())?;
         self.write(format, &target, &recording, &mut warnings, &progress)?;
         Ok(Report {
@@ -158,6 +160,19 @@ impl Arguments {
         };
         let file = motion_file::read_any(path, options, option, warnings)?;
         Target::new(file).with_context(|| path.display().to_string())
+    }
+
+    /// The scalar tracks that mean the same for the target; others are listed.
+    fn tracks(&self, source: &Recording, warnings: &mut Vec<Warning>) -> Vec<ScalarTrack> {
+        let is_own = is_same_file(&self.motion.motion, &self.target);
+        let tracks = source.tracks().iter().cloned();
+        let (kept, left): (Vec<_>, Vec<_>) =
+            tracks.partition(|track| is_own || !track.is_of_numbered_target());
+        if !left.is_empty() {
+            let tracks = left.into_iter().map(|track| track.name).collect();
+            warnings.push(motion_file::lost(&Loss::Tracks { tracks }, &self.out));
+        }
+        kept
     }
 
     /// Writes a motion of the target, and adds what the format does not hold to the warnings.

@@ -19,7 +19,7 @@ mod writer;
 
 pub use encode::{encode, write};
 pub use header::{Header, Interlacing};
-pub use planes::planes;
+pub use planes::{Siting, planes};
 pub use reader::{Frame, Reader};
 pub use stream::{MAX_LINE, MAX_SIDE, Number, Stream};
 pub use writer::Writer;

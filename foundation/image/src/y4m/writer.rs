@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::planes::planes;
+use super::planes::{Siting, planes};
 use super::{Film, Number, Sampling};
 use crate::format::Format;
 use crate::format_error::FormatError;
@@ -109,7 +109,10 @@ impl<W: Write> Writer<W> {
     ///
     /// As [`write`](Self::write).
     pub fn write_rgb(&mut self, picture: &Plane<[u8; 3]>) -> Result<(), FormatError> {
-        let planes = planes(picture, self.film.sampling, self.film.colours);
+        let Film {
+            sampling, colours, ..
+        } = self.film;
+        let planes = planes(picture, sampling, Siting::Centre, colours);
         self.write(planes.each_ref())
     }
 

@@ -15,6 +15,22 @@ pub struct Mesh {
     pub extras: Extras,
 }
 
+impl Mesh {
+    /// The names of the morph targets, which most programs write as `targetNames` in the extras of
+    /// the mesh; none where there is not one for each.
+    #[must_use]
+    pub fn target_names(&self) -> Vec<&str> {
+        let count = self.primitives.first().map_or(0, |it| it.targets.len());
+        let extras = self.extras.as_ref();
+        let names = extras.and_then(|extras| extras.get("targetNames")?.as_array());
+        let names = names.map(|names| names.iter().map(|name| name.as_str()).collect());
+        names
+            .flatten()
+            .filter(|names: &Vec<&str>| names.len() == count)
+            .unwrap_or_default()
+    }
+}
+
 /// Points, lines or triangles with one material. Every attribute that is not empty has an item for
 /// each vertex.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -20,9 +20,13 @@ pub(super) fn scale_colours(
     let [of_colour, of_alpha] = ranges.map(|range| range.bytes().map_err(out_of_range));
     let bytes = [of_colour?, of_alpha?];
     let are_bytes = [0, 1].map(|part| bytes[part].is_some());
-    if let Some(first) = bytes.into_iter().flatten().min_by_key(|found| found.place) {
+    let names = ["colours", "opacities"];
+    let mut found: Vec<_> = names.into_iter().zip(bytes).collect();
+    found.sort_by_key(|(_, bytes)| bytes.as_ref().map(|first| first.place));
+    for (what, first) in found {
+        let Some(first) = first else { continue };
         let (line, value) = (first.place, first.value);
-        let problem = ObjProblem::ByteColours { value };
+        let problem = ObjProblem::ByteColours { what, value };
         let tolerated = deviations.tolerate_times(line, first.places, problem);
         tolerated.map_err(|problem| FormatError::Obj { line, problem })?;
     }

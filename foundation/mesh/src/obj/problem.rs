@@ -113,8 +113,10 @@ pub enum ObjProblem {
         value: f64,
     },
     /// The colours of the vertices, or their opacities, are whole numbers up to 255.
-    #[error("{value} is not a part of a colour, which is from 0 to 1")]
+    #[error("{value} is not from 0 to 1, as {what} are")]
     ByteColours {
+        /// What they are: `colours` or `opacities`.
+        what: &'static str,
         /// The first number beyond 1.
         value: f64,
     },
@@ -187,8 +189,11 @@ impl Tolerated for ObjProblem {
             Self::IndexOutOfRange { what: "vn", .. } => "such corners have no normal",
             Self::IndexOutOfRange { what: "vt", .. } => "such corners have no texture coordinates",
             Self::NoFaces => "its vertices are read as points",
-            Self::ByteColours { .. } => {
-                "all numbers of colours are whole and up to 255, by which they are divided"
+            Self::ByteColours { what, .. } => {
+                return format!(
+                    "all {what} are whole numbers up to 255, by which they are divided"
+                )
+                .into();
             }
             _ => "it is left out",
         }
@@ -206,7 +211,8 @@ impl Tolerated for ObjProblem {
                     statement: other, ..
                 },
             ) => statement == other,
-            (Self::IndexOutOfRange { what, .. }, Self::IndexOutOfRange { what: other, .. }) => {
+            (Self::IndexOutOfRange { what, .. }, Self::IndexOutOfRange { what: other, .. })
+            | (Self::ByteColours { what, .. }, Self::ByteColours { what: other, .. }) => {
                 what == other
             }
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),

@@ -62,7 +62,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError<FormatError>> {
     ga_files::read(path, decode)
 }
 
-/// Reads the mesh in a file as [`read`] does, and says what was decided where it is not clear.
+/// Reads the mesh in a file, and says what was decided where it is not clear. A strict reading
+/// refuses what deviates from the format.
 ///
 /// # Errors
 ///

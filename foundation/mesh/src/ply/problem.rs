@@ -5,7 +5,7 @@ use std::fmt;
 use crate::MeshError;
 
 /// A place in a PLY file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
     /// A line of the header or of a file of text, from 1.
     Line(usize),

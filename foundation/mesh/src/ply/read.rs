@@ -159,7 +159,11 @@ fn vertices(
     let [of_colour, of_alpha] = ranges.map(|range| range.bytes().map_err(out_of_range));
     let bytes = [of_colour?, of_alpha?];
     let [is_colour_byte, is_alpha_byte] = [0, 1].map(|part| bytes[part].is_some());
-    if let Some(ByteColours { place, value, .. }) = bytes.into_iter().flatten().next() {
+    let first = bytes
+        .into_iter()
+        .flatten()
+        .min_by(|a, b| a.place.cmp(&b.place));
+    if let Some(ByteColours { place, value, .. }) = first {
         if reading == Reading::Strict {
             let problem = PlyProblem::ByteColours { value };
             return Err(FormatError::Ply { place, problem });

@@ -35,23 +35,46 @@ impl Outline {
     }
 }
 
-/// Whether the face is rings and bridges. Along a bridge it is cut into two closed ways, so that
-/// each bridge lies between two parts with a ring each where none ends without one.
+/// Whether the face is rings that bridges join as the edges of a tree: with rings and vertices
+/// between bridges as its nodes there is one bridge less than nodes, and no bridge ends without a
+/// ring.
 fn is_keyhole(face: &[u32]) -> bool {
     let next = face.iter().cycle().skip(1);
     let sides: Vec<[u32; 2]> = face.iter().zip(next).map(|(&a, &b)| [a, b]).collect();
     let known: HashSet<[u32; 2]> = sides.iter().copied().collect();
     let is_plain = sides.iter().all(|[a, b]| a != b) && known.len() == sides.len();
     let is_bridge = |&&[a, b]: &&[u32; 2]| known.contains(&[b, a]);
-    let mut on_ring = HashSet::new();
+    let mut on_ring: HashMap<u32, u32> = HashMap::new();
     let mut rings = sides.iter().filter(|side| !is_bridge(side));
-    let is_once = rings.all(|&[from, _]| on_ring.insert(from));
+    let is_once = rings.all(|&[from, to]| on_ring.insert(from, to).is_none());
     let mut bridges_at: HashMap<u32, usize> = HashMap::new();
     for [from, _] in sides.iter().filter(is_bridge) {
         *bridges_at.entry(*from).or_default() += 1;
     }
-    let goes_on = |(vertex, &count): (&u32, &usize)| count > 1 || on_ring.contains(vertex);
-    is_plain && is_once && !on_ring.is_empty() && bridges_at.iter().all(goes_on)
+    let goes_on = |(vertex, &count): (&u32, &usize)| count > 1 || on_ring.contains_key(vertex);
+    let between = bridges_at
+        .keys()
+        .filter(|vertex| !on_ring.contains_key(vertex));
+    let nodes = ring_count(&on_ring) + between.count();
+    let bridges = bridges_at.values().sum::<usize>() / 2;
+    is_plain && is_once && bridges_at.iter().all(goes_on) && bridges + 1 == nodes
+}
+
+/// How many rings there are, where each vertex on one has a next one.
+fn ring_count(next: &HashMap<u32, u32>) -> usize {
+    let mut left: HashSet<u32> = next.keys().copied().collect();
+    let mut count = 0;
+    while let Some(&first) = left.iter().next() {
+        count += 1;
+        let mut vertex = first;
+        while left.remove(&vertex) {
+            match next.get(&vertex) {
+                Some(&after) => vertex = after,
+                None => break,
+            }
+        }
+    }
+    count
 }
 
 #[cfg(test)]
@@ -74,7 +97,8 @@ mod tests {
             assert_eq!(Outline::of(&reversed), Outline::Keyhole, "{face:?}");
         }
         // A corner twice in a row, a vertex on two rings without a bridge, a way there and back
-        // to a vertex alone, the same side twice, and no ring at all.
+        // to a vertex alone, the same side twice, no ring at all, a ring with a diagonal that is
+        // passed there and back, and two bridges between two rings.
         for face in [
             &[0, 0, 1, 2][..],
             &[0, 1, 2, 0, 3, 4],
@@ -83,6 +107,8 @@ mod tests {
             &[0, 1, 0, 1],
             &[0, 1, 2, 1],
             &[0, 1, 0],
+            &[0, 2, 0, 1, 2, 3],
+            &[0, 3, 5, 4, 1, 2, 0, 1, 4, 3],
         ] {
             assert_eq!(Outline::of(face), Outline::Repeated, "{face:?}");
         }

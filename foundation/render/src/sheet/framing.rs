@@ -190,6 +190,7 @@ fn round_number(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sheet::Caption;
 
     #[test]
     fn round_numbers() {
@@ -201,6 +202,42 @@ mod tests {
             (73.0, 50.0),
         ] {
             assert!((round_number(x) - rounded).abs() < 1e-12 * rounded, "{x}");
+        }
+    }
+
+    /// Points of a ball, of which the reduced outlines keep a few.
+    #[test]
+    fn the_outermost_points_give_the_same_cameras() {
+        for framing in [Framing::Fixed, Framing::Following] {
+            let options = Options {
+                framing,
+                ..Options::default()
+            };
+            let ball = |frame: usize| -> Vec<[f64; 3]> {
+                let point = |k: usize| {
+                    let (k, frame) = (k as f64, frame as f64);
+                    let [x, y, z] = [0.7 * k, 1.9 * k, 3.1 * k].map(f64::sin);
+                    [x + 0.3 * frame, y + (2.0 * frame).sin(), z - 0.2 * frame]
+                };
+                (0..500).map(point).collect()
+            };
+            let balls: Vec<_> = (0..3).map(ball).collect();
+            let outline = |number: usize| {
+                let frame = Frame {
+                    caption: Caption::new(number),
+                    positions: &balls[number],
+                    bones: &[],
+                };
+                Outline::new(&frame, &options).unwrap()
+            };
+            let whole: Vec<_> = (0..3).map(outline).collect();
+            let reduced = (0..3).map(|number| outline(number).reduced(&options));
+            let reduced: Vec<_> = reduced.collect();
+            assert!(reduced.iter().all(|outline| outline.points.len() < 20));
+            let [whole, reduced] =
+                [whole, reduced].map(|outlines| Stage::new(&outlines, &options).unwrap());
+            assert_eq!(whole.views, reduced.views);
+            assert_eq!(whole.ground.height, reduced.ground.height);
         }
     }
 }

@@ -86,10 +86,10 @@ fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
 
     progress.step("writing");
     let document = fitted.to_document("fitted");
-    let document = document.with_context(|| arguments.character.display().to_string())?;
+    let (document, losses) = document.with_context(|| arguments.character.display().to_string())?;
     let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
     output::write(&arguments.out, &contents)?;
-    Ok(Report::new(arguments, fitted))
+    Ok(Report::new(arguments, fitted, &losses))
 }
 
 fn names(paths: &[PathBuf]) -> String {
@@ -123,6 +123,6 @@ fn mannequin() -> Result<Rigged> {
     let figure = Figure::new(MANNEQUIN, Human::new().into());
     let rest = Pose::rest(figure.character.skeleton.len());
     let rest = Clip::new(1.0, vec![rest])?;
-    let document = gltf::decode(&ga_character::gltf::encode(&figure, &rest, MANNEQUIN)?)?;
+    let document = gltf::decode(&ga_character::gltf::encode(&figure, &rest, MANNEQUIN)?.0)?;
     Ok(Rigged::new(&document)?)
 }

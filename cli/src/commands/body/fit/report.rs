@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use ga_anim::motion_file::Loss;
 use ga_body::character::{CharacterReport, FittedCharacter};
 use serde::Serialize;
 
 use super::Arguments;
 use crate::format::Format;
 use crate::frame::{self, Verdict, Warning};
+use crate::motion_file::lost;
 use crate::shell::quoted;
 
 #[derive(Serialize)]
@@ -22,8 +24,8 @@ pub(crate) struct Report {
 
 impl Report {
     /// With a warning of each view and frame whose pixels are farther from their projections than
-    /// the deviations of the pixels explain.
-    pub(super) fn new(arguments: &Arguments, fitted: FittedCharacter) -> Self {
+    /// the deviations of the pixels explain, and of what of the poses is not in the file.
+    pub(super) fn new(arguments: &Arguments, fitted: FittedCharacter, losses: &[Loss]) -> Self {
         let warning = |what: &str, value: f64| {
             let deviations = "standard deviations from its pixels, as the root mean square";
             Warning::new("large_error", format!("{what} is {value:.1} {deviations}"))
@@ -40,10 +42,11 @@ impl Report {
             frame: Some(frame),
             ..warning(&format!("frame {frame}"), value)
         });
+        let losses = losses.iter().map(|loss| lost(loss, &arguments.out));
         Self {
             character: arguments.character.display().to_string(),
             out: arguments.out.display().to_string(),
-            warnings: of_views.chain(of_frames).collect(),
+            warnings: of_views.chain(of_frames).chain(losses).collect(),
             fit: fitted.report,
         }
     }

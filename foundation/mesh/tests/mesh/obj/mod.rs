@@ -286,32 +286,57 @@ fn colours_up_to_255_are_bytes() {
     };
     let read = |colours| read_as(colours, Reading::Tolerant);
     let grey = 0.215_860_500;
-    // The first number beyond 1, its line, and how many lines have one.
+    // Of colours and of opacities: the first number beyond 1, its line, and how many lines have one.
+    let of = |what, value, line, count| (what, value, line, count);
+    let (colour, opacity) = ("colours", "opacities");
     for (colours, alpha, expected) in [
-        (["255 128 0", "1 1 1", ""], 1.0, Some((255.0, 1, 1))),
-        (["255 128.0 0 0.5", "1 1 1 1", ""], 0.5, Some((255.0, 1, 1))),
+        (
+            ["255 128 0", "1 1 1", ""],
+            1.0,
+            vec![of(colour, 255.0, 1, 1)],
+        ),
+        (
+            ["255 128.0 0 0.5", "1 1 1 1", ""],
+            0.5,
+            vec![of(colour, 255.0, 1, 1)],
+        ),
         (
             ["1 0.50196078 0 51", "1 1 1 255", ""],
             0.2,
-            Some((51.0, 1, 2)),
+            vec![of(opacity, 51.0, 1, 2)],
         ),
-        (["255 128 0 1", "1 1 2 1", ""], 1.0, Some((255.0, 1, 2))),
-        (["1.000001 0.50196078 0", "", ""], 1.0, None),
+        (
+            ["255 128 0 1", "1 1 2 1", ""],
+            1.0,
+            vec![of(colour, 255.0, 1, 2)],
+        ),
+        (
+            ["1 0.50196078 0 51", "1 0 0 1", "1 1 1 255"],
+            0.2,
+            vec![of(opacity, 51.0, 1, 2)],
+        ),
+        (
+            ["255 128 0 255", "1 9 1 0", "255 255 255 255"],
+            1.0,
+            vec![of(colour, 255.0, 1, 3), of(opacity, 255.0, 1, 2)],
+        ),
+        (["1.000001 0.50196078 0", "", ""], 1.0, vec![]),
     ] {
         let (mesh, warnings) = read(colours).unwrap();
-        let expected = expected.map(|(value, line, count)| {
-            let problem = ObjProblem::ByteColours { value };
+        let told = expected.iter().map(|&(what, value, line, count)| {
             obj::Warning::Deviation(Deviation {
                 line,
                 count,
-                problem,
+                problem: ObjProblem::ByteColours { what, value },
             })
         });
-        assert_eq!(warnings, Vec::from_iter(expected.clone()), "{colours:?}");
+        assert_eq!(warnings, told.collect::<Vec<_>>(), "{colours:?}");
         let strict = read_as(colours, Reading::Strict).map(|(_, warnings)| warnings);
-        let refused = expected.map(|_| "is not a part of a colour, which is from 0 to 1");
-        match (strict, refused) {
-            (Err(error), Some(end)) => assert!(error.to_string().ends_with(end), "{error}"),
+        match (strict, expected.first()) {
+            (Err(error), Some((what, value, ..))) => {
+                let end = format!("{value} is not from 0 to 1, as {what} are");
+                assert!(error.to_string().ends_with(&end), "{error}");
+            }
             (found, None) => assert_eq!(found, Ok(vec![])),
             (found, _) => panic!("{colours:?} is read strictly: {found:?}"),
         }
