@@ -24,7 +24,6 @@ use crate::{BodyError, BodyModel, Observation};
 ///
 /// ```
 /// use ga_anim::gltf::Rigged;
-use ga_anim::motion_file::Loss;
 /// use ga_anim::skeleton::{Joint, Skeleton};
 /// use ga_body::character::CharacterFit;
 /// use ga_body::format::JointViews;

@@ -76,8 +76,6 @@ impl ScalarTrack {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source {
     pub(super) node: usize,
-    /// The transform at rest, without what lies above.
-    rest: Transform<f64>,
     /// The transform of the node without an animation.
     stands: Transform<f64>,
     /// The frame in the world of the nodes above that are not joints.
@@ -210,7 +208,6 @@ impl<'a> GltfMotion<'a> {
             };
             let source = Source {
                 node,
-                rest,
                 stands: own,
                 above,
             };

@@ -23,8 +23,8 @@ impl<C: Command> Execute for C {
 /// arguments.
 macro_rules! group {
     ($(#[$attribute:meta])* $($name:ident: $module:path),+ $(,)?) => {
-        $(#[$attribute])*
         #[derive(Clone, Debug, clap::Args)]
+        $(#[$attribute])*
         pub(crate) struct Arguments {
             #[command(subcommand)]
             command: Command,
@@ -40,9 +40,10 @@ macro_rules! group {
                 &self,
                 context: &$crate::frame::Context,
             ) -> anyhow::Result<std::process::ExitCode> {
-                use $crate::frame::Execute as _;
                 match &self.command {
-                    $(Command::$name(arguments) => arguments.execute(context),)+
+                    $(Command::$name(arguments) => {
+                        $crate::frame::Execute::execute(arguments, context)
+                    })+
                 }
             }
         }
