@@ -91,8 +91,9 @@ proptest! {
         let back = recording.mirrored(normal).unwrap().mirrored(normal).unwrap();
         prop_assert_eq!(back.joints(), recording.joints());
         prop_assert_eq!(back.tracks(), recording.tracks());
+        // Places are divided by the factors of up to three joints above, from 0.5 to 2.
         for (a, b) in recording.locals().iter().zip(back.locals()) {
-            prop_assert!(apart(a, b) < 1e-12);
+            prop_assert!(apart(a, b) < 1e-11);
         }
     }
 

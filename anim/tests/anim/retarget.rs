@@ -137,13 +137,14 @@ fn both(retarget: &Retarget, source: &Bvh, target: &Skeleton, frame: usize) -> V
         .collect()
 }
 
-/// All heads are where the source has them, but for one height.
+/// All heads are where the source has them, but for one height. The body is 180 high, so that its
+/// places are rounded by 3e-14 at each of ten joints, and twice so by the angles that are found.
 fn same_places(pairs: &[[[f64; 3]; 2]]) -> Result<(), TestCaseError> {
     let lift = pairs[0][0][1] - pairs[0][1][1];
     for [ours, there] in pairs {
         let lifted = [there[0], there[1] + lift, there[2]];
         prop_assert!(
-            between(*ours, lifted).length() < 1e-11,
+            between(*ours, lifted).length() < 5e-11,
             "{ours:?} instead of {lifted:?}"
         );
     }

@@ -69,17 +69,24 @@ fn vector() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-3.0..3.0_f64)
 }
 
-/// In polar coordinates with rising angles.
+/// In polar coordinates with angles that rise by less than 180°, so that no sides cross.
 fn star() -> impl Strategy<Value = Vec<[f64; 2]>> {
-    prop::collection::vec((0.05..1.0_f64, 0.1..1.0_f64), 4..80).prop_map(|corners| {
-        let turn: f64 = corners.iter().map(|(_, step)| step).sum();
-        let mut angle = 0.0;
-        let place = |(radius, step): (f64, f64)| {
-            angle += step * TAU / turn;
-            [radius * angle.cos(), radius * angle.sin()]
-        };
-        corners.into_iter().map(place).collect()
-    })
+    let corners = prop::collection::vec((0.05..1.0_f64, 0.1..1.0_f64), 4..80);
+    let is_around = |corners: &Vec<(f64, f64)>| {
+        let steps = corners.iter().map(|(_, step)| *step);
+        steps.clone().fold(0.0, f64::max) < 0.49 * steps.sum::<f64>()
+    };
+    corners
+        .prop_filter("the centre inside", is_around)
+        .prop_map(|corners| {
+            let turn: f64 = corners.iter().map(|(_, step)| step).sum();
+            let mut angle = 0.0;
+            let place = |(radius, step): (f64, f64)| {
+                angle += step * TAU / turn;
+                [radius * angle.cos(), radius * angle.sin()]
+            };
+            corners.into_iter().map(place).collect()
+        })
 }
 
 /// Between two chains that rise in x, with corners on whole numbers, many on straight lines.
