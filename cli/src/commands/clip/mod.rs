@@ -15,11 +15,11 @@ mod target;
 use crate::frame::group;
 
 group! {
-    /// Compress recordings of motion within a bound; convert, sample, resample, retarget, mirror and
-    /// blend them.
+    /// Compress recordings of motion within a bound; convert, sample, resample, retarget, mirror
+    /// and blend them.
     ///
-    /// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending of
-    /// the name says which.
+    /// A motion may be BVH (.bvh), glTF 2.0 (.glb, .gltf) or a compressed clip (.clip); the ending
+    /// of the name says which.
     Compress: compress::Arguments,
     Info: info::Arguments,
     Sample: sample::Arguments,

@@ -286,7 +286,8 @@ fn colours_up_to_255_are_bytes() {
     };
     let read = |colours| read_as(colours, Reading::Tolerant);
     let grey = 0.215_860_500;
-    // Of colours and of opacities: the first number beyond 1, its line, and how many lines have one.
+    // Of colours and of opacities: the first number beyond 1, its line, and how many lines have
+    // one.
     let of = |what, value, line, count| (what, value, line, count);
     let (colour, opacity) = ("colours", "opacities");
     for (colours, alpha, expected) in [
