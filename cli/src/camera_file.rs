@@ -97,7 +97,9 @@ impl ChosenPair {
 
     /// Reads all cameras of a file.
     pub(crate) fn read_all(&self, path: &Path) -> Result<CameraFile> {
-        self.lens.read(path)
+        let (format, file) = self.lens.read_with_format(path)?;
+        warn_of_unit(format, path);
+        Ok(file)
     }
 
     /// Reads the camera of one view, by its name where one is given.

@@ -53,13 +53,26 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         }
     };
     let failure = report.failure();
+    let own = report.warnings().map_or(0, <[Warning]>::len);
     let warnings = warning::with_those_of_files(report.warnings());
     let warnings = warnings.as_deref();
+    let verdict = match report.verdict() {
+        // What is said of files is in doubt for every command.
+        Some(Verdict::Good) if warnings.is_some_and(|all| all.len() > own) => {
+            Some(Verdict::Doubtful)
+        }
+        verdict => verdict,
+    };
     let mut files = report.files();
     if let Some(path) = context.report() {
         let page = match report.page() {
             Some(page) => page,
-            None => page::of(&report, warnings.unwrap_or_default(), &context.title())?,
+            None => page::of(
+                &report,
+                verdict,
+                warnings.unwrap_or_default(),
+                &context.title(),
+            )?,
         };
         output::stage(&mut files, path, page.into_html().as_bytes())?;
     }
@@ -70,7 +83,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     if context.is_json() {
         if !report.is_printed_as_json() {
             output::print_json(&Object {
-                verdict: report.verdict(),
+                verdict,
                 report: &report,
                 warnings,
             })?;
@@ -80,7 +93,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         let next = next.map(|next| format!("next: {next}\n"));
         output::print(&(report.text() + &next.unwrap_or_default()))?;
     }
-    match (failure, report.verdict()) {
+    match (failure, verdict) {
         (Some(error), _) => Err(error),
         (None, Some(Verdict::Doubtful | Verdict::Failed)) if command.is_check() => {
             Ok(ExitCode::from(NOT_GOOD))

@@ -8,9 +8,14 @@ use super::warning::Warning;
 use ga_draw::document::Page;
 
 /// A page with verdict, warnings, text, and a table of the values that the text may round.
-pub(super) fn of(report: &impl Report, warnings: &[Warning], title: &str) -> Result<Page> {
+pub(super) fn of(
+    report: &impl Report,
+    verdict: Option<Verdict>,
+    warnings: &[Warning],
+    title: &str,
+) -> Result<Page> {
     let mut page = Page::new(title);
-    if let Some(verdict) = report.verdict() {
+    if let Some(verdict) = verdict {
         let text = format!("The result is {}.", verdict.word());
         match verdict {
             Verdict::Good => page.paragraph(&text),

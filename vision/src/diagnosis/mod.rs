@@ -225,15 +225,17 @@ impl Diagnosis {
         let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
         let in_column = |pair: &&PixelPair| (pair.left[0] - pair.right[0]).abs() < COLUMN_TOLERANCE;
         let in_columns = pairs.iter().filter(in_column).count() as f64;
-        let are_in_columns = in_columns > IN_COLUMNS * pairs.len() as f64;
-        if (agreeing.len() as f64) < least && !are_in_columns {
+        let explained = agreeing.len() as f64;
+        let is_sideways =
+            in_columns > IN_COLUMNS * pairs.len() as f64 && 2.0 * explained < in_columns;
+        if explained < least && !is_sideways {
             return Err(ViewGeometryError::NoMatchConsensus {
                 agreeing: agreeing.len(),
                 pairs: pairs.len(),
             });
         }
         let mut found = Self::of(pairs, &rows, &model, &agreeing);
-        found.is_sideways = are_in_columns && !found.is_rectified();
+        found.is_sideways = is_sideways;
         Ok(found)
     }
 

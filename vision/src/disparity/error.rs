@@ -95,6 +95,12 @@ pub enum StereoError {
         /// The kind of pixel.
         kind: &'static str,
     },
+    /// A level of a mask has no meaning.
+    #[error("a mask has the levels 0, 128 and 255, or 0 and 1, and not {level}")]
+    MaskLevel {
+        /// The level.
+        level: u16,
+    },
     /// The scale by which the stored numbers are divided is 0, negative or not finite.
     #[error("the scale {scale} of the disparities is not positive and finite")]
     Scale {

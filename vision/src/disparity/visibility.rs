@@ -26,27 +26,32 @@ pub struct Visibility {
 }
 
 impl Visibility {
-    /// The mask in the bytes of a picture file in grey, as Middlebury's `mask0nocc.png`: pixels of
-    /// the greatest level in it are seen by both cameras, those of level 0 do not count, and those
-    /// of levels between are seen by the left camera.
+    /// The mask in the bytes of a picture file in grey, as Middlebury's `mask0nocc.png`: white
+    /// pixels are seen by both cameras, those of half the range, 128 of 255, by the left camera,
+    /// and black ones do not count. Where the levels are 0 and 1, 1 is white.
     ///
     /// # Errors
     ///
-    /// [`StereoError::Format`], and [`StereoError::Mask`] for a picture that is not grey.
+    /// [`StereoError::Format`], [`StereoError::Mask`] for a picture that is not grey, and
+    /// [`StereoError::MaskLevel`] for another level.
     pub fn decode_mask(bytes: &[u8]) -> Result<Self, StereoError> {
-        let levels: Plane<u16> = match file::decode(bytes)? {
-            Picture::Grey8(pixels) => pixels.map(u16::from),
-            Picture::Grey16(pixels) => pixels,
+        let (levels, white, half): (Plane<u16>, _, _) = match file::decode(bytes)? {
+            Picture::Grey8(pixels) => (pixels.map(u16::from), 255, 128),
+            Picture::Grey16(pixels) => (pixels, u16::MAX, 1 << 15),
             other => {
                 let kind = other.view().kind();
                 return Err(StereoError::Mask { kind });
             }
         };
-        let greatest = levels.values().iter().copied().max().unwrap_or(0);
+        let is_binary = levels.values().iter().all(|&level| level <= 1);
+        let is_known = |level: u16| is_binary || [0, half, white].contains(&level);
+        if let Some(&level) = levels.values().iter().find(|&&level| !is_known(level)) {
+            return Err(StereoError::MaskLevel { level });
+        }
         let state = |level: u16| match level {
             0 => None,
-            _ if level == greatest => Some(Seen::ByBoth),
-            _ => Some(Seen::ByLeft),
+            _ if level == half => Some(Seen::ByLeft),
+            _ => Some(Seen::ByBoth),
         };
         Ok(Self {
             pixels: levels.map(state),

@@ -402,6 +402,7 @@ impl Matcher {
     /// Fills the holes, and sharpens the edges.
     fn fill(&mut self) {
         let Self {
+            options,
             width,
             threads,
             left,
@@ -415,7 +416,7 @@ impl Matcher {
         threads.install(|| {
             visibility.fill(map, left, opposite, spare);
             fill::fill_rows(spare, *width);
-            planes::apply(map, left, opposite, spare);
+            planes::apply(map, options.candidates(), left, opposite, spare);
             keep(confidence, *width, |place| map[place] == spare[place]);
             weighted.at_edges(spare, left, map);
             median::median(map, *width, spare);

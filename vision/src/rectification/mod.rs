@@ -276,10 +276,10 @@ impl Frame {
         // The mean focal length, for pictures of the new height.
         let sum: f64 = views.iter().map(|view| view.intrinsics.focal()[1]).sum();
         let focal = 0.5 * sum * size[1] as f64 / source[1] as f64;
-        // Principal points that put the mean of the corners into the middle.
+        // Principal points that put the middles of the views into those of the pictures.
         let mut centres = [[0.0; 2]; 2];
         for (centre, view) in centres.iter_mut().zip(views) {
-            let mean = view.mean_of_corners()?;
+            let mean = view.middle()?;
             *centre = [0, 1].map(|k| 0.5 * (source[k] - 1) as f64 - focal * mean[k]);
         }
         let [[left_x, left_y], [right_x, right_y]] = centres;

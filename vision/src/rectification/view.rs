@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Direction, Rotor};
 
 use crate::geometry_error::ViewGeometryError;
-use ga_camera::Intrinsics;
+use ga_camera::{Intrinsics, LensModel};
 
 /// The border is sampled at this number of places along each side.
 const SAMPLES: usize = 9;
@@ -30,13 +30,21 @@ pub(super) struct Bounds {
 }
 
 impl View<'_> {
-    /// The mean, in the plane z = 1, of what is seen at the corners of the picture.
-    pub(super) fn mean_of_corners(&self) -> Result<[f64; 2], ViewGeometryError> {
+    /// The mean, in the plane z = 1, of what is seen at the corners of the picture, or through a
+    /// fisheye in the middles of its sides: what is seen at its corners may be any way out. OpenCV
+    /// does so for both.
+    pub(super) fn middle(&self) -> Result<[f64; 2], ViewGeometryError> {
         let [right, bottom] = self.last();
-        let corners = [[0.0, 0.0], [right, 0.0], [0.0, bottom], [right, bottom]];
+        let pixels = match self.intrinsics.lens().model() {
+            LensModel::Fisheye => {
+                let [u, v] = [0.5 * right, 0.5 * bottom];
+                [[u, 0.0], [right, v], [u, bottom], [0.0, v]]
+            }
+            _ => [[0.0, 0.0], [right, 0.0], [0.0, bottom], [right, bottom]],
+        };
         let mut mean = [0.0; 2];
-        for corner in corners {
-            let place = self.place(corner)?;
+        for pixel in pixels {
+            let place = self.place(pixel)?;
             for (sum, x) in mean.iter_mut().zip(place) {
                 *sum += 0.25 * x;
             }

@@ -204,6 +204,27 @@ fn views_on_their_side_are_recognised() {
         .collect();
     let found = Diagnosis::new(&far, SIZE, DiagnosisOptions::default()).unwrap();
     assert!(!found.is_sideways && found.faults().is_empty());
+    // Shown lower in the right view, they are not.
+    let lower: Vec<PixelPair> = far
+        .iter()
+        .map(|pair| PixelPair {
+            left: pair.left,
+            right: [pair.left[0], pair.left[1] + 8.0],
+        })
+        .collect();
+    let found = Diagnosis::new(&lower, SIZE, DiagnosisOptions::default()).unwrap();
+    assert!(!found.is_sideways && (found.vertical_offset - 8.0).abs() < 1e-6);
+    assert!(matches!(
+        found.faults()[..],
+        [DiagnosisFault::NotRectified { .. }]
+    ));
+    // A fifth of what views on their side show is far away.
+    let mut partly = pairs.clone();
+    for pair in partly.iter_mut().step_by(5) {
+        pair.right = pair.left;
+    }
+    let found = Diagnosis::new(&partly, SIZE, DiagnosisOptions::default()).unwrap();
+    assert_eq!(found.faults(), [DiagnosisFault::Sideways]);
 }
 
 /// A texture of many waves in all directions, without a period.

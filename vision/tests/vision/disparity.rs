@@ -271,7 +271,13 @@ fn visible_and_occluded_pixels_are_told_apart() {
         with(&mask(&[255; 4])),
         Err(DisparityMapError::MaskSize(_))
     ));
-    let nothing = with(&mask(&[0, 0, 0, 0, 9])).unwrap_err();
+    // Nothing that both cameras see.
+    let found = with(&mask(&[0, 128, 128, 0, 0])).unwrap();
+    assert_eq!((counts(&found), found.visible), ([2, 0, 2], None));
+    let odd = png::encode(&Plane::from_values(2, 1, vec![255u8, 9]).unwrap()).unwrap();
+    let error = Visibility::decode_mask(&odd).unwrap_err().to_string();
+    assert!(error.ends_with("and not 9"), "{error}");
+    let nothing = with(&mask(&[0, 0, 0, 0, 255])).unwrap_err();
     assert_eq!(nothing, DisparityMapError::NoTruth);
     let colour = png::encode(&Plane::filled(2, 2, [1u8; 3])).unwrap();
     let error = Visibility::decode_mask(&colour).unwrap_err().to_string();

@@ -12,6 +12,7 @@ use serde_json::Value;
 
 use super::{motor, vector};
 use nullcone_shared_data::json::{matrix, numbers};
+use nullcone_shared_data::shared;
 
 fn truth() -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/rectification.json");
@@ -367,4 +368,37 @@ fn rigs_that_are_not_rectified() {
         Undistortion::new(camera(), [64, 48], Some(2.0)),
         Err(ViewGeometryError::Alpha(2.0))
     ));
+}
+
+/// The corners of a wide fisheye's picture look nearly across its axis.
+#[test]
+fn wide_fisheyes_are_centred_as_by_opencv() {
+    let Some(path) = shared("cases/vision/rectify-wide-principal/rig.yml") else {
+        return;
+    };
+    let rig = ga_camera::format::read(path)
+        .unwrap()
+        .named_rig(&[])
+        .unwrap()
+        .rig;
+    // By cv2.fisheye.stereoRectify of OpenCV 5.0.0 with balance 0, whose focal length is 270.29 px:
+    // principal points without and with equal columns, from the middle of the picture.
+    for (zero_disparity, columns) in [
+        (false, [368.31, 285.80].map(|x: f64| (x - 320.0) / 270.29)),
+        (true, [(327.05 - 320.0) / 270.29; 2]),
+    ] {
+        let options = RectificationOptions {
+            zero_disparity,
+            ..RectificationOptions::default()
+        };
+        let found = Rectification::new(&rig, [640, 480], options).unwrap();
+        for (camera, column) in [found.rig.left(), found.rig.right()]
+            .into_iter()
+            .zip(columns)
+        {
+            let ([fx, fy], [cx, cy]) = (camera.focal(), camera.principal());
+            assert!(((cx - 319.5) / fx - column).abs() < 2e-3, "{cx} {column}");
+            assert!(((cy - 239.5) / fy + 0.0024).abs() < 2e-3, "{cy}");
+        }
+    }
 }

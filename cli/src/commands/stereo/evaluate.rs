@@ -47,7 +47,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "S")]
     map_scale: Option<f64>,
     /// A grey picture that says which pixels count, as Middlebury's mask0nocc.png: both cameras see
-    /// those of its greatest level, 0 is left out, and only the left camera sees the others.
+    /// white pixels (255), only the left camera grey ones (128), and black ones are left out.
     #[arg(long, value_name = "FILE", conflicts_with = "visible")]
     mask: Option<PathBuf>,
     /// The truth where both cameras see it, as KITTI's disp_noc: only the left camera sees other

@@ -74,7 +74,10 @@ pub(super) fn camera(
     let plain = pinhole(storage, matrix)?;
     let camera = |lens: Lens| NamedCamera::new(name, plain.with_lens(lens));
     let Some(key) = first(storage, distortion) else {
-        return Ok(camera(Lens::Pinhole));
+        return match stated {
+            Some(LensModel::Fisheye) => Err(missing(storage, distortion)),
+            _ => Ok(camera(Lens::Pinhole)),
+        };
     };
     let place = || storage.place(key);
     if let Some(matrix) = storage.matrix(key)?

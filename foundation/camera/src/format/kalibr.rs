@@ -50,6 +50,16 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
     let mut maps = storage.maps();
     // Other maps, as of targets, are none of cameras.
     maps.retain(|(name, map)| is_camera(name, map) || is_numbered(name));
+    // Programs that sort names write cam10 before cam2.
+    if let Some(numbers) = maps
+        .iter()
+        .map(|(name, _)| number(name))
+        .collect::<Option<Vec<_>>>()
+    {
+        let mut numbered: Vec<_> = numbers.into_iter().zip(maps).collect();
+        numbered.sort_by_key(|(number, _)| *number);
+        maps = numbered.into_iter().map(|(_, map)| map).collect();
+    }
     let cameras = maps.iter().map(|(name, map)| camera(name, map));
     let mut cameras = cameras.collect::<Result<Vec<_>, _>>()?;
     let is_chain = maps.len() > 1 && maps.iter().skip(1).any(|(_, map)| map.has(CHAIN));
@@ -70,8 +80,12 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
 
 /// Whether a name is `cam` with a number.
 fn is_numbered(name: &str) -> bool {
-    let number = name.strip_prefix("cam");
-    number.is_some_and(|number| number.parse::<usize>().is_ok())
+    number(name).is_some()
+}
+
+/// The number behind `cam`.
+fn number(name: &str) -> Option<usize> {
+    name.strip_prefix("cam")?.parse().ok()
 }
 
 fn camera(name: &str, map: &Storage) -> Result<NamedCamera, CameraFileError> {

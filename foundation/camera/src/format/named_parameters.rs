@@ -3,7 +3,7 @@
 
 use super::camera_file::NamedCamera;
 use super::error::CameraFileError;
-use super::fields::{lens, refused};
+use super::fields::{lens, missing, refused};
 use super::storage::Storage;
 use crate::{Intrinsics, LensModel};
 
@@ -63,14 +63,17 @@ pub(super) fn camera(
     let plain = Intrinsics::new([fx, fy], [cx, cy]);
     let plain = plain.map_err(|error| refused(map.place(&key("fx")), error))?;
     let Some((map, prefix)) = scope(storage, &DISTORTIONS, &["k1"]) else {
-        return Ok(Some(NamedCamera::new(name, plain)));
+        return match stated {
+            Some(LensModel::Fisheye) => Err(missing(&map, &["k1"])),
+            _ => Ok(Some(NamedCamera::new(name, plain))),
+        };
     };
     let key = |name: &str| format!("{prefix}{name}");
     let has = |name: &str| map.has(&key(name));
     // A fisheye has four radial terms and no tangential ones.
     let is_fisheye = match stated {
         Some(model) => model == LensModel::Fisheye,
-        None => has("k4") && !has("p1") && !has("p2"),
+        None => has("k4") && !["p1", "p2", "k5", "k6"].into_iter().any(has),
     };
     let (model, names) = match is_fisheye {
         true => (LensModel::Fisheye, ["k1", "k2", "k3", "k4"].as_slice()),

@@ -105,7 +105,15 @@ impl Part<'_, '_> {
         let inner = self.required("intrinsic")?;
         let focal = inner.numbers(["focalLengthU", "focalLengthV"])?;
         let principal = inner.numbers(["centerPointU", "centerPointV"])?;
-        let [focal, principal] = [focal, principal].map(|pair| pair.map(|x| x / PARTS));
+        let [focal, mut principal] = [focal, principal].map(|pair| pair.map(|x| x / PARTS));
+        // The principal point is that of the whole sensor, and pictures are a field of it.
+        let field = self.child("fov_video").or(self.child("fov_marker"));
+        let corner = field
+            .map(|field| field.numbers(["left", "top"]))
+            .transpose()?;
+        for (place, first) in principal.iter_mut().zip(corner.unwrap_or_default()) {
+            *place -= first;
+        }
         let plain = Intrinsics::new(focal, principal);
         let plain = plain.map_err(|error| refused(inner.place("focalLengthU"), error))?;
         let [k1, k2, k3] = inner.numbers([
@@ -123,7 +131,6 @@ impl Part<'_, '_> {
         };
         let camera = NamedCamera::new(name, plain.with_lens(lens)).with_skew(skew);
         let pose = self.child("transform").map(Part::pose).transpose()?;
-        let field = self.child("fov_video").or(self.child("fov_marker"));
         let size = field.map(Part::size).transpose()?;
         Ok(camera.with_size(size).with_pose(pose))
     }

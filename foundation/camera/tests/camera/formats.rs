@@ -94,6 +94,76 @@ fn the_calibration_of_qualisys_is_read() {
     assert_eq!(found.cameras[2].name, "cam03");
 }
 
+/// Of a field of the sensor, whose corner moves the principal point.
+#[test]
+fn fields_of_qualisys_move_the_principal_point() {
+    let Some(path) = shared("data/people/calibration.qca.txt") else {
+        return;
+    };
+    let text = std::fs::read_to_string(path).unwrap();
+    let whole = decode(&text).unwrap();
+    let field = text
+        .replace("left=\"0\"", "left=\"100\"")
+        .replace("top=\"0\"", "top=\"40\"");
+    assert_ne!(field, text);
+    let field = decode(&field).unwrap();
+    for (whole, field) in whole.cameras.iter().zip(&field.cameras) {
+        let [a, b] = [whole, field].map(|camera| camera.intrinsics().unwrap().principal());
+        assert!((a[0] - b[0] - 100.0).abs() < 1e-9 && (a[1] - b[1] - 40.0).abs() < 1e-9);
+        assert_eq!(field.size, Some([988, 1880]));
+    }
+}
+
+/// Each camera is farther from the one before; cam10 and cam11 stand before cam2.
+#[test]
+fn chains_of_kalibr_go_by_numbers() {
+    let mut names: Vec<usize> = (0..12).collect();
+    names.sort_by_key(ToString::to_string);
+    let camera = |number: usize| {
+        let step = match number {
+            0 => String::new(),
+            _ => format!(
+                "  T_cn_cnm1: [[1, 0, 0, -{number}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n"
+            ),
+        };
+        format!(
+            "cam{number}:\n  camera_model: pinhole\n  intrinsics: [500, 500, 320, 240]\n  \
+             distortion_model: radtan\n  distortion_coeffs: [0.1, 0, 0, 0]\n{step}"
+        )
+    };
+    let text: String = names.into_iter().map(camera).collect();
+    let found = decode(&text).unwrap();
+    for (number, camera) in found.cameras.iter().enumerate() {
+        assert_eq!(camera.name, format!("cam{number}"));
+        let [x, y, z] = camera.pose.unwrap().translator().displacement();
+        let expected = -((number * (number + 1) / 2) as f64);
+        assert!(
+            (x - expected).abs() < 1e-12 && y.abs() + z.abs() < 1e-12,
+            "{number}: {x}"
+        );
+    }
+}
+
+#[test]
+fn lenses_are_those_that_are_stated() {
+    let opencv =
+        "%YAML:1.0\n---\nfisheye_model: 1\ncamera_matrix: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
+    let error = decode(opencv).unwrap_err().to_string();
+    assert!(error.contains("distortion_coefficients"), "{error}");
+    // Six radial terms are not those of a fisheye.
+    let rational = "fx: 500\nfy: 500\ncx: 320\ncy: 240\nk1: 0.1\nk2: 0.2\nk3: 0.3\nk4: 0.4\n\
+                    k5: 0.5\nk6: 0.6\n";
+    let found = decode(rational).unwrap().cameras[0].intrinsics().unwrap();
+    assert_eq!(
+        found.lens().coefficients()[..8],
+        [0.1, 0.2, 0.0, 0.0, 0.3, 0.4, 0.5, 0.6]
+    );
+    // 640 in hexadecimal.
+    let toml = "[cam_0]\nsize = [0x280, 480]\nmatrix = [[500.0, 0, 320], [0, 500, 240], [0, 0, 1]]\n\
+                distortions = [0.1, 0, 0, 0, 0]\nrotation = [0, 0, 0]\ntranslation = [0, 0, 1]\n";
+    assert_eq!(decode(toml).unwrap().cameras[0].size, Some([640, 480]));
+}
+
 const CAMERAS: &str = "# Camera list\n1 OPENCV 640 480 500 501 320.5 240.5 -0.1 0.02 0.001 0.002\n\
                        7 SIMPLE_RADIAL 640 480 400 320 240 0.05\n";
 const IMAGES: &str = "# Image list\n3 0.7071067811865476 0 0.7071067811865476 0 0.5 0 3 1 a.png\n\

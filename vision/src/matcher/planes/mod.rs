@@ -36,8 +36,14 @@ const TEXTURE: f32 = 3.0;
 
 /// Replaces disparities by those of planes. `map` has the disparities that the other view confirms,
 /// `filled` the same with the holes filled from the row, and `other` those of the other view in
-/// whole pixels, mirrored.
-pub(super) fn apply(map: &[u16], view: &View, other: &[u16], filled: &mut [u16]) {
+/// whole pixels, mirrored. No plane leads beyond the candidates, which begin at 0.
+pub(super) fn apply(
+    map: &[u16],
+    candidates: usize,
+    view: &View,
+    other: &[u16],
+    filled: &mut [u16],
+) {
     let width = view.width();
     let grid = Grid::new(view);
     // The pictures for which the sizes of regions were found have 0.36 and 1.4 million pixels.
@@ -45,6 +51,7 @@ pub(super) fn apply(map: &[u16], view: &View, other: &[u16], filled: &mut [u16])
     let is_matched = |cell: usize| map[grid.pixel(cell)] != UNKNOWN;
     let regions = Regions::new(&grid, is_matched, scale);
     let threshold = 1.0 + (scale - 1.0) / 6.0;
+    let greatest = candidates.saturating_sub(1) as f64;
     let samples = samples(&grid, &regions, map);
     let planes = samples.par_iter().with_min_len(16);
     let planes: Vec<Option<DisparityPlane>> = planes
@@ -65,7 +72,7 @@ pub(super) fn apply(map: &[u16], view: &View, other: &[u16], filled: &mut [u16])
                 let disparity = plane.at(column, row);
                 let now = f64::from(*value) / f64::from(STEPS);
                 let off = (disparity - now).abs();
-                let wanted = if disparity < 0.0 {
+                let wanted = if disparity < 0.0 || disparity > greatest {
                     None
                 } else if map[column] == UNKNOWN {
                     let both = column < margin && off < SIMILAR;
@@ -191,7 +198,7 @@ mod tests {
             }
         }
         let other = vec![UNKNOWN; map.len()];
-        apply(&map, &view, &other, &mut filled);
+        apply(&map, 64, &view, &other, &mut filled);
         for row in 0..HEIGHT {
             for column in 0..WIDTH {
                 let found = f64::from(filled[row * WIDTH + column]) / f64::from(STEPS);
@@ -206,8 +213,49 @@ mod tests {
         // What the other view sees through is not there.
         let mut filled = vec![steps(2.0); map.len()];
         let other = vec![0; map.len()];
-        apply(&map, &view, &other, &mut filled);
+        apply(&map, 64, &view, &other, &mut filled);
         assert_eq!(filled[40 * WIDTH + 50], steps(2.0));
+    }
+
+    /// Where a plane leaves the range that was looked at, what was there stays.
+    #[test]
+    fn planes_end_with_the_range() {
+        let mut view = View::new(WIDTH, HEIGHT, false);
+        let identity = std::array::from_fn(|level| level as u8);
+        view.fill(Plane::filled(WIDTH, HEIGHT, 90).view(), &identity, 0);
+        let slant = |column: usize| 4.0 + 0.1 * column as f64;
+        let is_hole = |column: usize| column >= WIDTH / 2;
+        let cells = (0..WIDTH * HEIGHT).map(|place| place % WIDTH);
+        let map: Vec<u16> = cells
+            .map(|column| {
+                if is_hole(column) {
+                    UNKNOWN
+                } else {
+                    steps(slant(column))
+                }
+            })
+            .collect();
+        let before = map
+            .iter()
+            .map(|&d| if d == UNKNOWN { steps(3.0) } else { d });
+        let before: Vec<u16> = before.collect();
+        let other = vec![UNKNOWN; map.len()];
+        let candidates = slant(3 * WIDTH / 4) as usize;
+        let mut filled = before.clone();
+        apply(&map, candidates, &view, &other, &mut filled);
+        let row = HEIGHT / 2 * WIDTH;
+        for column in WIDTH / 2..WIDTH {
+            let expected = match slant(column) <= (candidates - 1) as f64 - 0.1 {
+                true => slant(column),
+                false if slant(column) >= candidates as f64 => 3.0,
+                false => continue,
+            };
+            let found = f64::from(filled[row + column]) / f64::from(STEPS);
+            assert!(
+                (found - expected).abs() < 0.1,
+                "{column}: {found} {expected}"
+            );
+        }
     }
 
     /// In a region with texture, matches are not corrected.
@@ -221,7 +269,7 @@ mod tests {
         map[WIDTH * 40 + 60] = steps(12.0);
         let mut filled = map.clone();
         let other = vec![UNKNOWN; map.len()];
-        apply(&map, &view, &other, &mut filled);
+        apply(&map, 64, &view, &other, &mut filled);
         assert_eq!(filled, map);
     }
 }

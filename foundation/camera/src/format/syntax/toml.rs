@@ -43,7 +43,12 @@ fn content(
     }
     Ok(match value {
         DeValue::String(text) => Content::Scalar(text.to_string()),
-        DeValue::Integer(number) => Content::Scalar(number.as_str().to_owned()),
+        DeValue::Integer(number) => Content::Scalar(match number.radix() {
+            10 => number.as_str().to_owned(),
+            // Hexadecimal, octal and binary numbers are whole and positive.
+            radix => u64::from_str_radix(number.as_str(), radix)
+                .map_or_else(|_| number.to_string(), |number| number.to_string()),
+        }),
         DeValue::Float(number) => Content::Scalar(number.as_str().to_owned()),
         DeValue::Boolean(truth) => Content::Scalar(truth.to_string()),
         DeValue::Datetime(time) => Content::Scalar(time.to_string()),
