@@ -52,6 +52,9 @@ pub const RECTIFIED_LIMIT: f64 = 1.0;
 const LEAST_AGREEMENT: f64 = 0.3;
 /// The part of the pairs that are in one column where the views are rotated by a quarter turn.
 const IN_COLUMNS: f64 = 0.5;
+/// By how many pixels the rows of points in one column differ, from a tenth to nine tenths of them,
+/// where the views are rotated: by the depth of the points, not by an offset of the views.
+const DIFFERENT_ROWS: f64 = 4.0;
 /// Points whose columns differ by less than this number of pixels are in one column.
 const COLUMN_TOLERANCE: f64 = 1.5;
 
@@ -224,18 +227,25 @@ impl Diagnosis {
         let agreeing = rows.agreeing(&model, threshold);
         let least = (LEAST_AGREEMENT * pairs.len() as f64).max(RowModel::NEEDED as f64);
         let in_column = |pair: &&PixelPair| (pair.left[0] - pair.right[0]).abs() < COLUMN_TOLERANCE;
-        let in_columns = pairs.iter().filter(in_column).count() as f64;
+        let in_columns = pairs.iter().filter(in_column);
+        let mut vertical: Vec<f64> = in_columns
+            .map(|pair| pair.right[1] - pair.left[1])
+            .collect();
+        let in_columns = vertical.len() as f64;
         let explained = agreeing.len() as f64;
-        let is_sideways =
-            in_columns > IN_COLUMNS * pairs.len() as f64 && 2.0 * explained < in_columns;
-        if explained < least && !is_sideways {
+        let are_in_columns = in_columns > IN_COLUMNS * pairs.len() as f64;
+        let are_few = 2.0 * explained < in_columns;
+        if explained < least && !(are_in_columns && are_few) {
             return Err(ViewGeometryError::NoMatchConsensus {
                 agreeing: agreeing.len(),
                 pairs: pairs.len(),
             });
         }
         let mut found = Self::of(pairs, &rows, &model, &agreeing);
-        found.is_sideways = is_sideways;
+        let sorted = Sorted::new(&mut vertical);
+        let range = sorted.map_or(0.0, |sorted| sorted.quantile(0.9) - sorted.quantile(0.1));
+        let are_different = range > DIFFERENT_ROWS && !found.is_rectified();
+        found.is_sideways = are_in_columns && (are_few || are_different);
         Ok(found)
     }
 

@@ -382,7 +382,8 @@ fn wide_fisheyes_are_centred_as_by_opencv() {
         .unwrap()
         .rig;
     // By cv2.fisheye.stereoRectify of OpenCV 5.0.0 with balance 0, whose focal length is 270.29 px:
-    // principal points without and with equal columns, from the middle of the picture.
+    // principal points without and with equal columns, from the middle of the picture. Its sides
+    // are half a pixel farther out there, where a pixel is an eightieth wide.
     for (zero_disparity, columns) in [
         (false, [368.31, 285.80].map(|x: f64| (x - 320.0) / 270.29)),
         (true, [(327.05 - 320.0) / 270.29; 2]),
@@ -397,8 +398,8 @@ fn wide_fisheyes_are_centred_as_by_opencv() {
             .zip(columns)
         {
             let ([fx, fy], [cx, cy]) = (camera.focal(), camera.principal());
-            assert!(((cx - 319.5) / fx - column).abs() < 2e-3, "{cx} {column}");
-            assert!(((cy - 239.5) / fy + 0.0024).abs() < 2e-3, "{cy}");
+            assert!(((cx - 319.5) / fx - column).abs() < 5e-3, "{cx} {column}");
+            assert!(((cy - 239.5) / fy + 0.0024).abs() < 5e-3, "{cy}");
         }
     }
 }
