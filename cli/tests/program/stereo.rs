@@ -350,7 +350,8 @@ fn evaluate_says_what_is_wrong() {
     write("zero.pfm", &pfm(3, &[0.0; 6]));
     write("short.pfm", &pfm(3, &[1.0; 6])[..30]);
     write("long.pfm", &[&pfm(3, &[1.0; 6])[..], b"more"].concat());
-    write("wide.pgm", b"P5 6 1 255\nabcdef");
+    write("wide.pgm", b"P5 6 1 255\n\xff\xff\x80\x80\0\0");
+    write("odd.pgm", b"P5 3 2 255\nabcdef");
     write("colour.ppm", b"P6 1 1 255\nabc");
     write("text.pfm", b"five");
     let before = names(folder.path());
@@ -373,6 +374,10 @@ fn evaluate_says_what_is_wrong() {
         (
             &["d.pfm", "truth.pfm", "--mask", "wide.pgm"],
             &["d.pfm and truth.pfm: the mask", "3 × 2 and 6 × 1"],
+        ),
+        (
+            &["d.pfm", "truth.pfm", "--mask", "odd.pgm"],
+            &["odd.pgm: a mask has the levels", "and not 97"],
         ),
         (
             &["d.pfm", "truth.pfm", "--mask", "zero.pfm"],
