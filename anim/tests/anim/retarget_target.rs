@@ -1,5 +1,6 @@
 //! Skeletons in files of every format as targets, and what their motions become in files.
 
+use ga_anim::MotionFileError;
 use ga_anim::bvh;
 use ga_anim::clip::Clip;
 use ga_anim::gltf::{Player, Rigged};
@@ -7,7 +8,7 @@ use ga_anim::motion_file::{
     Animations, Contents, Format, Loss, MotionFile, Options, WriteOptions, Written,
 };
 use ga_anim::pose::Pose;
-use ga_anim::recording::{Recording, ScalarTrack};
+use ga_anim::recording::{Recording, RecordingError, ScalarTrack};
 use ga_anim::retarget::{Source, Target};
 use ga_anim::skeleton::Skeleton;
 use ga_mesh::gltf::{Document, Keys, Mesh, MorphTarget, Node, Primitive, Skin, Transform};
@@ -216,6 +217,36 @@ fn the_unit_of_a_clip_is_a_metre() {
     let clip = dance(target.skeleton());
     let recording = target.recording(&clip).unwrap();
     assert!(apart(&recording, target.skeleton(), &clip, 1.0) < 1e-6);
+}
+
+#[test]
+fn nodes_that_are_not_there_and_units_of_no_length_are_errors() {
+    let body = b"HIERARCHY ROOT hips { OFFSET 0 0 0 CHANNELS 3 Zrotation Yrotation Xrotation
+          End Site { OFFSET 0 1 0 } } MOTION Frames: 1 Frame Time: 0.01
+          0 0 0";
+    let motion = bvh::decode(body).unwrap();
+    let skeleton = motion.skeleton().unwrap();
+    let document = Document {
+        nodes: vec![Node::default()],
+        ..Document::default()
+    };
+    let error = Rigged::from_nodes(document, skeleton.clone(), vec![1]).unwrap_err();
+    assert_eq!(error, MotionFileError::NoNode { node: 1, count: 1 });
+    for unit in [0.0, -1.0, f64::INFINITY] {
+        let options = Options {
+            metres_per_unit: Some(unit),
+            ..Options::default()
+        };
+        let file = MotionFile::new(Contents::Bvh(motion.clone()), options);
+        let error = Target::new(file)
+            .unwrap()
+            .recording(&dance(&skeleton))
+            .unwrap_err();
+        assert_eq!(
+            error,
+            MotionFileError::Recording(RecordingError::Unit(unit))
+        );
+    }
 }
 
 /// A frame above a joint that is turned round by two negative factors, or is mirrored in a point.

@@ -323,6 +323,29 @@ fn what_cannot_be_retargeted_is_an_error_and_writes_nothing() {
             &["nothing.bvh", "--target", "biped.bvh", "--out", "out.bvh"],
             &["nothing.bvh"],
         ),
+        (
+            &[
+                "cmu.bvh",
+                "--target",
+                "biped.bvh",
+                "--out",
+                "out.bvh",
+                "--tolerance",
+                "0.01",
+            ],
+            &["--tolerance does not apply to out.bvh"],
+        ),
+        (
+            &[
+                "cmu.bvh",
+                "--target",
+                "biped.bvh",
+                "--out",
+                "out.glb",
+                "--replace",
+            ],
+            &["--replace does not apply to biped.bvh"],
+        ),
     ] {
         assert_failure(&run(arguments), parts);
     }

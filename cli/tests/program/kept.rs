@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use base64::Engine;
 use ga_image::plane::Plane;
 use ga_mesh::gltf::{
-    self, CameraElement, Document, Image, ImageSource, MaterialElement, Mesh, MorphTarget, Node,
-    Primitive, Projection, TextureElement, TextureInfo,
+    self, CameraElement, Channel, Document, Image, ImageSource, Interpolation, Keys,
+    MaterialElement, Mesh, MorphTarget, Node, Primitive, Projection, TextureElement, TextureInfo,
 };
 use serde_json::{Value, json};
 use tempfile::tempdir;
@@ -336,6 +336,55 @@ fn characters_keep_all_but_what_is_replaced() {
     ];
     let expected = expected.map(|(what, count)| (what.to_owned(), count));
     assert_eq!(omissions(&said), BTreeMap::from(expected));
+}
+
+/// A morph target without a name is known by its number, in its own file alone.
+#[test]
+fn weights_of_morph_targets_go_to_those_of_the_same_name() {
+    let folder = tempdir().unwrap();
+    let path = folder.path();
+    let mut document = hero(path);
+    let node = document.nodes.iter().position(|node| node.mesh == Some(0));
+    document.animations[0].channels.push(Channel {
+        node: node.unwrap(),
+        times: vec![0.0, 0.1],
+        interpolation: Interpolation::Linear,
+        keys: Keys::Weights(vec![0.25, 0.75]),
+        extras: None,
+    });
+    for (name, target) in [
+        ("own.glb", None),
+        ("other.glb", None),
+        ("smile.glb", Some("smile")),
+        ("smiling.glb", Some("smile")),
+        ("frown.glb", Some("frown")),
+    ] {
+        document.meshes[0].extras = target.map(|target| json!({ "targetNames": [target] }));
+        gltf::write(path.join(name), &document).unwrap();
+    }
+    for (motion, target, is_kept) in [
+        ("own.glb", "own.glb", true),
+        ("own.glb", "other.glb", false),
+        ("smile.glb", "smiling.glb", true),
+        ("smile.glb", "frown.glb", false),
+    ] {
+        let retarget = [
+            "clip", "retarget", motion, "--target", target, "--out", "out.glb",
+        ];
+        let said = report(path, &retarget);
+        let moved = gltf::read(path.join("out.glb")).unwrap();
+        let weights = moved.animations[0]
+            .channels
+            .iter()
+            .find_map(|channel| match &channel.keys {
+                Keys::Weights(keys) => Some(keys[0]),
+                _ => None,
+            });
+        assert_eq!(weights, is_kept.then_some(0.25), "{motion} {target}");
+        let mut warnings = said["warnings"].as_array().unwrap().iter();
+        let is_listed = warnings.any(|warning| warning["kind"] == "tracks_left_out");
+        assert_eq!(is_listed, !is_kept, "{said}");
+    }
 }
 
 /// The unit and the weights are those of the figure that is shown.

@@ -103,6 +103,7 @@ impl Command for Arguments {
         let inputs = [&self.motion.motion, &self.target].into_iter();
         let mut files = context.files(inputs.chain(self.transfer.inputs()))?;
         let format = files.write("--out", &self.out, &FORMATS)?;
+        self.check_options(format)?;
         let progress = context.progress(5);
         let mut warnings = Vec::new();
         progress.step("reading the target");
@@ -145,17 +146,36 @@ impl Command for Arguments {
 }
 
 impl Arguments {
+    /// Fails where an option would have no effect.
+    fn check_options(&self, format: Format) -> Result<()> {
+        let target = MotionFormat::of_path(&self.target).context("--target")?;
+        let (is_bvh, is_gltf) = (target == MotionFormat::Bvh, target == MotionFormat::Gltf);
+        let (unit, tolerance) = (self.target_metres_per_unit, self.tolerance);
+        for (option, is_given, applies, file) in [
+            (
+                "--target-metres-per-unit",
+                unit.is_some(),
+                is_bvh,
+                &self.target,
+            ),
+            ("--replace", self.replace, is_gltf, &self.target),
+            (
+                "--tolerance",
+                tolerance.is_some(),
+                format == Format::Clip,
+                &self.out,
+            ),
+        ] {
+            let file = file.display();
+            ensure!(applies || !is_given, "{option} does not apply to {file}");
+        }
+        Ok(())
+    }
+
     fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
         let (path, option) = (&self.target, "--target-metres-per-unit");
-        let format = MotionFormat::of_path(path).context("--target")?;
-        let given = checked_unit(option, self.target_metres_per_unit)?;
-        ensure!(
-            given.is_none() || format == MotionFormat::Bvh,
-            "{option} does not apply to {}, which is in metres",
-            path.display()
-        );
         let options = Options {
-            metres_per_unit: given,
+            metres_per_unit: checked_unit(option, self.target_metres_per_unit)?,
             ..Options::default()
         };
         let file = motion_file::read_any(path, options, option, warnings)?;

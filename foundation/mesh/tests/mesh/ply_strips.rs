@@ -58,6 +58,16 @@ fn colours_up_to_255_are_bytes() {
             None => assert!(strict.is_ok()),
         }
     }
+    // The first number beyond 1 is an opacity.
+    let text = file("0 0 0 1 0 0 51\n0 0 0 255 0 0 255\n");
+    let text = text.replace("float blue\n", "float blue\nproperty float alpha\n");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.ply");
+    std::fs::write(&path, text).unwrap();
+    let error = ply::read_with_warnings(&path, Reading::Strict)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("line 12: 51 is"), "{error}");
     let error = ply::decode(file("0 0 0 255 0.5 0\n0 0 0 0 0 1\n").as_bytes()).unwrap_err();
     let error = error.to_string();
     assert!(

@@ -18,6 +18,9 @@ pub(crate) struct Report {
     out: String,
     #[serde(flatten)]
     fit: CharacterReport,
+    /// Of the fit, whatever the format leaves out.
+    #[serde(skip)]
+    verdict: Verdict,
     #[serde(skip)]
     warnings: Vec<Warning>,
 }
@@ -42,11 +45,14 @@ impl Report {
             frame: Some(frame),
             ..warning(&format!("frame {frame}"), value)
         });
-        let losses = losses.iter().map(|loss| lost(loss, &arguments.out));
+        let mut warnings: Vec<Warning> = of_views.chain(of_frames).collect();
+        let verdict = Verdict::of(&warnings);
+        warnings.extend(losses.iter().map(|loss| lost(loss, &arguments.out)));
         Self {
             character: arguments.character.display().to_string(),
             out: arguments.out.display().to_string(),
-            warnings: of_views.chain(of_frames).chain(losses).collect(),
+            verdict,
+            warnings,
             fit: fitted.report,
         }
     }
@@ -58,7 +64,7 @@ impl frame::Report for Report {
     }
 
     fn verdict(&self) -> Option<Verdict> {
-        Some(Verdict::of(&self.warnings))
+        Some(self.verdict)
     }
 
     fn next(&self) -> Option<String> {

@@ -64,6 +64,15 @@ fn targets_move_the_vertices_of_the_mesh() {
     }
     let names = document.meshes[0].extras.as_ref().unwrap()["targetNames"].clone();
     assert_eq!(names, serde_json::json!(["first", "second"]));
+    assert_eq!(document.meshes[0].target_names(), ["first", "second"]);
+    for names in [
+        serde_json::json!(["first"]),
+        serde_json::json!(["first", 2]),
+    ] {
+        let mut other = document.meshes[0].clone();
+        other.extras = Some(serde_json::json!({ "targetNames": names }));
+        assert!(other.target_names().is_empty());
+    }
     // Without weights the document is at rest.
     let places = |document: &Document| {
         let mesh = document.to_mesh(Vertices::Merged).unwrap();

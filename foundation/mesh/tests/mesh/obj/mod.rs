@@ -288,38 +288,33 @@ fn colours_up_to_255_are_bytes() {
     let grey = 0.215_860_500;
     // Of colours and of opacities: the first number beyond 1, its line, and how many lines have
     // one.
-    let of = |what, value, line, count| (what, value, line, count);
     let (colour, opacity) = ("colours", "opacities");
     for (colours, alpha, expected) in [
-        (
-            ["255 128 0", "1 1 1", ""],
-            1.0,
-            vec![of(colour, 255.0, 1, 1)],
-        ),
+        (["255 128 0", "1 1 1", ""], 1.0, vec![(colour, 255.0, 1, 1)]),
         (
             ["255 128.0 0 0.5", "1 1 1 1", ""],
             0.5,
-            vec![of(colour, 255.0, 1, 1)],
+            vec![(colour, 255.0, 1, 1)],
         ),
         (
             ["1 0.50196078 0 51", "1 1 1 255", ""],
             0.2,
-            vec![of(opacity, 51.0, 1, 2)],
+            vec![(opacity, 51.0, 1, 2)],
         ),
         (
             ["255 128 0 1", "1 1 2 1", ""],
             1.0,
-            vec![of(colour, 255.0, 1, 2)],
+            vec![(colour, 255.0, 1, 2)],
         ),
         (
             ["1 0.50196078 0 51", "1 0 0 1", "1 1 1 255"],
             0.2,
-            vec![of(opacity, 51.0, 1, 2)],
+            vec![(opacity, 51.0, 1, 2)],
         ),
         (
             ["255 128 0 255", "1 9 1 0", "255 255 255 255"],
             1.0,
-            vec![of(colour, 255.0, 1, 3), of(opacity, 255.0, 1, 2)],
+            vec![(colour, 255.0, 1, 3), (opacity, 255.0, 1, 2)],
         ),
         (["1.000001 0.50196078 0", "", ""], 1.0, vec![]),
     ] {
@@ -346,6 +341,13 @@ fn colours_up_to_255_are_bytes() {
         assert!((green - grey).abs() < 1e-7);
         assert_eq!(mesh.colours().unwrap()[2], [1.0; 4]);
     }
+    // The earlier line first, whichever it is about.
+    let (_, warnings) = read(["1 0 0 51", "255 128 0 255", ""]).unwrap();
+    let lines: Vec<Option<usize>> = warnings
+        .iter()
+        .map(|warning| warning.of_file("a.obj".as_ref()).line)
+        .collect();
+    assert_eq!(lines, [Some(1), Some(2)]);
     for (colours, start) in [
         (
             ["255 128 0", "0.5 0 0", ""],
