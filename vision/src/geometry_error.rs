@@ -179,11 +179,8 @@ pub enum ViewGeometryError {
     /// The cameras are at the same place, or a number is not finite.
     #[error("the distance between the cameras is {0} m, so there is no disparity")]
     Baseline(f64),
-    /// The second camera is above or below the first, rather than beside it.
-    #[error("the second camera is at {0:?} m from the first: more above or below than beside it")]
-    Vertical([f64; 3]),
-    /// The second camera is before or behind the first, rather than beside it.
-    #[error("the second camera is at {0:?} m from the first: more before or behind than beside it")]
+    /// The second camera is before or behind the first, within 10° of its axis.
+    #[error("the second camera is at {0:?} m from the first: before or behind it, not beside it")]
     Forward([f64; 3]),
     /// The second camera is to the left of the first.
     #[error("the second camera is at {0:?} m, left of the first: the views are exchanged")]

@@ -90,6 +90,42 @@ fn rectified_views_stay_as_they_are() {
     }
 }
 
+/// The right camera stands 10 cm below the left one: both views are put on their side.
+#[test]
+fn cameras_one_above_the_other_give_views_with_common_rows() {
+    let folder = tempdir().unwrap();
+    for (name, down) in [("left.png", 0), ("right.png", 6)] {
+        let view = Plane::from_fn(240, 180, |u, v| texture(u as i64, v as i64 + down));
+        ga_image::file::write(folder.path().join(name), &view).unwrap();
+    }
+    write_rig(folder.path(), "[ 0, -0.1, 0 ]");
+    let output = nullcone(folder.path(), RECTIFY.iter().chain(&["new", "--json"]));
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    for (key, expected) in [
+        ("/width_px", 180.0),
+        ("/height_px", 240.0),
+        ("/left_roll_degrees", 270.0),
+        ("/right_roll_degrees", 270.0),
+        ("/baseline_metres", 0.1),
+    ] {
+        assert!((number(&report, key) - expected).abs() < 1e-9, "{key}");
+    }
+    // What was below is now to the right.
+    let [old, new] = [folder.path().to_path_buf(), folder.path().join("new")]
+        .map(|folder| ga_image::file::read(folder.join("left.png")).unwrap());
+    let [old, new]: [Plane<u8>; 2] =
+        [old, new].map(|picture| picture.to_grey(ga_image::grey::Luma::Bt601));
+    let rolled = Plane::from_fn(180, 240, |u, v| old.get(239 - v, u).unwrap());
+    assert_eq!(new, rolled);
+    let matched = "stereo match new/left.png new/right.png --max-disparity 32 --out d.pfm --json";
+    let output = nullcone(folder.path(), matched.split(' '));
+    assert_success(&output);
+    let map = ga_vision::disparity::file::read(folder.path().join("d.pfm"), None).unwrap();
+    let middle = map.get(90, 120).unwrap();
+    assert!((middle - 6.0).abs() < 0.1, "{middle}");
+}
+
 #[test]
 fn a_chessboard_pair_is_rectified() {
     let (Some(truth), Some(pictures)) = (
@@ -225,8 +261,8 @@ fn bad_rigs_and_views_write_nothing() {
     refused("rig.yml: line 8: `T` has the value NaN");
     write_rig(folder.path(), "[ 0.1, 0, 0 ]");
     refused("the views are exchanged");
-    write_rig(folder.path(), "[ 0.01, -0.2, 0 ]");
-    refused("more above or below than beside it");
+    write_rig(folder.path(), "[ 0, 0.01, -0.2 ]");
+    refused("before or behind it, not beside it");
     std::fs::write(folder.path().join("rig.yml"), b"\x89PNG\r\n\x1a\n").unwrap();
     refused("rig.yml: line 1: not text in UTF-8");
     std::fs::write(folder.path().join("rig.yml"), "a: [ 1, 2\n").unwrap();

@@ -2,13 +2,15 @@
 //!
 //! A [`Rectification`] is computed once for a rig, after J.-Y. Bouguet's method, by rotors: both
 //! cameras rotate by half of the rotation between them, so that they look the same way with the
-//! least change, and then together, so that the baseline lies along the rows. Its maps take the
-//! pictures to the rectified ones, lens distortion included. An [`Undistortion`] does the latter
-//! for one camera. A [`RectifiedRig`] is what remains of the rig: disparity is depth.
+//! least change, and then together, so that the baseline lies along the rows. Cameras that stand
+//! one above the other, on their side or on their head are first rolled by right angles. Its maps
+//! take the pictures to the rectified ones, lens distortion included. An [`Undistortion`] does the
+//! latter for one camera. A [`RectifiedRig`] is what remains of the rig: disparity is depth.
 //!
 //! Focal length and principal points are chosen as by OpenCV's `stereoRectify`; see
 //! [`RectificationOptions`].
 
+mod rotations;
 mod storage;
 mod summary;
 mod undistortion;
@@ -18,7 +20,7 @@ pub use summary::RectificationSummary;
 pub use undistortion::Undistortion;
 
 use ga_image::warp::Warp;
-use ga_runtime::cga3::{Direction, Motor, Point, Rotor};
+use ga_runtime::cga3::{Direction, Motor, Point};
 use serde::Serialize;
 
 use crate::geometry_error::ViewGeometryError;
@@ -26,6 +28,7 @@ use ga_camera::frame::{LeftCamera, Pose, RectifiedLeft, RectifiedRight, RightCam
 use ga_camera::rig::RectifiedRig;
 use ga_camera::rig::StereoRig;
 use ga_camera::{CameraError, Intrinsics};
+use rotations::Rotations;
 use view::View;
 
 /// The greatest number of pixels of a rectified picture, whose map has 16 bytes for each.
@@ -40,12 +43,13 @@ pub struct RectificationOptions {
     /// From 0, where the pictures are magnified until all of their pixels were seen, to 1, where
     /// they hold every pixel of the views. Without it, the focal length is the mean of the two.
     pub alpha: Option<f64>,
-    /// Columns and rows of the rectified pictures; without it, those of the views.
+    /// Columns and rows of the rectified pictures; without it, those of the left view, after its
+    /// [roll](Rectification::quarter_turns).
     pub size: Option<[usize; 2]>,
 }
 
 impl Default for RectificationOptions {
-    /// Zero disparity at infinity, without `alpha`, in the size of the views.
+    /// Zero disparity at infinity, without `alpha`, in the size of the left view.
     fn default() -> Self {
         Self {
             zero_disparity: true,
@@ -103,6 +107,11 @@ pub struct Rectification {
     /// The largest rectangles, left and right, that are known to hold only pixels that were seen;
     /// empty where there is none.
     pub valid: [Rectangle; 2],
+    /// By how many right angles the pictures of the left and of the right camera are rolled,
+    /// clockwise as you look at them: 0 to 3. It is not zero for a camera that stands on its side
+    /// or on its head, and for both cameras where one is above the other: the baseline always lies
+    /// along the rows.
+    pub quarter_turns: [u8; 2],
     cameras: [Intrinsics; 2],
     source: [usize; 2],
 }
@@ -111,34 +120,36 @@ impl Rectification {
     /// Rectifies a rig whose pictures have a size in columns and rows.
     ///
     /// # Errors
-    /// [`ViewGeometryError`] for cameras at one place, cameras that are not side by side, and
-    /// views that do not overlap.
+    /// [`ViewGeometryError`] for cameras at one place, one camera behind the other, a right camera
+    /// that is on the left, and views that do not overlap.
     pub fn new(
         rig: &StereoRig,
         source: [usize; 2],
         options: RectificationOptions,
     ) -> Result<Self, ViewGeometryError> {
-        let size = options.size.unwrap_or(source);
-        for size in [source, size] {
-            if size.iter().any(|count| *count < 2) {
-                return Err(ViewGeometryError::Size(size));
-            }
-        }
-        if size[0].saturating_mul(size[1]) > MOST_PIXELS {
-            return Err(ViewGeometryError::Size(size));
+        if source.iter().any(|count| *count < 2) {
+            return Err(ViewGeometryError::Size(source));
         }
         if let Some(alpha) = options.alpha.filter(|alpha| !(0.0..=1.0).contains(alpha)) {
             return Err(ViewGeometryError::Alpha(alpha));
         }
-        let between = rig.left_to_right().motor;
-        let rotations = rotations(between)?;
+        let Rotations {
+            rotors,
+            quarter_turns,
+        } = Rotations::of_rig(rig.left_to_right().motor)?;
         let cameras = [rig.left.intrinsics, rig.right.intrinsics];
         let views = [0, 1].map(|k| View {
             intrinsics: &cameras[k],
             size: source,
-            rotation: rotations[k],
+            rotation: rotors[k],
+            quarter_turns: quarter_turns[k],
         });
-        let frame = Frame::new(&views, source, size, options)?;
+        let size = options.size.unwrap_or(views[0].rolled_size());
+        let is_empty = size.iter().any(|count| *count < 2);
+        if is_empty || size[0].saturating_mul(size[1]) > MOST_PIXELS {
+            return Err(ViewGeometryError::Size(size));
+        }
+        let frame = Frame::new(&views, size, options)?;
         let pinhole = |k: usize| {
             Intrinsics::new([frame.focal; 2], frame.centres[k]).map_err(ViewGeometryError::Unseen)
         };
@@ -146,11 +157,12 @@ impl Rectification {
         let rectified = RectifiedRig::new(pinhole(0)?, pinhole(1)?, baseline)
             .map_err(|_| ViewGeometryError::Baseline(baseline))?;
         Ok(Self {
-            left: Pose::new(rotations[0].into()),
-            right: Pose::new(rotations[1].into()),
+            left: Pose::new(rotors[0].into()),
+            right: Pose::new(rotors[1].into()),
             rig: rectified,
             size,
             valid: frame.valid,
+            quarter_turns,
             cameras,
             source,
         })
@@ -227,38 +239,6 @@ fn map(
     })
 }
 
-/// The rotations of the two cameras: `W R^½` and `W R^−½`, where R is the rotation from left to
-/// right and W puts the baseline, seen from the half way, along x.
-fn rotations(between: Motor<f64>) -> Result<[Rotor<f64>; 2], ViewGeometryError> {
-    let displacement = between.translator().displacement();
-    let [x, y, z] = displacement;
-    let baseline = x.hypot(y).hypot(z);
-    if !(baseline > 0.0 && baseline.is_finite()) {
-        return Err(ViewGeometryError::Baseline(baseline));
-    }
-    let rotor = between.rotor();
-    // The root of the short way.
-    let half = rotor.canonical().sqrt();
-    let seen_half_way = half
-        .reverse()
-        .transform(Direction::from_vector(displacement));
-    let [x, y, z] = seen_half_way.vector();
-    // The centre of the right camera is at −t.
-    let centre = [-x, -y, -z];
-    if y.abs() >= x.abs() {
-        if z.abs() > y.abs() {
-            return Err(ViewGeometryError::Forward(centre));
-        }
-        return Err(ViewGeometryError::Vertical(centre));
-    }
-    if x > 0.0 {
-        return Err(ViewGeometryError::Exchanged(centre));
-    }
-    let to_rows = Rotor::between([x, y, z], [-1.0, 0.0, 0.0]);
-    let to_rows = to_rows.ok_or(ViewGeometryError::Baseline(baseline))?;
-    Ok([to_rows * half, to_rows * half.reverse()])
-}
-
 /// Focal length and principal points of the rectified pictures.
 struct Frame {
     focal: f64,
@@ -269,18 +249,24 @@ struct Frame {
 impl Frame {
     fn new(
         views: &[View<'_>; 2],
-        source: [usize; 2],
         size: [usize; 2],
         options: RectificationOptions,
     ) -> Result<Self, ViewGeometryError> {
-        // The mean focal length, for pictures of the new height.
-        let sum: f64 = views.iter().map(|view| view.intrinsics.focal()[1]).sum();
-        let focal = 0.5 * sum * size[1] as f64 / source[1] as f64;
+        // The mean focal length along the columns, for pictures of the new height.
+        let focal = views
+            .iter()
+            .map(|view| {
+                0.5 * view.rolled_focal()[1] * size[1] as f64 / view.rolled_size()[1] as f64
+            })
+            .sum::<f64>();
         // Principal points that put the middles of the views into those of the pictures.
         let mut centres = [[0.0; 2]; 2];
         for (centre, view) in centres.iter_mut().zip(views) {
-            let mean = view.middle()?;
-            *centre = [0, 1].map(|k| 0.5 * (source[k] - 1) as f64 - focal * mean[k]);
+            let (mean, old) = (view.middle()?, view.rolled_size());
+            *centre = [0, 1].map(|k| {
+                let middle = 0.5 * (old[k] - 1) as f64 - focal * mean[k];
+                middle * size[k] as f64 / old[k] as f64
+            });
         }
         let [[left_x, left_y], [right_x, right_y]] = centres;
         let row = 0.5 * (left_y + right_y);
@@ -289,9 +275,7 @@ impl Frame {
         } else {
             [left_x, right_x]
         };
-        let old_centres = [[left, row], [right, row]];
-        let centres =
-            old_centres.map(|centre| [0, 1].map(|k| centre[k] * size[k] as f64 / source[k] as f64));
+        let centres = [[left, row], [right, row]];
         let mut bounds = [views[0].bounds()?, views[1].bounds()?];
         for bounds in &mut bounds {
             for side in bounds.inner.iter_mut().chain(&mut bounds.outer) {

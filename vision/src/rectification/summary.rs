@@ -30,10 +30,14 @@ pub struct RectificationSummary {
     /// The distance between the cameras.
     #[serde(rename = "baseline_metres")]
     pub baseline: f64,
-    /// By how much the left view is rotated.
+    /// By how much the left view is rotated in all.
     pub left_rotation_degrees: f64,
-    /// By how much the right view is rotated.
+    /// By how much the right view is rotated in all.
     pub right_rotation_degrees: f64,
+    /// The right angles in the rotation of the left view about its axis, clockwise: 0 to 270.
+    pub left_roll_degrees: u16,
+    /// The right angles in the rotation of the right view about its axis, clockwise: 0 to 270.
+    pub right_roll_degrees: u16,
     /// Where every pixel of the left picture was seen.
     #[serde(rename = "left_valid_px")]
     pub left_valid: Rectangle,
@@ -47,6 +51,8 @@ impl Rectification {
     #[must_use]
     pub fn summary(&self) -> RectificationSummary {
         let degrees = |motor: Motor<f64>| motor.rotor().to_axis_angle().1.to_degrees();
+        let [left_roll_degrees, right_roll_degrees] =
+            self.quarter_turns.map(|count| 90 * u16::from(count));
         let ([width, height], [left_valid, right_valid]) = (self.size, self.valid);
         RectificationSummary {
             width,
@@ -58,6 +64,8 @@ impl Rectification {
             baseline: self.rig.baseline(),
             left_rotation_degrees: degrees(self.left.motor),
             right_rotation_degrees: degrees(self.right.motor),
+            left_roll_degrees,
+            right_roll_degrees,
             left_valid,
             right_valid,
         }

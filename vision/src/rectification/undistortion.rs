@@ -83,6 +83,7 @@ fn fitted(
         intrinsics: source,
         size,
         rotation: Rotor::default(),
+        quarter_turns: 0,
     };
     let bounds = view.bounds().map_err(|error| match error {
         ViewGeometryError::Size(size) => ViewGeometryError::UndistortionSize(size),

@@ -10,7 +10,7 @@ const SAMPLES: usize = 9;
 
 /// The tangent of the greatest angle from the new axis at which a place of the old picture has a
 /// part in the choice of the new one, 80°: further out, a plane picture would be almost empty.
-const LARGEST_TANGENT: f64 = 5.67;
+pub(super) const LARGEST_TANGENT: f64 = 5.67;
 
 /// A camera's picture and the rotation to the frame in which it is to be seen.
 pub(super) struct View<'a> {
@@ -18,6 +18,8 @@ pub(super) struct View<'a> {
     /// Columns and rows of its pictures.
     pub(super) size: [usize; 2],
     pub(super) rotation: Rotor<f64>,
+    /// By how many right angles the rotation rolls its pictures, clockwise: 0 to 3.
+    pub(super) quarter_turns: u8,
 }
 
 /// Bounds `[left, right, top, bottom]` in the plane z = 1 of the new frame.
@@ -30,6 +32,32 @@ pub(super) struct Bounds {
 }
 
 impl View<'_> {
+    /// Columns and rows of its pictures after the roll.
+    pub(super) fn rolled_size(&self) -> [usize; 2] {
+        self.rolled(self.size)
+    }
+
+    /// The focal length along the rows and along the columns after the roll.
+    pub(super) fn rolled_focal(&self) -> [f64; 2] {
+        self.rolled(self.intrinsics.focal())
+    }
+
+    fn rolled<T>(&self, [across, down]: [T; 2]) -> [T; 2] {
+        if self.quarter_turns % 2 == 0 {
+            [across, down]
+        } else {
+            [down, across]
+        }
+    }
+
+    /// Which side of the new picture, of left, right, top and bottom, a side of the old one is.
+    fn rolled_side(&self, side: usize) -> usize {
+        // Clockwise.
+        const ROUND: [usize; 4] = [1, 3, 0, 2];
+        let place = ROUND.iter().position(|other| *other == side).unwrap_or(0);
+        ROUND[(place + usize::from(self.quarter_turns)) % 4]
+    }
+
     /// The mean, in the plane z = 1, of what is seen at the corners of the picture, or through a
     /// fisheye in the middles of its sides: what is seen at its corners may be any way out. OpenCV
     /// does so for both.
@@ -77,6 +105,7 @@ impl View<'_> {
             ];
             for (side, pixel) in sides.into_iter().enumerate() {
                 let [x, y] = self.place(pixel)?;
+                let side = self.rolled_side(side);
                 let across = if side < 2 { x } else { y };
                 inner[side] = if side % 2 == 0 {
                     inner[side].max(across)

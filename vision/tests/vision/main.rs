@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod arrangement;
 mod calibration;
 mod capture;
 mod capture_surface;

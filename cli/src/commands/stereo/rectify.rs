@@ -22,7 +22,9 @@ pub(super) const RIG: &str = "rig.yml";
 /// The rig is a file of two cameras of any format, such as YAML with OpenCV's names M1, D1, M2, D2,
 /// R and T, as `nullcone stereo calibrate` writes it. The folder gets left.png, right.png and
 /// rig.yml, which holds the rectified cameras (M1, M2, R, T) and OpenCV's R1, R2, P1, P2 and Q.
-/// What no camera saw is black.
+/// What no camera saw is black. Where one camera is above the other, both views are put on their
+/// side, so that the images of a point are in one row also then; a camera that stands on its side
+/// or on its head is rolled like the other one.
 ///
 /// For instance
 ///
@@ -30,8 +32,8 @@ pub(super) const RIG: &str = "rig.yml";
 ///
 /// prints {"width_px": …, "height_px": …, "focal_px": …, "left_principal_px": […],
 /// "right_principal_px": […], "disparity_offset_px": …, "baseline_metres": …,
-/// "left_rotation_degrees": …, "right_rotation_degrees": …, "left_valid_px": {…},
-/// "right_valid_px": {…}}. The depth at a disparity d is
+/// "left_rotation_degrees": …, "right_rotation_degrees": …, "left_roll_degrees": …,
+/// "right_roll_degrees": …, "left_valid_px": {…}, "right_valid_px": {…}}. The depth at a disparity d is
 /// focal_px · baseline_metres/(d + disparity_offset_px).
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
@@ -54,7 +56,8 @@ pub(crate) struct Arguments {
     /// zero.
     #[arg(long)]
     separate_centres: bool,
-    /// The size of the results, such as 800x600; by default that of the views.
+    /// The size of the results, such as 800x600; by default that of the left view, on its side where
+    /// it is put so.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Option<[usize; 2]>,
 }
@@ -141,10 +144,14 @@ impl frame::Report for Report {
     fn text(&self) -> String {
         let found = &self.found;
         let ([left_u, left_v], [right_u, right_v]) = (found.left_principal, found.right_principal);
+        let rolled = match [found.left_roll_degrees, found.right_roll_degrees] {
+            [0, 0] => String::new(),
+            [left, right] => format!(", of which {left}° and {right}° are rolls, clockwise"),
+        };
         format!(
             "{} × {} pixels, focal length {:.3} px, baseline {:.6} m\n\
              principal points {left_u:.3}, {left_v:.3} px and {right_u:.3}, {right_v:.3} px\n\
-             rotated by {:.3}° and {:.3}°\n",
+             rotated by {:.3}° and {:.3}°{rolled}\n",
             found.width,
             found.height,
             found.focal,
