@@ -61,6 +61,35 @@ fn the_pairs_of_opencv_give_a_rig() {
     assert_eq!(names(&folder.path().join("found")).len(), 13);
 }
 
+/// Pictures that are missing on each side leave the pairs of the others as they are.
+#[test]
+fn pairs_are_made_by_the_numbers_in_the_names() {
+    let Some(pictures) = shared("data/vision/opencv") else {
+        return;
+    };
+    let folder = tempdir().unwrap();
+    for (side, missing) in [("left", 3), ("right", 9)] {
+        for number in (1..=14).filter(|number| ![missing, 10].contains(number)) {
+            let from = pictures.join(format!("{side}{number:02}.jpg"));
+            // The right names have no zeros before the number.
+            let to = match side {
+                "left" => format!("left{number:02}.jpg"),
+                _ => format!("right{number}.jpg"),
+            };
+            std::fs::copy(from, folder.path().join(to)).unwrap();
+        }
+    }
+    let output = nullcone(folder.path(), arguments("left*.jpg", "right*.jpg"));
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(number(&report, "/pairs_used"), 11.0);
+    let rms = number(&report, "/rms_px");
+    assert!(rms < 0.5, "{rms}");
+    assert_eq!(report["warnings"][0]["kind"], "no_partner");
+    let text = report["warnings"][0]["message"].as_str().unwrap();
+    assert!(text.ends_with(": right3.jpg, left09.jpg"), "{text}");
+}
+
 /// What is found wrong after the boards were found.
 #[test]
 fn nothing_is_written_where_the_rig_cannot_be() {
@@ -113,22 +142,44 @@ fn bad_input_is_named_and_nothing_is_written() {
         &["--left", "none*.pgm", "matches no file"],
     );
     refused(&with("left*.pgm", "right[", &[]), &["--right", "right["]);
-    refused(
-        &with("left*.pgm", "right[012].pgm", &[]),
-        &["4 left views", "3 right ones"],
+    std::fs::rename(
+        folder.path().join("right0.pgm"),
+        folder.path().join("right7.pgm"),
+    )
+    .unwrap();
+    std::fs::rename(
+        folder.path().join("right1.pgm"),
+        folder.path().join("right8.pgm"),
+    )
+    .unwrap();
+    let output = nullcone(folder.path(), with("left[012].pgm", "right[78].pgm", &[]));
+    assert_failure(
+        &output,
+        &["--left and --right: 3 and 2 files do not belong together"],
     );
+    std::fs::rename(
+        folder.path().join("right7.pgm"),
+        folder.path().join("right0.pgm"),
+    )
+    .unwrap();
+    std::fs::rename(
+        folder.path().join("right8.pgm"),
+        folder.path().join("right1.pgm"),
+    )
+    .unwrap();
     refused(
         &with("left0.pgm", "other0.pgm", &[]),
         &["differ in size", "200 × 151"],
     );
     refused(&with("left0.pgm", "broken0.pgm", &[]), &["broken0.pgm"]);
-    // A view is missing on each side, so that the order of the others makes a wrong pair.
+    // A view is missing on each side.
     let output = nullcone(folder.path(), with("left[012].pgm", "right[013].pgm", &[]));
     let error = String::from_utf8(output.stderr).unwrap();
     assert!(
-        error.starts_with("warning: left2.pgm and right3.pgm are a pair"),
+        error.starts_with("warning: views without a partner are left out: left2.pgm, right3.pgm"),
         "{error}"
     );
+    assert!(error.contains("found in 0 of 2 pairs"), "{error}");
     let none = ["found in 0 of 4 pairs", "board not found", "left0.pgm"];
     refused(&with("left*.pgm", "right*.pgm", &[]), &none);
     let known = ["--intrinsics", "known"];

@@ -10,6 +10,7 @@
 //!   bytes go to a device or a pipe.
 //! - [`name`] and [`stem`] are the name of a file without its folders.
 //! - [`expand`] takes names and patterns of files, and [`natural_order`] sorts by numbers in names.
+//! - [`frames`] finds which pictures of several cameras belong together, by the same numbers.
 //! - [`Outputs`] sees to it that no output takes the place of an input or of another output.
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`text`] finds the encoding of text and the ends of its lines.
@@ -17,6 +18,7 @@
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
+mod frames;
 mod list;
 mod name;
 mod outputs;
@@ -30,7 +32,8 @@ mod write;
 mod write_all;
 
 pub use error::WriteError;
-pub use list::{ListError, expand, first_unlike_pair, natural_order};
+pub use frames::{Frames, FramesBy, FramesError, frames};
+pub use list::{ListError, expand, natural_order};
 pub use name::{name, stem};
 pub use outputs::{OutputError, Outputs};
 pub use read::{ReadError, read};

@@ -115,37 +115,13 @@ pub fn natural_order(paths: &mut [PathBuf]) {
     paths.sort_by_cached_key(|path| (key(path), path.clone()));
 }
 
-/// The first pair of files whose names do not belong together by their numbers: where a number of
-/// the left name differs from that of the right one, it does so as in the first pair, as 0 and 1 in
-/// `0-07.png` and `1-07.png`. Names with different counts of numbers are not compared.
-///
-/// ```
-/// use ga_files::first_unlike_pair;
-/// let pairs = [["l1.png", "r1.png"], ["l2.png", "r3.png"]].map(|pair| pair.map(Into::into));
-/// assert_eq!(first_unlike_pair(&pairs), Some(&pairs[1]));
-/// assert_eq!(first_unlike_pair(&pairs[..1]), None);
-/// // The number of the camera differs alike in all pairs.
-/// let pairs = [["0-7.png", "1-7.png"], ["0-8.png", "1-8.png"]].map(|pair| pair.map(Into::into));
-/// assert_eq!(first_unlike_pair(&pairs), None);
-/// ```
-#[must_use]
-pub fn first_unlike_pair(pairs: &[[PathBuf; 2]]) -> Option<&[PathBuf; 2]> {
-    let changes = |pair: &[PathBuf; 2]| {
-        let [left, right] = pair.each_ref().map(|path| numbers(path));
-        let is_comparable = left.len() == right.len();
-        let both = left.into_iter().zip(right).filter(|_| is_comparable);
-        both.map(|(left, right)| (left != right).then_some((left, right)))
-            .collect::<Vec<_>>()
-    };
-    let first = pairs.first().map(changes);
-    pairs.iter().find(|pair| Some(changes(pair)) != first)
-}
+/// A number in a name: how many digits without leading zeros there are, and these.
+pub(crate) type Number = (usize, String);
 
 /// A piece of a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Piece {
-    /// How many digits without leading zeros there are, and these.
-    Number(usize, String),
+    Number(Number),
     Text(String),
 }
 
@@ -164,7 +140,7 @@ fn pieces(name: &str) -> Vec<Piece> {
         match run.first().is_some_and(u8::is_ascii_digit) {
             true => {
                 let digits = text.trim_start_matches('0').to_owned();
-                Piece::Number(digits.len(), digits)
+                Piece::Number((digits.len(), digits))
             }
             false => Piece::Text(text.into_owned()),
         }
@@ -172,11 +148,11 @@ fn pieces(name: &str) -> Vec<Piece> {
     runs.map(piece).collect()
 }
 
-/// The numbers in the name of a file, without leading zeros.
-fn numbers(path: &Path) -> Vec<String> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
+/// The numbers in the name of a file.
+pub(crate) fn numbers(path: &Path) -> Vec<Number> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let number = |piece| match piece {
-        Piece::Number(_, digits) => Some(digits),
+        Piece::Number(number) => Some(number),
         Piece::Text(_) => None,
     };
     pieces(&name).into_iter().filter_map(number).collect()

@@ -1,12 +1,13 @@
 //! `nullcone stereo calibrate`: a rig from pictures of a chessboard.
 
+use std::mem;
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_camera::Intrinsics;
 use ga_camera::format::rig;
-use ga_files::natural_order;
+use ga_files::frames;
 use ga_image::png;
 use ga_vision::calibration::{
     BoardPairs, CameraOptions, JointIntrinsics, LensTerms, PairNames, RejectedPair, Residuals,
@@ -26,10 +27,12 @@ use crate::output;
 
 /// Calibrate a stereo rig from pairs of pictures of a chessboard.
 ///
-/// The views are sorted by name, where numbers count as numbers, and paired in that order. A name
-/// of a file counts before a pattern; the program itself matches patterns, or the shell does.
-/// Pairs in which the board is not found, or that do not agree with the others, are left out. For
-/// instance
+/// Views whose names have the same numbers are a pair, as left7.jpg and right07.jpg; numbers that
+/// all names of a camera share, such as that of the camera, do not count. Where the numbers have
+/// little in common, as those of times, views are paired in the order of their names. A name of a
+/// file counts before a pattern; the program itself matches patterns, or the shell does. Views
+/// without a partner are named in a warning. Pairs in which the board is not found, or that do not
+/// agree with the others, are left out. For instance
 ///
 ///   nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg'
 ///     --out rig.yml --json
@@ -39,9 +42,8 @@ use crate::output;
 /// corners from the projections of their places on the boards, as OpenCV's stereoCalibrate returns
 /// it.
 ///
-/// The verdict is good where at least 10 pairs were used, rms_px is at most 1, and the numbers in
-/// the names of all pairs belong together as in the first; else it is doubtful, and --json has the
-/// reasons as "warnings".
+/// The verdict is good where at least 10 pairs were used, rms_px is at most 1, and all views have a
+/// partner; else it is doubtful, and --json has the reasons as "warnings".
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -126,10 +128,9 @@ impl Command for Arguments {
             self.square
         );
         let options = self.options()?;
-        let files = pairs_of_files(&self.left, &self.right)?;
+        let Pairs { files, left_over } = Pairs::of(&self.left, &self.right)?;
         self.check_outputs(context, &files)?;
-        let other_numbers = warning_of_other_numbers(&files);
-        keep_for_failure(other_numbers.as_slice());
+        keep_for_failure(&left_over);
         let progress = context.progress(files.len() as u64 + 1);
         let (boards, pictures) = self.find_boards(&files, &progress)?;
         progress.step("calibrating");
@@ -153,7 +154,7 @@ impl Command for Arguments {
                 "--out".as_ref(),
                 "rectified".as_ref(),
             ]),
-            warnings: doubts.chain(other_numbers).collect(),
+            warnings: doubts.chain(left_over).collect(),
             residuals: found.residuals(),
             rig: found.summary(),
             pairs_used: found.used.len(),
@@ -235,35 +236,36 @@ fn corners_name(index: usize) -> String {
     format!("corners{:03}.png", index + 1)
 }
 
-/// The files of the left and the right views, in pairs.
-fn pairs_of_files(left: &[String], right: &[String]) -> Result<Vec<[PathBuf; 2]>> {
-    let sorted = |option: &str, arguments| -> Result<Vec<PathBuf>> {
-        let mut files = expanded(option, arguments)?;
-        natural_order(&mut files);
-        files.dedup();
-        Ok(files)
-    };
-    let left = sorted("--left", left)?;
-    let right = sorted("--right", right)?;
-    ensure!(
-        left.len() == right.len(),
-        "{} left views and {} right ones do not make pairs",
-        left.len(),
-        right.len()
-    );
-    let pairs = left.into_iter().zip(right);
-    Ok(pairs.map(|(left, right)| [left, right]).collect())
+/// The files of the left and the right views.
+struct Pairs {
+    files: Vec<[PathBuf; 2]>,
+    /// Those without a partner, in a warning.
+    left_over: Vec<Warning>,
 }
 
-fn warning_of_other_numbers(pairs: &[[PathBuf; 2]]) -> Option<Warning> {
-    let [left, right] = ga_files::first_unlike_pair(pairs)?;
-    let text = format!(
-        "{} and {} are a pair by their places in the lists, but the numbers in their names do not \
-         belong together as those of the first pair do",
-        left.display(),
-        right.display()
-    );
-    Some(Warning::new("other_numbers", text))
+impl Pairs {
+    fn of(left: &[String], right: &[String]) -> Result<Self> {
+        let lists = vec![expanded("--left", left)?, expanded("--right", right)?];
+        let found = frames(lists).context("--left and --right")?;
+        let (mut files, mut alone) = (Vec::new(), Vec::new());
+        for mut frame in found.frames {
+            match frame.as_mut_slice() {
+                [Some(left), Some(right)] => files.push([mem::take(left), mem::take(right)]),
+                others => alone.extend(others.iter().flatten().map(|p| p.display().to_string())),
+            }
+        }
+        let warning = |names: &[String]| {
+            let text = format!("views without a partner are left out: {}", names.join(", "));
+            Warning::new("no_partner", text)
+        };
+        Ok(Self {
+            files,
+            left_over: (!alone.is_empty())
+                .then(|| warning(&alone))
+                .into_iter()
+                .collect(),
+        })
+    }
 }
 
 impl frame::Report for Report {
