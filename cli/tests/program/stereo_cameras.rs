@@ -105,8 +105,9 @@ fn cameras_one_above_the_other_give_views_with_common_rows() {
     for (key, expected) in [
         ("/width_px", 180.0),
         ("/height_px", 240.0),
-        ("/left_roll_degrees", 270.0),
-        ("/right_roll_degrees", 270.0),
+        ("/left_roll_degrees", -90.0),
+        ("/right_roll_degrees", -90.0),
+        ("/left_rotation_degrees", 90.0),
         ("/baseline_metres", 0.1),
     ] {
         assert!((number(&report, key) - expected).abs() < 1e-9, "{key}");

@@ -1,8 +1,9 @@
-//! The bundle adjustment of one camera or of two cameras of a rig, with all boards.
+//! The bundle adjustment of the cameras of a rig, with all boards.
 
 use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 
+use super::board_view::BoardCorner;
 use super::lens_terms::parameter_name;
 use ga_camera::{FrameProjection, Intrinsics, by_twist};
 use ga_numerics::least_squares::{Columns, Equations, Problem};
@@ -10,17 +11,17 @@ use ga_numerics::least_squares::{Columns, Equations, Problem};
 /// The unknowns of a twist: the angular velocity and the velocity of the origin.
 pub(super) const TWIST: usize = 6;
 
-/// The corners of boards as one camera or two see them.
+/// The corners of boards as one camera or more see them.
 ///
 /// What is made least is the sum of the squared distances, in pixels, between corners and the
 /// projections of their places on the boards. The motor of each board takes it into the first
-/// camera's frame; that of the rig takes the first camera's frame into the second one's. Motors
+/// camera's frame; those of the other cameras take the first camera's frame into theirs. Motors
 /// vary by twists on the left: `M' = exp(G) M` moves a point x of the frame with `ω × x + u`.
 pub(super) struct Bundle<'a> {
     /// The places of the corners on a board.
     pub(super) places: &'a [Point<f64>],
-    /// For each camera and each board the pixels of the corners.
-    pub(super) pixels: Vec<Vec<&'a [[f64; 2]]>>,
+    /// For each camera and each board the corners, none where the camera does not see it.
+    pub(super) corners: Vec<Vec<&'a [BoardCorner]>>,
     /// For each camera, which intrinsic parameters vary.
     pub(super) free: Vec<Vec<usize>>,
 }
@@ -29,7 +30,8 @@ pub(super) struct Bundle<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct BundleState {
     pub(super) cameras: Vec<Intrinsics>,
-    pub(super) rig: Motor<f64>,
+    /// From the first camera's frame into those of the others.
+    pub(super) motions: Vec<Motor<f64>>,
     pub(super) boards: Vec<Motor<f64>>,
 }
 
@@ -39,13 +41,20 @@ impl Bundle<'_> {
         self.free[..camera].iter().map(Vec::len).sum()
     }
 
-    /// The first column of the rig's twist.
-    pub(super) fn rig_column(&self) -> usize {
-        self.first_column(self.free.len())
+    /// The first column of the twist of a camera's motion, which the first one has not.
+    pub(super) fn motion_column(&self, camera: usize) -> usize {
+        self.first_column(self.free.len()) + TWIST * (camera - 1)
     }
 
     fn shared(&self) -> usize {
-        self.rig_column() + if self.free.len() > 1 { TWIST } else { 0 }
+        self.motion_column(self.free.len())
+    }
+
+    /// How many corners there are of each board.
+    pub(super) fn corner_counts(&self) -> Vec<usize> {
+        let boards = 0..self.corners.first().map_or(0, Vec::len);
+        let count = |board: usize| self.corners.iter().map(|boards| boards[board].len()).sum();
+        boards.map(count).collect()
     }
 
     /// The name of the unknown of a column.
@@ -65,22 +74,22 @@ impl Bundle<'_> {
     /// The squared distances between corners and projections, summed for each camera and board;
     /// infinite for a board of which the camera cannot see a corner.
     pub(super) fn squared_errors(&self, state: &BundleState) -> Vec<Vec<f64>> {
-        let cameras = self.pixels.iter().enumerate();
+        let cameras = self.corners.iter().enumerate();
         cameras
             .map(|(camera, boards)| {
                 let to_camera = self.to_camera(state, camera);
                 let boards = boards.iter().zip(&state.boards);
                 boards
-                    .map(|(pixels, board)| {
+                    .map(|(corners, board)| {
                         let motor = to_camera * *board;
-                        let squared = |(place, pixel): (&Point<f64>, &[f64; 2])| match state.cameras
-                            [camera]
-                            .project(motor.transform(*place))
+                        let squared = |BoardCorner { place, pixel }: &BoardCorner| match state
+                            .cameras[camera]
+                            .project(motor.transform(self.places[*place]))
                         {
                             Ok([u, v]) => (u - pixel[0]).powi(2) + (v - pixel[1]).powi(2),
                             Err(_) => f64::INFINITY,
                         };
-                        self.places.iter().zip(*pixels).map(squared).sum()
+                        corners.iter().map(squared).sum()
                     })
                     .collect()
             })
@@ -91,7 +100,7 @@ impl Bundle<'_> {
     fn to_camera(&self, state: &BundleState, camera: usize) -> Motor<f64> {
         match camera {
             0 => Motor::default(),
-            _ => state.rig,
+            other => state.motions[other - 1],
         }
     }
 }
@@ -100,20 +109,20 @@ impl Problem for Bundle<'_> {
     type State = BundleState;
 
     fn columns(&self) -> Columns {
-        Columns::grouped(self.shared(), self.pixels[0].len(), TWIST)
+        Columns::grouped(self.shared(), self.corners[0].len(), TWIST)
     }
 
     fn evaluate(&self, state: &BundleState, equations: &mut Equations) -> Option<()> {
-        let (rig_column, shared) = (self.rig_column(), self.shared());
+        let shared = self.shared();
         let mut derivatives: Vec<(usize, [f64; 2])> = Vec::new();
-        for (camera, boards) in self.pixels.iter().enumerate() {
+        for (camera, boards) in self.corners.iter().enumerate() {
             let to_camera = self.to_camera(state, camera);
             let to_first = to_camera.reverse();
             let first_column = self.first_column(camera);
-            for (board, pixels) in boards.iter().enumerate() {
+            for (board, corners) in boards.iter().enumerate() {
                 let board_column = shared + TWIST * board;
-                for (place, pixel) in self.places.iter().zip(*pixels) {
-                    let in_first = state.boards[board].transform(*place);
+                for BoardCorner { place, pixel } in *corners {
+                    let in_first = state.boards[board].transform(self.places[*place]);
                     let in_frame = to_camera.transform(in_first);
                     let FrameProjection {
                         pixel: seen,
@@ -129,7 +138,8 @@ impl Problem for Bundle<'_> {
                     }
                     let by_point = by_point.map(Vector::from);
                     if camera > 0 {
-                        push_twist(&mut derivatives, rig_column, in_frame, by_point);
+                        let column = self.motion_column(camera);
+                        push_twist(&mut derivatives, column, in_frame, by_point);
                     }
                     let by_point = by_point.map(|row| rotated(to_first, row));
                     push_twist(&mut derivatives, board_column, in_first, by_point);
@@ -154,8 +164,9 @@ impl Problem for Bundle<'_> {
             let count = own.parameter_count();
             next.cameras[camera] = own.with_parameters(&parameters[..count]).ok()?;
         }
-        if self.free.len() > 1 {
-            next.rig = exponential(&step[self.rig_column()..]) * state.rig;
+        let twists = step[self.motion_column(1)..].chunks_exact(TWIST);
+        for (motion, twist) in next.motions.iter_mut().zip(twists) {
+            *motion = exponential(twist) * *motion;
         }
         let twists = step[self.shared()..].chunks_exact(TWIST);
         for (board, twist) in next.boards.iter_mut().zip(twists) {

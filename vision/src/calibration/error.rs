@@ -16,13 +16,21 @@ pub enum CalibrationError {
         /// How many there are.
         found: usize,
     },
-    /// The two cameras see different numbers of boards.
+    /// Two cameras have different numbers of views.
     #[error("{left} boards in the left views, {right} in the right ones")]
     Counts {
-        /// Boards of the left camera.
+        /// Views of the left, or the first, camera.
         left: usize,
-        /// Boards of the right camera.
+        /// Views of the right, or another, camera.
         right: usize,
+    },
+    /// There are views, sizes or options of different numbers of cameras.
+    #[error("views of {views} cameras, and sizes or options of {other}")]
+    CameraCounts {
+        /// Cameras with views.
+        views: usize,
+        /// Cameras with sizes or options.
+        other: usize,
     },
     /// A view has another number of corners than the board.
     #[error("view {view} has {found} corners, not {expected}")]
@@ -33,6 +41,18 @@ pub enum CalibrationError {
         found: usize,
         /// Those of the board.
         expected: usize,
+    },
+    /// A corner has the number of no place on the board, or that of another corner.
+    #[error(
+        "corner {corner} of view {view} has the place {place}, which is not on the board, or twice"
+    )]
+    Place {
+        /// The view, from 0.
+        view: usize,
+        /// The corner, from 0.
+        corner: usize,
+        /// The number of the place.
+        place: usize,
     },
     /// A corner or a place on the board is not finite.
     #[error("corner {corner} of view {view} is not finite")]
@@ -48,12 +68,26 @@ pub enum CalibrationError {
         /// The view, from 0.
         view: usize,
     },
-    /// The motion between the cameras that fits most pairs moves the board of a pair to where the
-    /// right camera cannot see it.
-    #[error("the board of pair {pair} lies where the right camera cannot see it")]
+    /// The motions between the cameras that fit most boards move a board to where a camera that
+    /// shows it cannot see it.
+    #[error("the board of view {pair} lies where one of the cameras that show it cannot see it")]
     Unseen {
-        /// The pair, from 0.
+        /// The pair, or the frame of a rig, from 0.
         pair: usize,
+    },
+    /// Something is wrong with one of several cameras.
+    #[error("camera {camera}: {error}")]
+    OfCamera {
+        /// The camera, from 0.
+        camera: usize,
+        /// What is wrong; a view is counted among all frames.
+        error: Box<CalibrationError>,
+    },
+    /// Some cameras see no board together with the others, so that nothing says where they are.
+    #[error("no board joins the cameras {} with the first one", counted(.cameras))]
+    Disconnected {
+        /// The cameras, from 0.
+        cameras: Vec<usize>,
     },
     /// At least half of the pairs do not agree with the others.
     #[error(
@@ -208,6 +242,11 @@ pub enum CalibrationError {
     Edges(Box<RigError>),
 }
 
+fn counted(cameras: &[usize]) -> String {
+    let cameras: Vec<String> = cameras.iter().map(usize::to_string).collect();
+    cameras.join(", ")
+}
+
 fn sizes(groups: &[([usize; 2], Vec<String>)]) -> String {
     let groups = groups.iter().map(|([width, height], names)| {
         let names = names.join(", ");
@@ -220,17 +259,47 @@ fn sizes(groups: &[([usize; 2], Vec<String>)]) -> String {
 pub const LEAST_VIEWS: usize = 3;
 
 impl CalibrationError {
+    /// The error of chosen views with the index that a view has among all.
+    pub(super) fn in_frames(mut self, frames: &[usize]) -> Self {
+        if let Some(view) = self.own_view() {
+            *view = frames[*view];
+        }
+        self
+    }
+
+    /// The view that is to blame, counted among those of one camera.
+    fn own_view(&mut self) -> Option<&mut usize> {
+        match self {
+            Self::Corners { view, .. }
+            | Self::Place { view, .. }
+            | Self::NotFinite { view, .. }
+            | Self::Pixel { view, .. }
+            | Self::View { view } => Some(view),
+            Self::OfCamera { error, .. } => error.own_view(),
+            _ => None,
+        }
+    }
+
+    /// The error of one of several cameras.
+    pub(super) fn of_camera(self, camera: usize) -> Self {
+        Self::OfCamera {
+            camera,
+            error: Box::new(self),
+        }
+    }
+
     /// The view, or the pair, that is to blame, from 0.
     #[must_use]
     pub fn view(&self) -> Option<usize> {
         match *self {
             Self::Corners { view, .. }
+            | Self::Place { view, .. }
             | Self::NotFinite { view, .. }
             | Self::Pixel { view, .. }
             | Self::View { view }
             | Self::Unseen { pair: view } => Some(view),
             Self::Disagreement { outlier, .. } => Some(outlier.pair),
-            Self::OtherLens { ref error, .. } => error.view(),
+            Self::OtherLens { ref error, .. } | Self::OfCamera { ref error, .. } => error.view(),
             _ => None,
         }
     }

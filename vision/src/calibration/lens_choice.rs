@@ -4,9 +4,10 @@ use ga_camera::{Intrinsics, LensModel};
 use ga_runtime::cga3::Point;
 use serde::Serialize;
 
+use super::board_view::BoardView;
 use super::error::CalibrationError;
 use super::lens_terms::LensTerms;
-use super::one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
+use super::one_camera::{CameraCalibration, CameraOptions, Start, calibrate_views};
 
 /// A lens that was tried.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,17 +45,18 @@ const DECISIVE_PART: f64 = 0.9;
 /// Calibrates a camera with a lens that is given, or with the likelier one of a radial–tangential
 /// lens and a fisheye: a fisheye is chosen where Schwarz's criterion is very strong evidence for it
 /// and it leaves less than nine tenths of the distances. Arguments are those of
-/// [`calibrate_camera`].
+/// [`calibrate_camera`](super::calibrate_camera).
 ///
 /// # Errors
 ///
-/// As [`calibrate_camera`].
-pub fn calibrate_lens(
-    views: &[Vec<[f64; 2]>],
+/// As [`calibrate_camera`](super::calibrate_camera).
+pub fn calibrate_lens<V: Clone + Into<BoardView>>(
+    views: &[V],
     places: &[Point<f64>],
     size: [usize; 2],
     given: Option<LensTerms>,
 ) -> Result<LensFit, CalibrationError> {
+    let views: Vec<BoardView> = views.iter().cloned().map(Into::into).collect();
     let usual = LensTerms::radial_tangential();
     let first = given.unwrap_or(usual);
     let mut kinds = vec![first];
@@ -62,10 +64,10 @@ pub fn calibrate_lens(
     kinds.extend(others.into_iter().filter(|terms| *terms != first));
     let mut found = kinds
         .into_iter()
-        .map(|terms| Fit::new(views, places, size, terms));
+        .map(|terms| Fit::new(&views, places, size, terms));
     let first = found
         .next()
-        .unwrap_or_else(|| Fit::new(views, places, size, usual));
+        .unwrap_or_else(|| Fit::new(&views, places, size, usual));
     let others: Vec<Fit> = found.collect();
     let mut tried = vec![first.tried()];
     tried.extend(others.iter().map(Fit::tried));
@@ -110,17 +112,13 @@ struct Fit {
 }
 
 impl Fit {
-    fn new(
-        views: &[Vec<[f64; 2]>],
-        places: &[Point<f64>],
-        size: [usize; 2],
-        terms: LensTerms,
-    ) -> Self {
+    fn new(views: &[BoardView], places: &[Point<f64>], size: [usize; 2], terms: LensTerms) -> Self {
         let parameters = terms.free().len() + 6 * views.len();
+        let corners: usize = views.iter().map(|view| view.corners().len()).sum();
         Self {
             terms,
             camera: calibrate(views, places, size, terms),
-            counts: [2 * views.len() * places.len(), parameters].map(|count| count as f64),
+            counts: [2 * corners, parameters].map(|count| count as f64),
         }
     }
 
@@ -163,7 +161,7 @@ impl Fit {
 /// The camera with a lens. That of a fisheye is searched from several focal lengths: the
 /// homographies of its boards are those of no plane.
 fn calibrate(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
     terms: LensTerms,
@@ -180,7 +178,7 @@ fn calibrate(
     }
     let mut best: Option<Result<CameraCalibration, CalibrationError>> = None;
     for start in starts {
-        let found = calibrate_camera(views, places, size, &CameraOptions { start, terms });
+        let found = calibrate_views(views, places, size, &CameraOptions { start, terms });
         let is_better = match (&found, &best) {
             (_, None) | (Ok(_), Some(Err(_))) => true,
             (Ok(new), Some(Ok(old))) => new.rms < old.rms,

@@ -1,4 +1,4 @@
-//! Calibration of one camera, and of two cameras of a rig, from pictures of a chessboard.
+//! Calibration of one camera, of two, and of the cameras of a rig, from pictures of a chessboard.
 //!
 //! Each picture gives a [homography](crate::homography) from the board. From these come focal
 //! lengths (Z. Zhang, "A flexible new technique for camera calibration", 2000, with the principal
@@ -29,12 +29,15 @@
 //! ```
 
 mod board_pairs;
+mod board_view;
 mod board_views;
 mod bundle;
+mod camera_graph;
 mod camera_page;
 mod error;
 mod lens_choice;
 mod lens_terms;
+mod many_cameras;
 mod one_camera;
 mod outlier;
 mod pair_names;
@@ -43,15 +46,17 @@ mod stereo;
 mod summary;
 
 pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
+pub use board_view::{BoardCorner, BoardView};
 pub use board_views::{
     BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,
 };
 pub use error::{CalibrationError, LEAST_VIEWS};
 pub use lens_choice::{LensFit, TriedLens, calibrate_lens};
 pub use lens_terms::LensTerms;
+pub use many_cameras::{JointIntrinsics, RigCalibration, RigOptions, calibrate_rig};
 pub use one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
 pub use outlier::Outlier;
 pub use pair_names::PairNames;
 pub use square_edges::{SquareEdges, square_edges};
-pub use stereo::{JointIntrinsics, StereoCalibration, StereoOptions, calibrate_stereo};
+pub use stereo::{StereoCalibration, StereoOptions, calibrate_stereo};
 pub use summary::{CameraParameters, Residuals, RigSummary};

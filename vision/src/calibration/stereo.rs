@@ -1,31 +1,14 @@
 //! The calibration of two cameras of a rig.
 
+use super::board_view::BoardView;
+use super::error::CalibrationError;
+use super::many_cameras::{JointIntrinsics, RigCalibration, RigOptions, calibrate_rig};
+use super::one_camera::CameraOptions;
 use super::outlier::Outlier;
-
-use ga_numerics::order_statistics::median;
-use ga_runtime::cga3::{Motor, Point};
-
-use super::LEAST_VIEWS;
-use super::bundle::{Bundle, BundleState, TWIST};
-use super::one_camera::{
-    CameraCalibration, CameraOptions, calibrate_camera, covariance, deviations,
-};
-use crate::calibration::CalibrationError;
-use ga_camera::frame::{Board, Frame, LeftCamera, Pose};
+use ga_camera::Intrinsics;
+use ga_camera::frame::{Board, LeftCamera, Pose};
 use ga_camera::rig::StereoRig;
-use ga_camera::{Camera, Intrinsics};
-use ga_numerics::least_squares::{Covariance, Loss, Options, minimise};
-
-/// What becomes of the intrinsic parameters when both cameras are calibrated together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum JointIntrinsics {
-    /// They vary with the motors. The views of one camera then help to determine the other.
-    #[default]
-    Free,
-    /// They stay as the calibration of each camera by itself has found them, as with OpenCV's flag
-    /// `CALIB_FIX_INTRINSIC`.
-    Fixed,
-}
+use ga_runtime::cga3::Point;
 
 /// How a rig is calibrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +67,7 @@ pub struct StereoCalibration {
 /// Calibrates a rig from the corners of boards that both cameras see.
 ///
 /// `views` has the corners in the left views and in the right ones, pair by pair; otherwise as
-/// [`calibrate_camera`].
+/// [`calibrate_rig`].
 ///
 /// # Errors
 ///
@@ -115,282 +98,61 @@ pub struct StereoCalibration {
 /// assert!((found.rig.baseline() - 0.12).abs() < 1e-6 && found.rms < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn calibrate_stereo(
-    views: [&[Vec<[f64; 2]>]; 2],
+pub fn calibrate_stereo<V: Clone + Into<BoardView>>(
+    views: [&[V]; 2],
     places: &[Point<f64>],
     size: [usize; 2],
     options: &StereoOptions,
 ) -> Result<StereoCalibration, CalibrationError> {
-    let [left, right] = views.map(<[_]>::len);
-    if left != right {
-        return Err(CalibrationError::Counts { left, right });
-    }
-    let mut used: Vec<usize> = (0..left).collect();
-    let mut outliers = Vec::new();
-    loop {
-        let chosen = views.map(|views| used.iter().map(|&k| views[k].clone()).collect());
-        let rig = Rig::new(&chosen, places, size, options);
-        let rig = rig.map_err(|error| error.in_pairs(&used))?;
-        // A pair with a board in another place than the rest would keep the rest from converging.
-        let before = rig.pair_rms(&rig.state);
-        let rough = options.outlier_ratio.map(|ratio| 5.0 * ratio);
-        if let Some(outlier) = worst(&before, &used, rough) {
-            check_majority(outlier, used.len(), left)?;
-            used.retain(|pair| *pair != outlier.pair);
-            outliers.push(outlier);
-            continue;
-        }
-        if let Some(unseen) = before.iter().position(|rms| rms.is_infinite()) {
-            return Err(CalibrationError::Unseen { pair: used[unseen] });
-        }
-        let after = rig.pair_rms(&rig.robust_state());
-        let Some(outlier) = worst(&after, &used, options.outlier_ratio) else {
-            let found = rig.adjusted(&used)?;
-            return Ok(StereoCalibration { outliers, ..found });
-        };
-        check_majority(outlier, used.len(), left)?;
-        used.retain(|pair| *pair != outlier.pair);
-        outliers.push(outlier);
-    }
-}
-
-impl CalibrationError {
-    /// The error of chosen views with the index that a view has among all.
-    fn in_pairs(self, used: &[usize]) -> Self {
-        match self {
-            Self::View { view } => Self::View { view: used[view] },
-            Self::Corners {
-                view,
-                found,
-                expected,
-            } => Self::Corners {
-                view: used[view],
-                found,
-                expected,
-            },
-            Self::Pixel {
-                view,
-                corner,
-                error,
-            } => Self::Pixel {
-                view: used[view],
-                corner,
-                error,
-            },
-            Self::NotFinite { view, corner } => Self::NotFinite {
-                view: used[view],
-                corner,
-            },
-            other => other,
-        }
-    }
-}
-
-/// Checks that more than half of all pairs are left without an outlier.
-fn check_majority(outlier: Outlier, used: usize, pairs: usize) -> Result<(), CalibrationError> {
-    match 2 * (used - 1) > pairs {
-        true => Ok(()),
-        false => Err(CalibrationError::Disagreement { pairs, outlier }),
-    }
-}
-
-/// The pair with the greatest distance, where that is too great. As many pairs as a calibration
-/// needs are kept.
-fn worst(pair_rms: &[f64], used: &[usize], ratio: Option<f64>) -> Option<Outlier> {
-    /// Distances up to this are not those of outliers, however small the others are.
-    const NEGLIGIBLE: f64 = 0.1;
-    let mut sorted = pair_rms.to_vec();
-    sorted.retain(|rms| rms.is_finite());
-    let median = median(&mut sorted)?;
-    let (place, rms) = (pair_rms.iter().enumerate()).max_by(|a, b| a.1.total_cmp(b.1))?;
-    let is_outlier = *rms > ratio? * median.max(NEGLIGIBLE) && used.len() > LEAST_VIEWS;
-    is_outlier.then(|| Outlier {
-        pair: used[place],
-        rms: *rms,
-        median,
+    let found = calibrate_rig(
+        &views.map(<[V]>::to_vec),
+        places,
+        &[size; 2],
+        &RigOptions {
+            cameras: options.cameras.to_vec(),
+            joint: options.joint,
+            outlier_ratio: options.outlier_ratio,
+        },
+    );
+    let found = found.map_err(|error| match error {
+        CalibrationError::OfCamera { error, .. } => *error,
+        other => other,
+    })?;
+    let side = |k: usize| found.cameras[k];
+    let rig = StereoRig {
+        left: side(0),
+        right: side(1),
+    };
+    check_baseline(&rig, &found)?;
+    Ok(StereoCalibration {
+        rig,
+        deviations: [found.deviations[0], found.deviations[1]],
+        rig_deviations: found.motion_deviations[1],
+        baseline_deviation: found.distance_deviations[1],
+        used: found.used,
+        outliers: found.outliers,
+        boards: found.boards,
+        rms: found.rms,
+        camera_rms: [found.camera_rms[0], found.camera_rms[1]],
+        pair_rms: found.frame_rms,
     })
 }
 
-/// The joint calibration of pairs, and where it begins.
-struct Rig<'a> {
-    bundle: Bundle<'a>,
-    state: BundleState,
-    /// The deviations of the cameras by themselves.
-    deviations: [[f64; Intrinsics::MAX_PARAMETERS]; 2],
-}
-
-impl<'a> Rig<'a> {
-    /// Both cameras calibrated by themselves, and the motor between them that fits most boards.
-    fn new(
-        views: &'a [Vec<Vec<[f64; 2]>>; 2],
-        places: &'a [Point<f64>],
-        size: [usize; 2],
-        options: &StereoOptions,
-    ) -> Result<Self, CalibrationError> {
-        let calibrate = |k: usize| calibrate_camera(&views[k], places, size, &options.cameras[k]);
-        let [left, right] = [calibrate(0)?, calibrate(1)?];
-        let free = options.cameras.map(|camera| match options.joint {
-            JointIntrinsics::Free => camera.free(),
-            JointIntrinsics::Fixed => Vec::new(),
-        });
-        let bundle = Bundle {
-            places,
-            pixels: views
-                .iter()
-                .map(|views| views.iter().map(Vec::as_slice).collect())
-                .collect(),
-            free: free.into(),
-        };
-        let rig = median_motion(&left, &right, places);
-        let from_left = BundleState {
-            cameras: vec![left.intrinsics, right.intrinsics],
-            rig,
-            boards: motors(&left.boards),
-        };
-        let right_boards = motors(&right.boards).into_iter();
-        let from_right = BundleState {
-            boards: right_boards.map(|board| rig.reverse() * board).collect(),
-            ..from_left.clone()
-        };
-        let mut found = Self {
-            bundle,
-            state: from_left,
-            deviations: [left.deviations, right.deviations],
-        };
-        // One camera may see a board almost alike in two poses; both cameras tell which is right.
-        let errors = [&found.state, &from_right].map(|state| found.pair_rms(state));
-        for (pair, board) in from_right.boards.into_iter().enumerate() {
-            if errors[0][pair].is_finite() && errors[1][pair] < errors[0][pair] {
-                found.state.boards[pair] = board;
-            }
-        }
-        Ok(found)
-    }
-
-    /// For each pair the root mean square distance of the corners of both views.
-    /// It is infinite where a camera cannot see the board.
-    fn pair_rms(&self, state: &BundleState) -> Vec<f64> {
-        let errors = self.bundle.squared_errors(state);
-        let count = 2.0 * self.bundle.places.len() as f64;
-        let pairs = errors[0].iter().zip(&errors[1]);
-        pairs
-            .map(|(left, right)| ((left + right) / count).sqrt())
-            .collect()
-    }
-
-    /// The state where the losses of Huber are least, to which outliers matter less.
-    fn robust_state(&self) -> BundleState {
-        let options = Options {
-            loss: Loss::Huber(0.5),
-            relative_tolerance: 1e-3,
-            ..Options::default()
-        };
-        let found = minimise(&self.bundle, self.state.clone(), &options);
-        found.map_or_else(|_| self.state.clone(), |minimum| minimum.state)
-    }
-
-    fn adjusted(self, used: &[usize]) -> Result<StereoCalibration, CalibrationError> {
-        let minimum = minimise(&self.bundle, self.state.clone(), &Options::default())?;
-        let covariance = covariance(&self.bundle, &minimum)?;
-        let state = &minimum.state;
-        let errors = self.bundle.squared_errors(state);
-        let count = (self.bundle.places.len() * used.len()) as f64;
-        let camera_rms = |k: usize| (errors[k].iter().sum::<f64>() / count).sqrt();
-        let camera = |k: usize, world_to_camera| Camera {
-            intrinsics: state.cameras[k],
-            world_to_camera,
-        };
-        let column = self.bundle.rig_column();
-        let baseline_deviation = baseline_deviation(state, &covariance, column)?;
-        let own = |k: usize| match self.bundle.free[k].is_empty() {
-            true => Ok(self.deviations[k]),
-            false => deviations(&self.bundle, state, k, &covariance),
-        };
-        Ok(StereoCalibration {
-            rig: StereoRig {
-                left: camera(0, Motor::default()),
-                right: camera(1, state.rig),
-            },
-            deviations: [own(0)?, own(1)?],
-            rig_deviations: std::array::from_fn(|k| covariance.standard_deviation(column + k)),
-            baseline_deviation,
-            used: used.to_vec(),
-            outliers: Vec::new(),
-            boards: state.boards.iter().copied().map(Pose::new).collect(),
-            rms: (minimum.cost / (2.0 * count)).sqrt(),
-            camera_rms: [camera_rms(0), camera_rms(1)],
-            pair_rms: self.pair_rms(state),
-        })
-    }
-}
-
-/// The standard deviation of the length of the rig's translation t: it varies by `u · t / |t|`. An
-/// error where the length cannot be told from 0.
-fn baseline_deviation(
-    state: &BundleState,
-    covariance: &Covariance,
-    column: usize,
-) -> Result<f64, CalibrationError> {
+/// An error where the distance between the cameras cannot be told from 0.
+fn check_baseline(rig: &StereoRig, found: &RigCalibration) -> Result<(), CalibrationError> {
     /// The least baseline as a part of the distance to the farthest board.
     const LEAST_PART: f64 = 1e-6;
     /// The least baseline in standard deviations.
     const LEAST_DEVIATIONS: f64 = 3.0;
-    let translation = state.rig.translator().displacement();
-    let squared: f64 = translation.iter().map(|x| x * x).sum();
-    let metres = squared.sqrt();
-    let distance =
-        |board: &Motor<f64>| board.transform(Point::default()).distance(Point::default());
-    let farthest = state.boards.iter().map(distance).fold(0.0, f64::max);
-    if metres <= LEAST_PART * farthest {
-        return Err(CalibrationError::Baseline { metres });
-    }
-    let first = column + TWIST / 2;
-    let mut sum = 0.0;
-    for (i, x) in translation.iter().enumerate() {
-        for (j, y) in translation.iter().enumerate() {
-            sum += x * y * covariance.shared(first + i, first + j);
-        }
-    }
-    let deviation = (sum / squared).max(0.0).sqrt();
-    match metres > LEAST_DEVIATIONS * deviation {
-        true => Ok(deviation),
+    let metres = rig.baseline();
+    let distances = found.boards.iter().map(|board| {
+        let origin = board.motor.transform(Point::default());
+        origin.distance(Point::default())
+    });
+    let least = LEAST_PART * distances.fold(0.0, f64::max);
+    // A deviation that is not a number says as little.
+    match metres > least && metres > LEAST_DEVIATIONS * found.distance_deviations[1] {
+        true => Ok(()),
         false => Err(CalibrationError::Baseline { metres }),
-    }
-}
-
-fn motors<F: Frame>(boards: &[Pose<Board, F>]) -> Vec<Motor<f64>> {
-    boards.iter().map(|board| board.motor).collect()
-}
-
-/// Of the motors from the left frame to the right one that single boards give, the one that is
-/// nearest to the others: the sum of the distances between corners in space is least.
-fn median_motion(
-    left: &CameraCalibration,
-    right: &CameraCalibration,
-    places: &[Point<f64>],
-) -> Motor<f64> {
-    let [left, right] = [left, right].map(|side| motors(&side.boards));
-    let boards = || left.iter().zip(&right);
-    let motions: Vec<Motor<f64>> = boards().map(|(l, r)| *r * l.reverse()).collect();
-    // The first and the last corner, and one beside the line between them.
-    let middle = places.len() / 2;
-    let probes = [0, middle, places.len() - 1].map(|index| places[index]);
-    let distance = |motion: &Motor<f64>| -> f64 {
-        let distances = boards().map(|(left, right)| {
-            let apart = |probe: &Point<f64>| {
-                let through = motion.transform(left.transform(*probe));
-                through.distance(right.transform(*probe))
-            };
-            probes.iter().map(apart).sum::<f64>()
-        });
-        distances.sum()
-    };
-    let distances: Vec<f64> = motions.iter().map(distance).collect();
-    let best = (0..motions.len()).min_by(|a, b| distances[*a].total_cmp(&distances[*b]));
-    let best = best.map_or_else(Motor::default, |best| motions[best]);
-    // Of a motor and its negative, which move alike, the one that rotates by the smaller angle.
-    match best.rotor().scalar() < 0.0 {
-        true => -best,
-        false => best,
     }
 }

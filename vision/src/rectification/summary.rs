@@ -34,10 +34,10 @@ pub struct RectificationSummary {
     pub left_rotation_degrees: f64,
     /// By how much the right view is rotated in all.
     pub right_rotation_degrees: f64,
-    /// The right angles in the rotation of the left view about its axis, clockwise: 0 to 270.
-    pub left_roll_degrees: u16,
-    /// The right angles in the rotation of the right view about its axis, clockwise: 0 to 270.
-    pub right_roll_degrees: u16,
+    /// The right angles in the rotation of the left view about its axis, clockwise: −90 to 180.
+    pub left_roll_degrees: i16,
+    /// The right angles in the rotation of the right view about its axis, clockwise: −90 to 180.
+    pub right_roll_degrees: i16,
     /// Where every pixel of the left picture was seen.
     #[serde(rename = "left_valid_px")]
     pub left_valid: Rectangle,
@@ -50,9 +50,12 @@ impl Rectification {
     /// The pictures and their cameras in numbers.
     #[must_use]
     pub fn summary(&self) -> RectificationSummary {
-        let degrees = |motor: Motor<f64>| motor.rotor().to_axis_angle().1.to_degrees();
-        let [left_roll_degrees, right_roll_degrees] =
-            self.quarter_turns.map(|count| 90 * u16::from(count));
+        let degrees = |motor: Motor<f64>| motor.rotor().canonical().to_axis_angle().1.to_degrees();
+        let roll = |count: u8| match count {
+            3 => -90,
+            count => 90 * i16::from(count),
+        };
+        let [left_roll_degrees, right_roll_degrees] = self.quarter_turns.map(roll);
         let ([width, height], [left_valid, right_valid]) = (self.size, self.valid);
         RectificationSummary {
             width,

@@ -146,7 +146,7 @@ impl frame::Report for Report {
         let ([left_u, left_v], [right_u, right_v]) = (found.left_principal, found.right_principal);
         let rolled = match [found.left_roll_degrees, found.right_roll_degrees] {
             [0, 0] => String::new(),
-            [left, right] => format!(", of which {left}° and {right}° are rolls, clockwise"),
+            [left, right] => format!(", of which rolls of {left}° and {right}°, clockwise"),
         };
         format!(
             "{} × {} pixels, focal length {:.3} px, baseline {:.6} m\n\
