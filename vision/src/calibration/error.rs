@@ -89,6 +89,12 @@ pub enum CalibrationError {
         /// The cameras, from 0.
         cameras: Vec<usize>,
     },
+    /// The same with the names of the cameras.
+    #[error("no board joins {} with the first camera", .cameras.join(", "))]
+    Unjoined {
+        /// The cameras.
+        cameras: Vec<String>,
+    },
     /// At least half of the pairs do not agree with the others.
     #[error(
         "at least half of the {pairs} pairs do not agree with the others; pair {}: {outlier}",
@@ -221,10 +227,10 @@ pub enum CalibrationError {
         /// What that leaves, in pixels.
         rms: f64,
     },
-    /// A picture is to blame.
+    /// A picture, or a camera, is to blame.
     #[error("{name}: {error}")]
     Picture {
-        /// The name of the picture.
+        /// The name of the picture or the camera.
         name: String,
         /// What is wrong, where pictures with a board count from 0.
         error: Box<CalibrationError>,

@@ -128,12 +128,16 @@ pub struct RigCalibration {
 /// assert!((last[0] - 0.3).abs() < 1e-6 && found.rms < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn calibrate_rig<V: Clone + Into<BoardView>>(
-    views: &[Vec<V>],
+pub fn calibrate_rig<V: Clone + Into<BoardView>, C: AsRef<[V]>>(
+    views: &[C],
     places: &[Point<f64>],
     sizes: &[[usize; 2]],
     options: &RigOptions,
 ) -> Result<RigCalibration, CalibrationError> {
+    let views: Vec<Vec<BoardView>> = views
+        .iter()
+        .map(|views| views.as_ref().iter().cloned().map(Into::into).collect())
+        .collect();
     let frames = views.first().map_or(0, Vec::len);
     let counts = [sizes.len(), options.cameras.len()];
     if let Some(other) = counts.into_iter().find(|count| *count != views.len()) {
@@ -148,10 +152,6 @@ pub fn calibrate_rig<V: Clone + Into<BoardView>>(
             right: other.len(),
         });
     }
-    let views: Vec<Vec<BoardView>> = views
-        .iter()
-        .map(|views| views.iter().cloned().map(Into::into).collect())
-        .collect();
     let is_seen = |frame: &usize| views.iter().any(|views| !views[*frame].is_empty());
     let mut used: Vec<usize> = (0..frames).filter(is_seen).collect();
     let frames = used.len();

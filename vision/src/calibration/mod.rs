@@ -29,6 +29,7 @@
 //! ```
 
 mod board_pairs;
+mod board_rig;
 mod board_view;
 mod board_views;
 mod bundle;
@@ -46,6 +47,7 @@ mod stereo;
 mod summary;
 
 pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
+pub use board_rig::{BoardRig, RigCameraSummary, RigDoubt, RigOfBoards};
 pub use board_view::{BoardCorner, BoardView};
 pub use board_views::{
     BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,

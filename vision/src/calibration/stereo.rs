@@ -105,7 +105,7 @@ pub fn calibrate_stereo<V: Clone + Into<BoardView>>(
     options: &StereoOptions,
 ) -> Result<StereoCalibration, CalibrationError> {
     let found = calibrate_rig(
-        &views.map(<[V]>::to_vec),
+        &views,
         places,
         &[size; 2],
         &RigOptions {

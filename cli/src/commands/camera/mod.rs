@@ -1,12 +1,14 @@
 //! `nullcone camera`: cameras and their files.
 
 mod calibrate;
+mod calibrate_rig;
 mod convert;
 
 use crate::frame::group;
 
 group! {
-    /// One camera: its calibration, and the conversion of files of cameras.
+    /// Cameras: the calibration of one or of a rig, and the conversion of their files.
     Calibrate: calibrate::Arguments,
+    CalibrateRig: calibrate_rig::Arguments,
     Convert: convert::Arguments,
 }

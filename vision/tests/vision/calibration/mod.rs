@@ -5,6 +5,7 @@ mod lens;
 mod opencv;
 mod outliers;
 mod pairs;
+mod rigs;
 
 use ga_camera::frame::In;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};

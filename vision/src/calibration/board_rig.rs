@@ -1,0 +1,317 @@
+//! The cameras of a rig from pictures of a chessboard.
+
+use ga_camera::Camera;
+use ga_camera::format::{CameraFile, NamedCamera};
+use ga_image::plane::Plane;
+use serde::Serialize;
+
+use super::board_view::BoardView;
+use super::board_views::{ENOUGH_BOARDS, MOST_RMS, RejectedView};
+use super::error::{CalibrationError, LEAST_VIEWS};
+use super::lens_choice::calibrate_lens;
+use super::lens_terms::LensTerms;
+use super::many_cameras::{RigCalibration, RigOptions, calibrate_rig};
+use super::one_camera::{CameraOptions, Start};
+use super::summary::CameraParameters;
+use crate::chessboard::{BoardSize, Chessboard, find};
+
+/// The boards of the pictures of several cameras, frame by frame.
+#[derive(Clone, Debug)]
+pub struct BoardRig {
+    board: BoardSize,
+    cameras: Vec<RigCamera>,
+    /// The first picture of each frame.
+    frames: Vec<String>,
+    rejected: Vec<RejectedView>,
+}
+
+/// A camera and what its pictures show.
+#[derive(Clone, Debug)]
+struct RigCamera {
+    name: String,
+    /// The first picture, and its columns and rows.
+    first: Option<(String, [usize; 2])>,
+    /// For each frame the board.
+    views: Vec<BoardView>,
+}
+
+/// The cameras of a rig from pictures of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigOfBoards {
+    /// The cameras.
+    pub rig: RigCalibration,
+    /// Their names and the sizes of their pictures.
+    pub cameras: Vec<(String, [usize; 2])>,
+    /// How many frames show the board to both of two cameras, and, for a camera with itself, to it.
+    pub common_boards: Vec<Vec<usize>>,
+    /// The first picture of each frame.
+    pub frames: Vec<String>,
+    /// The pictures in which no board was found, and the frames that do not agree with the others.
+    pub rejected: Vec<RejectedView>,
+}
+
+/// A camera of a rig, in metres, degrees and pixels.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RigCameraSummary {
+    /// Its name.
+    pub name: String,
+    /// How many of its pictures with a board were used.
+    pub boards: usize,
+    /// The root mean square distance of their corners from the projections.
+    pub rms_px: f64,
+    /// The kind of its lens.
+    pub lens: &'static str,
+    /// Its intrinsic parameters.
+    pub camera: CameraParameters,
+    /// Its centre in the frame of the first camera: x to the right, y down, z forward.
+    pub centre_metres: [f64; 3],
+    /// Its distance from the first camera.
+    pub distance_metres: f64,
+    /// The standard deviation of the distance, 0 for the first camera.
+    pub distance_deviation_metres: f64,
+    /// The angle between it and the first camera.
+    pub rotation_degrees: f64,
+}
+
+/// What makes the calibration of a rig doubtful.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RigDoubt {
+    /// A camera sees few boards.
+    #[error("{used} boards of {camera} were used, and {ENOUGH_BOARDS} are recommended")]
+    FewBoards {
+        /// The camera.
+        camera: String,
+        /// How many.
+        used: usize,
+    },
+    /// The cameras do not explain the corners well.
+    #[error(
+        "the corners of {camera} are {rms:.3} px from their projections (root mean square), more \
+         than {MOST_RMS} px"
+    )]
+    LargeRms {
+        /// The camera.
+        camera: String,
+        /// The root mean square distance in pixels.
+        rms: f64,
+    },
+}
+
+impl BoardRig {
+    /// No frames yet, of cameras with names and a board with this number of inner corners.
+    #[must_use]
+    pub fn new(board: BoardSize, cameras: impl IntoIterator<Item = String>) -> Self {
+        let camera = |name| RigCamera {
+            name,
+            first: None,
+            views: Vec::new(),
+        };
+        Self {
+            board,
+            cameras: cameras.into_iter().map(camera).collect(),
+            frames: Vec::new(),
+            rejected: Vec::new(),
+        }
+    }
+
+    /// Looks for the board in the pictures of the next frame, which have names; a camera may have
+    /// none.
+    ///
+    /// Boards that look alike upside down, with an even number of columns + rows, begin in each
+    /// picture at the corner that makes it most like the first one.
+    ///
+    /// # Errors
+    /// [`CalibrationError::PictureSizes`] for a picture of another size than the first of its
+    /// camera, and those of [`find`] other than that there is no board.
+    pub fn add(
+        &mut self,
+        pictures: Vec<Option<(String, Plane<u8>)>>,
+    ) -> Result<(), CalibrationError> {
+        let name = pictures.iter().flatten().next();
+        self.frames
+            .push(name.map(|(name, _)| name.clone()).unwrap_or_default());
+        let mut first: Option<Chessboard> = None;
+        let pictures = pictures.into_iter().chain(std::iter::repeat(None));
+        for (camera, picture) in self.cameras.iter_mut().zip(pictures) {
+            camera.views.push(BoardView::default());
+            let Some((name, picture)) = picture else {
+                continue;
+            };
+            camera.check_size(&name, &picture)?;
+            match find(&picture, self.board) {
+                Ok(board) => {
+                    let like = first.get_or_insert_with(|| board.clone());
+                    let view = board.ordered_like(like).corners().to_vec().into();
+                    camera.views.pop();
+                    camera.views.push(view);
+                }
+                Err(error @ CalibrationError::NotFound { .. }) => {
+                    self.rejected.push(RejectedView {
+                        picture: name,
+                        reason: error.to_string(),
+                    });
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
+    /// The cameras that see the boards, whose squares have a side in metres, with a lens that is
+    /// given, or for each camera the likelier one of a radial–tangential lens and a fisheye.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Picture`] with what is wrong with one camera or frame, by its name, [`CalibrationError::Unjoined`] for cameras that see no board together with the
+    /// others, and as [`calibrate_rig`].
+    pub fn calibrate(
+        self,
+        square: f64,
+        lens: Option<LensTerms>,
+    ) -> Result<RigOfBoards, CalibrationError> {
+        let places = self.board.places(square);
+        let mut options = RigOptions::new(self.cameras.len());
+        let mut sizes = Vec::new();
+        for (index, camera) in self.cameras.iter().enumerate() {
+            let views = camera.views.iter().filter(|view| !view.is_empty());
+            let views: Vec<BoardView> = views.cloned().collect();
+            let size = camera.first.as_ref().map_or([0; 2], |(_, size)| *size);
+            if views.len() < LEAST_VIEWS {
+                let error = CalibrationError::TooFewViews { found: views.len() };
+                return Err(self.named(error.of_camera(index)));
+            }
+            let fitted = calibrate_lens(&views, &places, size, lens);
+            let fitted = fitted.map_err(|error| self.named(error.of_camera(index)))?;
+            sizes.push(size);
+            options.cameras[index] = CameraOptions {
+                start: Start::Guess(fitted.camera.intrinsics),
+                terms: fitted.terms,
+            };
+        }
+        let views: Vec<&[BoardView]> = self.cameras.iter().map(|c| c.views.as_slice()).collect();
+        let found = calibrate_rig(&views, &places, &sizes, &options);
+        let rig = found.map_err(|error| self.named(error))?;
+        let common = |a: &RigCamera, b: &RigCamera| {
+            let both = |&&frame: &&usize| ![a, b].iter().any(|c| c.views[frame].is_empty());
+            rig.used.iter().filter(both).count()
+        };
+        let row = |a| self.cameras.iter().map(|b| common(a, b)).collect();
+        let common_boards = self.cameras.iter().map(row).collect();
+        let mut rejected = self.rejected;
+        rejected.extend(rig.outliers.iter().map(|outlier| RejectedView {
+            picture: self.frames[outlier.pair].clone(),
+            reason: outlier.to_string(),
+        }));
+        let names = self.cameras.into_iter().map(|camera| camera.name);
+        Ok(RigOfBoards {
+            cameras: names.zip(sizes).collect(),
+            rig,
+            common_boards,
+            frames: self.frames,
+            rejected,
+        })
+    }
+
+    /// An error that names cameras and pictures instead of counting them.
+    fn named(&self, error: CalibrationError) -> CalibrationError {
+        let name = |camera: usize| self.cameras[camera].name.clone();
+        match error {
+            CalibrationError::OfCamera { camera, error } => CalibrationError::Picture {
+                name: name(camera),
+                error,
+            },
+            CalibrationError::Disconnected { cameras } => CalibrationError::Unjoined {
+                cameras: cameras.into_iter().map(name).collect(),
+            },
+            error => match error.view() {
+                Some(frame) => CalibrationError::Picture {
+                    name: self.frames[frame].clone(),
+                    error: Box::new(error),
+                },
+                None => error,
+            },
+        }
+    }
+}
+
+impl RigCamera {
+    fn check_size(&mut self, name: &str, picture: &Plane<u8>) -> Result<(), CalibrationError> {
+        let size = [picture.width(), picture.height()];
+        let (first, expected) = self.first.get_or_insert_with(|| (name.to_owned(), size));
+        match size == *expected {
+            true => Ok(()),
+            false => Err(CalibrationError::PictureSizes {
+                name: name.to_owned(),
+                size,
+                first: first.clone(),
+                expected: *expected,
+            }),
+        }
+    }
+}
+
+impl RigDoubt {
+    /// One word for programs.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::FewBoards { .. } => "few_boards",
+            Self::LargeRms { .. } => "large_rms",
+        }
+    }
+}
+
+impl RigOfBoards {
+    /// The cameras for a file, with their poses in the frame of the first one.
+    #[must_use]
+    pub fn file(&self) -> CameraFile {
+        let named = self.rig.cameras.iter().zip(&self.cameras);
+        let cameras = named.map(|(camera, (name, size))| {
+            let mut named = NamedCamera::new(name, camera.intrinsics).with_size(Some(*size));
+            named.pose = Some(camera.world_to_camera);
+            named
+        });
+        CameraFile::new(cameras.collect())
+    }
+
+    /// Each camera in numbers.
+    #[must_use]
+    pub fn summary(&self) -> Vec<RigCameraSummary> {
+        let rig = &self.rig;
+        let cameras = rig.cameras.iter().zip(&self.cameras).enumerate();
+        let summary = |(k, (camera, (name, _))): (usize, (&Camera, &(String, _)))| {
+            let centre = camera.centre();
+            let rotation = camera.world_to_camera.rotor().canonical();
+            RigCameraSummary {
+                name: name.clone(),
+                boards: self.common_boards[k][k],
+                rms_px: rig.camera_rms[k],
+                lens: camera.intrinsics.lens().model().name(),
+                camera: CameraParameters::new(&camera.intrinsics, &rig.deviations[k]),
+                centre_metres: centre.coordinates(),
+                distance_metres: centre.distance(rig.cameras[0].centre()),
+                distance_deviation_metres: rig.distance_deviations[k],
+                rotation_degrees: rotation.to_axis_angle().1.to_degrees(),
+            }
+        };
+        cameras.map(summary).collect()
+    }
+
+    /// What makes the result doubtful.
+    #[must_use]
+    pub fn doubts(&self) -> Vec<RigDoubt> {
+        let mut doubts = Vec::new();
+        for (k, (camera, _)) in self.cameras.iter().enumerate() {
+            let (used, rms) = (self.common_boards[k][k], self.rig.camera_rms[k]);
+            let camera = || camera.clone();
+            if used < ENOUGH_BOARDS {
+                let camera = camera();
+                doubts.push(RigDoubt::FewBoards { camera, used });
+            }
+            if rms > MOST_RMS {
+                let camera = camera();
+                doubts.push(RigDoubt::LargeRms { camera, rms });
+            }
+        }
+        doubts
+    }
+}
