@@ -9,6 +9,7 @@ mod body_evaluate;
 mod body_fit;
 mod camera_calibrate;
 mod camera_files;
+mod camera_formats;
 mod capture;
 mod clip;
 mod clip_convert;

@@ -9,6 +9,7 @@
 //! | translation in metres | `T`, `t`, `translation`, `tvec` |
 //! | width, height | `image_width`, `image_height`, or a list `image_size` |
 //! | fisheye | `fisheye_model: 1`, `fisheye: true`, `distortion_model: equidistant` or `fisheye` |
+//! | the model | `camera_model`, `camera_type`, `model_type`, …; other models are refused |
 //!
 //! The names of the left and the right camera end in `1` and `2`, `_1` and `_2`, `0` and `1`, `_l`
 //! and `_r`, `L` and `R`, `_left` and `_right`, or begin with `left_` and `right_`.
@@ -28,6 +29,7 @@ use ga_runtime::cga3::Motor;
 use super::camera_file::{CameraFile, NamedCamera, SIDES, SINGLE};
 use super::error::CameraFileError;
 use super::fields;
+use super::lens_name::{lens_of_any_name, lens_of_camera_model, named_lens};
 use super::named_parameters;
 use super::storage::Storage;
 use crate::LensModel;
@@ -79,6 +81,18 @@ const SIZES: [[&str; 2]; 4] = [
     ["Camera.width", "Camera.height"],
 ];
 const SIZE_LISTS: [&str; 2] = ["image_size", "imageSize"];
+const DISTORTION_MODELS: [&str; 2] = ["distortion_model", "distortion_type"];
+/// The names of the model of a camera.
+const CAMERA_MODELS: [&str; 8] = [
+    "camera_model",
+    "camera_type",
+    "model_type",
+    "lens_model",
+    "lens_type",
+    "projection_model",
+    "Camera.type",
+    "Camera.model",
+];
 
 /// What stands before and behind the names of the values of the left and the right camera. Those
 /// that count from 0 come first: in them the left camera of others is the right one.
@@ -134,6 +148,8 @@ fn cameras(storage: &Storage, around: &[&Storage]) -> Result<Vec<NamedCamera>, C
         .collect();
     match inner.as_slice() {
         [] => {
+            // A model that is not read has other parameters.
+            lens_model(storage, &around)?;
             let first = [MATRIX.as_slice(), &["M1", "K1", "cameraMatrix1"]].concat();
             Err(fields::missing(storage, &first))
         }
@@ -276,13 +292,19 @@ fn lens_model(
                 None => {}
             }
         }
-        if let Some(model) = fields::named_lens(scope, "distortion_model")? {
-            return Ok(Some(model));
+        for key in DISTORTION_MODELS {
+            if let Some(model) = named_lens(scope, key)? {
+                return Ok(Some(model));
+            }
         }
-        for key in ["lens", "lens_model", "camera_model", "model_type", "model"] {
-            // A pinhole says nothing of the distortion there, and other programs have other names.
-            if let Ok(Some(LensModel::Fisheye)) = fields::named_lens(scope, key) {
-                return Ok(Some(LensModel::Fisheye));
+        for key in CAMERA_MODELS {
+            if let Some(model) = lens_of_camera_model(scope, key)? {
+                return Ok(Some(model));
+            }
+        }
+        for key in ["lens", "model", "type"] {
+            if let Some(model) = lens_of_any_name(scope, key)? {
+                return Ok(Some(model));
             }
         }
     }

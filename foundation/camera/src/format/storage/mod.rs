@@ -34,7 +34,7 @@ mod yaml;
 
 pub use matrix::Matrix;
 
-pub(super) use number::plain;
+pub(super) use number::list;
 
 use std::collections::HashSet;
 
