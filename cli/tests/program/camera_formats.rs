@@ -65,7 +65,7 @@ fn a_lens_without_a_file_of_cameras_is_refused() {
     );
     for (line, parts) in [
         (
-            "contour disk.png --circle 30,30,20 --lens fisheye",
+            "contour disk.png --snake --circle 30,30,20 --lens fisheye",
             ["--lens fisheye", "--rig"],
         ),
         (

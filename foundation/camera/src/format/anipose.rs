@@ -21,7 +21,7 @@ use super::camera::used_coefficients;
 use super::camera_file::{CameraFile, NamedCamera};
 use super::error::{CameraFileError, absent};
 use super::fields::{self, pose, size};
-use super::storage::{Storage, list};
+use super::storage::{Storage, in_quotes, list};
 use crate::LensModel;
 
 const MATRIX: &str = "matrix";
@@ -57,7 +57,7 @@ pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError>
     for (index, camera) in cameras.iter().enumerate() {
         let intrinsics = camera.intrinsics()?;
         let lens = intrinsics.lens();
-        let name = serde_json::Value::from(camera.name.as_str());
+        let name = in_quotes(&camera.name);
         _ = writeln!(text, "[cam_{index}]\nname = {name}");
         if let Some([width, height]) = camera.size {
             _ = writeln!(text, "size = [ {width}, {height},]");

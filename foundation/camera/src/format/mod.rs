@@ -14,7 +14,7 @@
 //! | models of COLMAP, as text and binary | `colmap` | as text |
 //! | TOML of aniposelib and Pose2Sim | `anipose` | yes |
 //! | calibrations of Qualisys | `qualisys` | no |
-//! | `transforms.json` of Blender's and instant-ngp's data | `transforms` | no |
+//! | `transforms.json` of Blender's, instant-ngp's and nerfstudio's data | `transforms` | no |
 //!
 //! [`storage`] holds named numbers, texts and matrices as OpenCV's `FileStorage` does; `syntax`
 //! parses what texts are made of. Cameras themselves know no files. Errors name line, view and key,

@@ -1,5 +1,6 @@
 //! Cameras whose parameters have names of their own: `fx`, `fy`, `cx`, `cy`, `k1` and so on, in the
 //! map of the camera, with `Camera.` before them, or in maps such as `intrinsics` and `distortion`.
+//! Of two cameras, `Camera1.` and `Camera2.` stand before them, as ORB-SLAM3 has it.
 
 use super::camera_file::NamedCamera;
 use super::error::CameraFileError;
@@ -8,7 +9,10 @@ use super::lens::{stated_lens, unstated_lens};
 use super::storage::Storage;
 use crate::LensModel;
 
-const PREFIXES: [&str; 3] = ["", "Camera.", "Camera1."];
+/// What stands before the names of the only or the first camera.
+pub(super) const FIRST: [&str; 3] = ["", "Camera.", "Camera1."];
+/// The same of the second one.
+pub(super) const SECOND: [&str; 1] = ["Camera2."];
 const PROJECTIONS: [&str; 7] = [
     "intrinsics",
     "intrinsic",
@@ -41,8 +45,8 @@ const OTHERS: [(&[&str], &str); 2] = [
 ];
 
 /// Whether there are the parameters of a projection.
-pub(super) fn has_camera(storage: &Storage) -> bool {
-    scope(storage, &PROJECTIONS, all_of(&PINHOLE)).is_some()
+pub(super) fn has_camera(storage: &Storage, prefixes: &[&'static str]) -> bool {
+    scope(storage, &PROJECTIONS, prefixes, all_of(&PINHOLE)).is_some()
 }
 
 /// Whether all of some names are those of values.
@@ -59,6 +63,7 @@ fn any_of<'a>(names: &'a [&str]) -> impl Fn(&dyn Fn(&str) -> bool) -> bool + 'a 
 fn scope(
     storage: &Storage,
     maps: &[&str],
+    prefixes: &[&'static str],
     is_it: impl Fn(&dyn Fn(&str) -> bool) -> bool,
 ) -> Option<(Storage, &'static str)> {
     let maps = storage
@@ -68,7 +73,7 @@ fn scope(
     let scopes = [storage.clone()]
         .into_iter()
         .chain(maps.map(|(_, map)| map));
-    let mut both = scopes.flat_map(|map| PREFIXES.map(|prefix| (map.clone(), prefix)));
+    let mut both = scopes.flat_map(|map| prefixes.iter().map(move |prefix| (map.clone(), *prefix)));
     both.find(|(map, prefix)| is_it(&|name| map.has(&format!("{prefix}{name}"))))
 }
 
@@ -76,9 +81,10 @@ fn scope(
 pub(super) fn camera(
     storage: &Storage,
     name: &str,
+    prefixes: &[&'static str],
     stated: Option<LensModel>,
 ) -> Result<Option<NamedCamera>, CameraFileError> {
-    let Some((map, prefix)) = scope(storage, &PROJECTIONS, all_of(&PINHOLE)) else {
+    let Some((map, prefix)) = scope(storage, &PROJECTIONS, prefixes, all_of(&PINHOLE)) else {
         return Ok(None);
     };
     let key = |name: &str| format!("{prefix}{name}");
@@ -98,7 +104,8 @@ pub(super) fn camera(
     }
     let is_lens = any_of(&RADIAL_TANGENTIAL);
     let beside = is_lens(&|name| map.has(&key(name))).then(|| (map.clone(), prefix));
-    let Some((map, prefix)) = beside.or_else(|| scope(storage, &DISTORTIONS, is_lens)) else {
+    let Some((map, prefix)) = beside.or_else(|| scope(storage, &DISTORTIONS, prefixes, is_lens))
+    else {
         return match stated {
             Some(LensModel::Fisheye) => Err(missing(&map, &["k1"])),
             _ => Ok(Some(NamedCamera::new(name, plain))),

@@ -30,7 +30,7 @@ use super::camera_file::{CameraFile, NamedCamera, SIDES, SINGLE};
 use super::error::CameraFileError;
 use super::fields;
 use super::lens_name::{lens_of_any_name, lens_of_camera_model, named_lens};
-use super::named_parameters;
+use super::named_parameters::{self, FIRST, SECOND};
 use super::storage::Storage;
 use crate::LensModel;
 
@@ -81,6 +81,8 @@ const SIZES: [[&str; 2]; 4] = [
     ["Camera.width", "Camera.height"],
 ];
 const SIZE_LISTS: [&str; 2] = ["image_size", "imageSize"];
+/// The matrix of ORB-SLAM3 from the frame of the right camera into that of the left one.
+const RIGHT_TO_LEFT: &str = "Stereo.T_c1_c2";
 const DISTORTION_MODELS: [&str; 2] = ["distortion_model", "distortion_type"];
 /// The names of the model of a camera.
 const CAMERA_MODELS: [&str; 8] = [
@@ -123,7 +125,7 @@ fn has_own(storage: &Storage) -> bool {
 }
 
 fn has_single(storage: &Storage) -> bool {
-    fields::first(storage, &MATRIX).is_some() || named_parameters::has_camera(storage)
+    fields::first(storage, &MATRIX).is_some() || named_parameters::has_camera(storage, &FIRST)
 }
 
 /// The cameras of a file.
@@ -136,6 +138,9 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
 fn cameras(storage: &Storage, around: &[&Storage]) -> Result<Vec<NamedCamera>, CameraFileError> {
     if let Some(marks) = marks(storage) {
         return pair(storage, marks, around);
+    }
+    if named_parameters::has_camera(storage, &SECOND) {
+        return numbered_pair(storage, around);
     }
     if has_single(storage) {
         return Ok(vec![single(storage, SINGLE, around)?]);
@@ -224,6 +229,24 @@ fn pair(
     Ok(found)
 }
 
+/// Two cameras whose parameters have names, and the motion from the right one's frame into that of
+/// the left one.
+fn numbered_pair(
+    storage: &Storage,
+    around: &[&Storage],
+) -> Result<Vec<NamedCamera>, CameraFileError> {
+    let (model, size) = (lens_model(storage, around)?, size(storage, around)?);
+    let side = |name, prefixes: &[&'static str]| {
+        let camera = named_parameters::camera(storage, name, prefixes, model)?;
+        let camera = camera.ok_or_else(|| fields::missing(storage, &["Camera1.fx"]))?;
+        Ok::<_, CameraFileError>(camera.with_size(size))
+    };
+    let mut found = vec![side(SIDES[0], &FIRST)?, side(SIDES[1], &SECOND)?];
+    let to_left = fields::transform(storage, RIGHT_TO_LEFT)?;
+    set_poses(&mut found, to_left.map(Motor::reverse));
+    Ok(found)
+}
+
 /// The world of a rig is the frame of its left camera.
 fn set_poses(pair: &mut [NamedCamera], motion: Option<Motor<f64>>) {
     if let (Some(motion), [left, right]) = (motion, pair) {
@@ -256,7 +279,7 @@ fn single(
     around: &[&Storage],
 ) -> Result<NamedCamera, CameraFileError> {
     let model = lens_model(storage, around)?;
-    let camera = match named_parameters::camera(storage, name, model)? {
+    let camera = match named_parameters::camera(storage, name, &FIRST, model)? {
         Some(camera) => camera,
         None => fields::camera(storage, name, [&MATRIX, &DISTORTION], model)?,
     };

@@ -15,7 +15,7 @@ use super::camera_file::{CameraFile, NamedCamera, SINGLE};
 use super::error::CameraFileError;
 use super::fields::{self, first, size};
 use super::lens_name::named_lens;
-use super::storage::{Storage, list};
+use super::storage::{Storage, in_quotes, list};
 use crate::LensModel;
 
 const MATRIX: [&str; 3] = ["camera_matrix", "K", "k"];
@@ -91,7 +91,7 @@ pub(super) fn encode(camera: &NamedCamera) -> Result<String, CameraFileError> {
     };
     let [width, height] = camera.known_size()?;
     let k = intrinsics.to_matrix();
-    let name = serde_json::Value::from(camera.name.as_str());
+    let name = in_quotes(&camera.name);
     let matrix = |name: &str, columns: usize, values: Vec<f64>| {
         let rows = values.len() / columns;
         let data = list(&values, ", ");

@@ -1,4 +1,4 @@
-//! `transforms.json`, as Blender's data for radiance fields and instant-ngp have it.
+//! `transforms.json`, as Blender's data for radiance fields, instant-ngp and nerfstudio have it.
 //!
 //! ```json
 //! {"fl_x": 500, "fl_y": 500, "cx": 320, "cy": 240, "w": 640, "h": 480,
@@ -204,14 +204,16 @@ impl Frame<'_> {
             }
         };
         let model = match (model, self.truth("is_fisheye")?) {
-            (None | Some(LensModel::Fisheye), Some(true)) => LensModel::Fisheye,
-            (Some(_), Some(true)) => {
+            (Some(model), None) => model,
+            (Some(model), Some(is_fisheye)) if is_fisheye == (model == LensModel::Fisheye) => model,
+            (Some(_), Some(_)) => {
                 return Err(CameraFileError::Twice {
                     place: self.place("is_fisheye"),
                     other: format!("another {key}"),
                 });
             }
-            (model, _) => model.unwrap_or(LensModel::RadialTangential),
+            (None, Some(true)) => LensModel::Fisheye,
+            (None, _) => LensModel::RadialTangential,
         };
         let names: &[&str] = match model {
             LensModel::Pinhole => &[],

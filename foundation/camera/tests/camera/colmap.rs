@@ -187,6 +187,23 @@ fn faults_of_models_name_file_line_and_key() {
     }
 }
 
+/// A name with a line break would be a line of its own.
+#[test]
+fn names_that_are_no_words_are_not_written() {
+    let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
+    for (name, is_written) in [
+        ("a b.png", true),
+        ("a\n2 1.png", false),
+        ("a  b", false),
+        ("", false),
+    ] {
+        let camera = NamedCamera::new(name, intrinsics).with_size(Some([640, 480]));
+        let file = CameraFile::new(vec![camera.with_pose(Some(Default::default()))]);
+        let encoded = format::encode_files("model", format::Format::Colmap, &file);
+        assert_eq!(encoded.is_ok(), is_written, "{name:?}");
+    }
+}
+
 /// Every prefix of a binary file is refused at the byte where it ends, in one line.
 #[test]
 fn binary_files_that_are_cut_are_refused() {

@@ -53,7 +53,7 @@ fn faults_name_key_and_line() {
             kalibr,
             "  intrinsics: [525.25, 526.5, 319.5, 239.5]\n",
             "",
-            "line 2: there is no `cam0.intrinsics`",
+            "line 1: there is no `cam0.intrinsics`",
         ),
         (
             kalibr,
@@ -269,12 +269,12 @@ fn lenses_of_transforms_are_refused_by_name() {
         (
             "[0,0,1,4],[0,0,0,1]",
             "[0,0,1,0],[0,0,4,1]",
-            "line 6: view 0: `transform_matrix` is not a rotation and a translation",
+            "line 5: view 0: `transform_matrix` is not a rotation and a translation",
         ),
         (
             "[0,0,0,1]]",
             "[0,0,0]]",
-            "line 6: view 0: `transform_matrix` is not four rows",
+            "line 5: view 0: `transform_matrix` is not four rows",
         ),
     ] {
         let changed = text.replacen(from, to, 1);

@@ -336,6 +336,29 @@ fn assert_same(found: &CameraFile, expected: &CameraFile, omissions: &[Omission]
     }
 }
 
+/// Names are texts of any kind, though not in COLMAP's files.
+#[test]
+fn names_with_any_characters_come_back() {
+    let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
+    for name in [
+        "\u{7f}",
+        "a\"b\\c",
+        "a: b # c",
+        "[x]",
+        "\t\u{85}é\u{1f600}",
+        "yes",
+        "1",
+    ] {
+        let camera = NamedCamera::new(name, intrinsics).with_size(Some([640, 480]));
+        let file = CameraFile::new(vec![camera.with_pose(Some(Motor::default()))]);
+        for format in [Format::Anipose, Format::Ros] {
+            let encoded = encode_files("out", format, &file).unwrap();
+            let again = decode(&encoded.files[0].1).unwrap();
+            assert_eq!(again.cameras[0].name, name, "{format:?}");
+        }
+    }
+}
+
 /// What Middlebury's file says of rectified pictures is kept by none but its own.
 #[test]
 fn marks_of_rectified_pictures_are_said_to_be_left_out() {

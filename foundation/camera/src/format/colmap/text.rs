@@ -192,6 +192,14 @@ pub(in crate::format) fn encode_images(cameras: &[NamedCamera]) -> Result<String
     text += "#   IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n";
     text += "#   POINTS2D[] as (X, Y, POINT3D_ID)\n";
     for (index, camera) in cameras.iter().enumerate() {
+        let words: Vec<&str> = camera.name.split_whitespace().collect();
+        if words.is_empty() || words.join(" ") != camera.name {
+            return Err(CameraFileError::CannotHold {
+                format: "COLMAP's model",
+                what: "a name that is empty or has other blanks than single spaces",
+                name: camera.name.clone(),
+            });
+        }
         let pose = camera.world_to_camera()?;
         let ([x, y, z], w) = pose.rotor().canonical().to_quaternion();
         let [a, b, c] = pose.translator().displacement();

@@ -35,6 +35,7 @@ mod yaml;
 pub use matrix::Matrix;
 
 pub(super) use number::list;
+pub(super) use yaml::in_quotes;
 
 use std::collections::HashSet;
 

@@ -62,7 +62,8 @@ enum OpenKind {
         entries: Vec<(String, Node)>,
         /// Those of the entries and `name`, to find duplicates.
         names: HashSet<String>,
-        name: Option<String>,
+        /// The name of the next value, and its line.
+        name: Option<(String, usize)>,
     },
 }
 
@@ -203,7 +204,8 @@ fn insert(parent: &mut Open, node: Node) -> Result<(), CameraFileError> {
             names,
             name,
         } => match name.take() {
-            Some(name) => entries.push((name, node)),
+            // A value that begins below its name is looked for at the name.
+            Some((name, line)) => entries.push((name, Node { line, ..node })),
             None => {
                 let Content::Scalar(text) = node.content else {
                     return Err(CameraFileError::Unsupported {
@@ -214,7 +216,7 @@ fn insert(parent: &mut Open, node: Node) -> Result<(), CameraFileError> {
                 if !names.insert(text.clone()) {
                     return Err(CameraFileError::Duplicate(Place::on_line(node.line, text)));
                 }
-                *name = Some(text);
+                *name = Some((text, node.line));
             }
         },
     }
