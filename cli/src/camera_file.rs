@@ -41,11 +41,18 @@ impl LensChoice {
         Ok(self.read_with_format(path)?.1)
     }
 
+    /// Fails where a lens is chosen and no file of cameras is read.
+    pub(crate) fn refuse(self, reason: &str) -> Result<()> {
+        match self.lens {
+            Some(lens) => bail!("--lens {}: {reason}", lens.name()),
+            None => Ok(()),
+        }
+    }
+
     /// The cameras of a file and its format.
     pub(crate) fn read_with_format(self, path: &Path) -> Result<(Format, CameraFile)> {
         let (format, file) = format::read_with_format(path)?;
-        let file = file.with_lens_model(self.lens);
-        Ok((format, file.map_err(|error| about(path, error))?))
+        Ok((format, file.with_lens_model(self.lens)))
     }
 
     /// The camera of a file that has one, or that of a name.
@@ -114,8 +121,14 @@ impl ChosenPair {
         }
     }
 
-    /// Fails where cameras are chosen and none are read, or not from one file of a pair.
+    /// Fails where cameras or a lens are chosen and no file of cameras is read.
     pub(crate) fn refuse(&self, reason: &str) -> Result<()> {
+        self.refuse_names(reason)?;
+        self.lens.refuse(reason)
+    }
+
+    /// Fails where cameras are chosen, and all of a file are read.
+    pub(crate) fn refuse_names(&self, reason: &str) -> Result<()> {
         match self.names.first() {
             Some(name) => bail!("--view {name}: {reason}"),
             None => Ok(()),

@@ -47,26 +47,27 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         Ok(report) => report,
         Err(error) => {
             if !context.is_quiet() {
-                warning::print_of_inputs();
+                warning::print_of_failure();
             }
             return Err(error);
         }
     };
     let failure = report.failure();
-    let own = report.warnings().map_or(0, <[Warning]>::len);
-    let warnings = warning::with_those_of_files(report.warnings());
+    let of_files = warning::of_files();
+    let warnings = match (report.warnings(), of_files.as_slice()) {
+        (None, []) => None,
+        (own, of_files) => Some([own.unwrap_or_default(), of_files].concat()),
+    };
     let warnings = warnings.as_deref();
     let verdict = match report.verdict() {
         // What is said of files is in doubt for every command.
-        Some(Verdict::Good) if warnings.is_some_and(|all| all.len() > own) => {
-            Some(Verdict::Doubtful)
-        }
+        Some(Verdict::Good) if !of_files.is_empty() => Some(Verdict::Doubtful),
         verdict => verdict,
     };
     let mut files = report.files();
     if let Some(path) = context.report() {
         let page = match report.page() {
-            Some(page) => page,
+            Some(page) => page::with_warnings(page, &of_files),
             None => page::of(
                 &report,
                 verdict,

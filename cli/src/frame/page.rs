@@ -1,4 +1,4 @@
-//! The page of a report that has none of its own.
+//! Pages of reports.
 
 use anyhow::Result;
 
@@ -7,7 +7,16 @@ use super::verdict::Verdict;
 use super::warning::Warning;
 use ga_draw::document::Page;
 
-/// A page with verdict, warnings, text, and a table of the values that the text may round.
+/// The page of a report with what is said of files, of which the report does not know, at its top.
+pub(super) fn with_warnings(mut page: Page, of_files: &[Warning]) -> Page {
+    for warning in of_files {
+        page.warning_first(&warning.line_of_text());
+    }
+    page
+}
+
+/// The page of a report that has none of its own: verdict, warnings, text, and a table
+/// of the values that the text may round.
 pub(super) fn of(
     report: &impl Report,
     verdict: Option<Verdict>,
@@ -28,4 +37,28 @@ pub(super) fn of(
     page.code(report.text().trim_end());
     page.values(&serde_json::to_value(report)?);
     Ok(page)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn what_is_said_of_files_is_at_the_top_of_a_page_of_its_own() {
+        let mut page = Page::new("title");
+        page.heading("part");
+        let first = Warning::new("unclear_unit", "no unit <m>").in_file(Path::new("rig.toml"));
+        let html = with_warnings(page, &[first, Warning::new("omission", "names")]).into_html();
+        let places = [
+            "<h1>title</h1>",
+            "rig.toml: no unit &lt;m&gt;",
+            "names",
+            "part",
+        ];
+        let places = places.map(|part| html.find(part).unwrap());
+        assert!(places.is_sorted(), "{places:?}");
+        assert_eq!(html.matches("class=\"warning\"").count(), 2);
+    }
 }

@@ -79,22 +79,18 @@ pub(crate) fn warn(warning: Warning) {
     }
 }
 
-/// The warnings of a report and those of files.
-pub(super) fn with_those_of_files(own: Option<&[Warning]>) -> Option<Vec<Warning>> {
-    let of_files = OF_FILES
-        .lock()
-        .map_or_else(|_| Vec::new(), |kept| kept.clone());
-    match (own, of_files.is_empty()) {
-        (None, true) => None,
-        (own, _) => Some([own.unwrap_or_default(), &of_files].concat()),
-    }
+/// What is said of files.
+pub(super) fn of_files() -> Vec<Warning> {
+    let kept = OF_FILES.lock();
+    kept.map_or_else(|_| Vec::new(), |kept| kept.clone())
 }
 
-/// Writes the warnings of inputs to standard error: those of a command that failed.
-pub(super) fn print_of_inputs() {
+/// Writes what is said of inputs and of files to standard error: that of a command that failed.
+pub(super) fn print_of_failure() {
     if let Ok(kept) = OF_INPUTS.lock() {
         print(&kept);
     }
+    print(&of_files());
 }
 
 /// Writes warnings to standard error, one a line.

@@ -10,6 +10,7 @@ mod body_fit;
 mod camera_calibrate;
 mod camera_files;
 mod camera_rig;
+mod camera_formats;
 mod capture;
 mod clip;
 mod clip_convert;

@@ -94,10 +94,7 @@ pub enum RenderError {
     #[error("invalid camera: {0}")]
     Camera(&'static str),
     /// The lens of a camera has distortion, which is not drawn.
-    #[error(
-        "the lens of the camera has distortion, which is not drawn: `nullcone stereo undistort` \
-         makes pictures without it and writes their camera (--new-camera)"
-    )]
+    #[error("the lens of the camera has distortion, which is not drawn")]
     Lens,
     /// The style is not usable; the text says why.
     #[error("invalid picture: {0}")]

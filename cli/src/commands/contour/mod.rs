@@ -35,7 +35,7 @@ impl Command for Arguments {
         };
         match (&arguments.images[..], &self.rig) {
             ([image], None) => {
-                self.chosen.refuse("it chooses cameras of --rig")?;
+                self.chosen.refuse("it is about the cameras of --rig")?;
                 flat::run(arguments, image, context).map(Report::Flat)
             }
             ([left, right], Some(rig)) => curve::run(arguments, [left, right], rig, context)

@@ -172,6 +172,10 @@ impl Arguments {
             Ok(Some(intrinsics.map_err(|error| about(path, error))?))
         };
         let cameras = [read(&self.left_camera, 0)?, read(&self.right_camera, 1)?];
+        if cameras.iter().all(Option::is_none) {
+            let reason = "it is about the files of --left-camera and --right-camera";
+            self.lens.refuse(reason)?;
+        }
         let is_known = self.intrinsics == IntrinsicsChoice::Known;
         ensure!(
             !is_known || cameras.iter().all(Option::is_some),

@@ -49,7 +49,7 @@ pub enum LensModel {
 /// What is known of a kind of lens.
 struct Description {
     name: &'static str,
-    /// What ROS and kalibr call it.
+    /// What ROS, kalibr, ORB-SLAM3, Basalt, RealSense and others call it, in small letters.
     other_names: &'static [&'static str],
     coefficients: &'static [&'static str],
     /// How many coefficients files have.
@@ -79,14 +79,29 @@ impl LensModel {
             },
             Self::RadialTangential => &Description {
                 name: "radial-tangential",
-                other_names: &["plumb_bob", "radtan", "rational_polynomial"],
+                other_names: &[
+                    "plumb_bob",
+                    "radtan",
+                    "rational_polynomial",
+                    "brown_conrady",
+                    "pinhole-radtan8",
+                    "opencv",
+                ],
                 coefficients: &radial_tangential::NAMES,
                 counts: &[5, 8, 12, 14],
                 lens: |coefficients| Ok(RadialTangential::new(coefficients)?.into()),
             },
             Self::Fisheye => &Description {
                 name: "fisheye",
-                other_names: &["equidistant", "equi", "kannala_brandt", "kannala_brandt4"],
+                other_names: &[
+                    "equidistant",
+                    "equi",
+                    "kannala_brandt",
+                    "kannala_brandt4",
+                    "kannalabrandt8",
+                    "kb4",
+                    "opencv_fisheye",
+                ],
                 coefficients: &fisheye::NAMES,
                 counts: &[4],
                 lens: |coefficients| Ok(Fisheye::new(coefficients)?.into()),
@@ -100,7 +115,7 @@ impl LensModel {
         self.description().name
     }
 
-    /// Its name, and those that ROS and kalibr have for it.
+    /// Its name, and those that other programs have for it.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         let description = self.description();
         [description.name]

@@ -19,9 +19,9 @@ use std::fmt::Write;
 
 use super::camera::used_coefficients;
 use super::camera_file::{CameraFile, NamedCamera};
-use super::error::CameraFileError;
+use super::error::{CameraFileError, absent};
 use super::fields::{self, pose, size};
-use super::storage::{Storage, plain};
+use super::storage::{Storage, in_quotes, list};
 use crate::LensModel;
 
 const MATRIX: &str = "matrix";
@@ -45,25 +45,19 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
     let cameras = cameras.collect::<Result<Vec<_>, CameraFileError>>()?;
     match cameras.is_empty() {
         false => Ok(CameraFile::new(cameras)),
-        true => Err(CameraFileError::Missing {
-            place: storage.place("matrix"),
-            also: Vec::new(),
-        }),
+        true => Err(absent(storage.place(MATRIX))),
     }
 }
 
 /// The text of a file.
 pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError> {
     let mut text = String::new();
-    let list = |values: &[f64]| {
-        let values: Vec<String> = values.iter().map(|value| plain(*value)).collect();
-        format!("[ {},]", values.join(", "))
-    };
+    let list = |values: &[f64]| format!("[ {},]", list(values, ", "));
     // Writing to a string does not fail.
     for (index, camera) in cameras.iter().enumerate() {
         let intrinsics = camera.intrinsics()?;
         let lens = intrinsics.lens();
-        let name = serde_json::Value::from(camera.name.as_str());
+        let name = in_quotes(&camera.name);
         _ = writeln!(text, "[cam_{index}]\nname = {name}");
         if let Some([width, height]) = camera.size {
             _ = writeln!(text, "size = [ {width}, {height},]");

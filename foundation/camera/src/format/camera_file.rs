@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use ga_runtime::cga3::Motor;
 
 use super::error::{CameraFileError, PictureSizeError, Place};
+use super::lens::UnstatedLens;
 use crate::rig::{RectifiedRig, StereoRig};
 use crate::{Camera, Intrinsics, LensModel};
 
@@ -45,8 +46,10 @@ pub struct NamedCamera {
     pub far: Option<f64>,
     intrinsics: Intrinsics,
     skew: f64,
-    /// Where the coefficients stand, where they may be those of another kind of lens.
-    unclear_lens: Option<Place>,
+    /// What the lens may be, where the file does not state its kind.
+    unstated_lens: Option<UnstatedLens>,
+    /// The kind that is asked for, where the lens is of another one.
+    other_model: Option<LensModel>,
 }
 
 /// Two cameras of a file as a rig.
@@ -96,50 +99,45 @@ impl NamedCamera {
             far: None,
             intrinsics,
             skew: 0.0,
-            unclear_lens: None,
+            unstated_lens: None,
+            other_model: None,
         }
     }
 
-    /// The same camera, whose coefficients may be those of another kind of lens.
-    pub(super) fn with_unclear_lens(self, unclear_lens: Option<Place>) -> Self {
+    /// The same camera with what its lens may be, where the file does not state it.
+    pub(super) fn with_unstated_lens(self, unstated_lens: Option<UnstatedLens>) -> Self {
         Self {
-            unclear_lens,
+            unstated_lens,
             ..self
         }
     }
 
-    /// Where the coefficients of a lens stand whose kind is unclear.
-    pub(super) fn unclear_lens_mut(&mut self) -> Option<&mut Place> {
-        self.unclear_lens.as_mut()
+    /// Where the coefficients of a lens stand whose kind is not stated.
+    pub(super) fn unstated_lens_mut(&mut self) -> Option<&mut Place> {
+        self.unstated_lens.as_mut().map(|lens| &mut lens.place)
     }
 
-    /// The same camera with the kind of lens that its file does not state.
-    ///
-    /// # Errors
-    /// [`CameraFileError::OtherLens`] where the file states another kind of lens, and
-    /// [`CameraFileError::Camera`] where the coefficients are not those of such a lens.
-    pub fn with_lens_model(self, model: LensModel) -> Result<Self, CameraFileError> {
-        let lens = self.intrinsics.lens();
-        let Some(place) = &self.unclear_lens else {
-            return match lens.model() {
-                own if own == model || own == LensModel::Pinhole => Ok(self),
-                own => Err(CameraFileError::OtherLens {
-                    name: self.name,
-                    stated: own.name(),
-                    asked: model.name(),
-                }),
+    /// The same camera with the kind of lens that its file does not state. Where the file states
+    /// another kind, the camera has no [`intrinsics`](Self::intrinsics).
+    #[must_use]
+    pub fn with_lens_model(self, model: LensModel) -> Self {
+        let unstated = self.unstated_lens.as_ref();
+        if let Some(lens) = unstated.and_then(|lens| lens.of_model(model)) {
+            return Self {
+                intrinsics: self.intrinsics.with_lens(lens),
+                unstated_lens: None,
+                ..self
             };
+        }
+        let fits = match (self.intrinsics.lens().model(), model) {
+            // A radial–tangential lens without distortion is a pinhole.
+            (LensModel::Pinhole, LensModel::RadialTangential) => true,
+            (own, model) => own == model,
         };
-        let lens = model.lens(&lens.coefficients()[..4]);
-        let lens = lens.map_err(|error| CameraFileError::Camera {
-            place: place.clone(),
-            error: Box::new(error),
-        })?;
-        Ok(Self {
-            intrinsics: self.intrinsics.with_lens(lens),
-            unclear_lens: None,
+        Self {
+            other_model: (!fits).then_some(model),
             ..self
-        })
+        }
     }
 
     /// The same camera with a skew in pixels, which a renderer can use: `u = f_x x' + s y' + c_x`.
@@ -179,12 +177,27 @@ impl NamedCamera {
     ///
     /// # Errors
     /// [`CameraFileError::UnclearLens`] where the file does not say which lens the coefficients are
-    /// of; see [`with_lens_model`](Self::with_lens_model).
+    /// of, and [`CameraFileError::OtherLens`] where it says another than
+    /// [`with_lens_model`](Self::with_lens_model).
     pub fn intrinsics_and_skew(&self) -> Result<(Intrinsics, f64), CameraFileError> {
-        match &self.unclear_lens {
-            None => Ok((self.intrinsics, self.skew)),
-            Some(place) => Err(CameraFileError::UnclearLens(place.clone())),
+        if let Some(lens) = self.unstated_lens.as_ref().filter(|lens| lens.is_unclear()) {
+            return Err(CameraFileError::UnclearLens(lens.place.clone()));
         }
+        match self.other_model {
+            None => Ok((self.intrinsics, self.skew)),
+            Some(asked) => Err(CameraFileError::OtherLens {
+                name: self.name.clone(),
+                stated: self.intrinsics.lens().model().name(),
+                asked: asked.name(),
+            }),
+        }
+    }
+
+    /// Columns and rows of the pictures, where they must be known.
+    pub(super) fn known_size(&self) -> Result<[usize; 2], CameraFileError> {
+        self.size.ok_or_else(|| CameraFileError::NoSize {
+            name: self.name.clone(),
+        })
     }
 
     /// The motor that takes the world into the camera's frame.
@@ -248,17 +261,16 @@ impl CameraFile {
         }
     }
 
-    /// The same cameras with the kind of lens that the file does not state, where one is given.
-    ///
-    /// # Errors
-    /// As [`NamedCamera::with_lens_model`].
-    pub fn with_lens_model(mut self, model: Option<LensModel>) -> Result<Self, CameraFileError> {
+    /// The same cameras with the kind of lens that the file does not state, where one is given;
+    /// see [`NamedCamera::with_lens_model`].
+    #[must_use]
+    pub fn with_lens_model(mut self, model: Option<LensModel>) -> Self {
         if let Some(model) = model {
             let cameras = self.cameras.into_iter();
             let cameras = cameras.map(|camera| camera.with_lens_model(model));
-            self.cameras = cameras.collect::<Result<_, _>>()?;
+            self.cameras = cameras.collect();
         }
-        Ok(self)
+        self
     }
 
     /// The camera of a name, or of a number from 0.

@@ -90,7 +90,7 @@ pub enum CameraFileError {
     /// A lens has four coefficients, as those of two kinds have, and the file does not say which.
     #[error(
         "{0} has 4 numbers, as a radial-tangential lens and a fisheye have, and the file does not \
-         say which it is: --lens radial-tangential or --lens fisheye does"
+         say which it is"
     )]
     UnclearLens(Place),
     /// A lens is said to be another one than it is in the file.
@@ -204,6 +204,42 @@ pub enum CameraFileError {
         /// What is wrong.
         error: Box<CameraError>,
     },
+    /// Parameters are given that only a projection has which is not read.
+    #[error("{place} is a parameter of {projection}, which is not read")]
+    Projection {
+        /// The parameter.
+        place: Place,
+        /// The projection.
+        projection: &'static str,
+    },
+    /// A pose is that in the frame of a camera which the file does not have.
+    #[error("{place} leads from the frame of `{from}`, and there is no such camera")]
+    NoSuchFrame {
+        /// The pose.
+        place: Place,
+        /// The camera that is missing.
+        from: String,
+    },
+    /// A file states sizes of pictures that do not belong together.
+    #[error("{place} is {} × {} pixels, which has not the sides of {} × {}", .found[0], .found[1], .whole[0], .whole[1])]
+    Sizes {
+        /// One of the sizes.
+        place: Place,
+        /// Its columns and rows.
+        found: [usize; 2],
+        /// Columns and rows of the sensor.
+        whole: [usize; 2],
+    },
+    /// The size of a picture is not stated, and the picture cannot be read.
+    #[error("{place} is not given, and the picture {} cannot be read: {problem}", .picture.display())]
+    PictureSize {
+        /// The size that is missing.
+        place: Place,
+        /// The picture.
+        picture: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// Numbers are not a rotation.
     #[error("{place} is not a rotation: it differs from the nearest by {deviation:e}")]
     Rotation {
@@ -291,7 +327,7 @@ pub enum CameraFileError {
         name: String,
     },
     /// The rows of a picture are not perpendicular to its columns.
-    #[error("the camera {name:?} has the skew {skew}, which only `nullcone render` can use")]
+    #[error("the camera {name:?} has the skew {skew}, which only a renderer can use")]
     Skew {
         /// The camera.
         name: String,
@@ -342,6 +378,10 @@ impl CameraFileError {
             | Self::ValueCount { place, .. }
             | Self::Shape { place, .. }
             | Self::Camera { place, .. }
+            | Self::Projection { place, .. }
+            | Self::NoSuchFrame { place, .. }
+            | Self::Sizes { place, .. }
+            | Self::PictureSize { place, .. }
             | Self::Rotation { place, .. }
             | Self::ZeroBaseline(place)
             | Self::Offset { place, .. }
@@ -398,5 +438,32 @@ pub(super) fn wrong_type(key: &str, line: usize, expected: &'static str) -> Came
     CameraFileError::Value {
         place: Place::on_line(line, key),
         expected,
+    }
+}
+
+/// The value at a place is missing, which has no other name.
+pub(super) fn absent(place: Place) -> CameraFileError {
+    CameraFileError::Missing {
+        place,
+        also: Vec::new(),
+    }
+}
+
+/// The numbers at a place do not form a camera.
+pub(super) fn refused(place: Place, error: CameraError) -> CameraFileError {
+    CameraFileError::Camera {
+        place,
+        error: error.into(),
+    }
+}
+
+/// The number at a place, which must be finite.
+pub(super) fn finite(place: impl FnOnce() -> Place, value: f64) -> Result<f64, CameraFileError> {
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(CameraFileError::NotFinite {
+            place: place(),
+            value,
+        }),
     }
 }

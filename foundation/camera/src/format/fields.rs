@@ -3,10 +3,11 @@
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 
 use super::camera_file::NamedCamera;
-use super::error::{CameraFileError, Place};
-use super::rotation::nearest_rotor;
+use super::error::{CameraFileError, Place, refused};
+use super::lens::lens;
+use super::rotation::{homogeneous, nearest_rotor};
 use super::storage::Storage;
-use crate::{CameraError, Intrinsics, Lens, LensModel};
+use crate::{Intrinsics, Lens, LensModel};
 
 /// The first of several names under which a value is stored.
 pub(super) fn first<'a>(storage: &Storage, names: &[&'a str]) -> Option<&'a str> {
@@ -48,20 +49,28 @@ pub(super) fn by_rows(values: [f64; 9]) -> [[f64; 3]; 3] {
     [[a, b, c], [d, e, f], [g, h, i]]
 }
 
-/// The numbers do not form a camera.
-pub(super) fn refused(place: Place, error: CameraError) -> CameraFileError {
-    CameraFileError::Camera {
-        place,
-        error: error.into(),
-    }
+/// A camera without distortion.
+pub(super) fn pinhole(
+    focal: [f64; 2],
+    principal: [f64; 2],
+    place: impl FnOnce() -> Place,
+) -> Result<Intrinsics, CameraFileError> {
+    Intrinsics::new(focal, principal).map_err(|error| refused(place(), error))
+}
+
+/// The same of K by rows.
+pub(super) fn pinhole_of_matrix(
+    rows: [[f64; 3]; 3],
+    place: impl FnOnce() -> Place,
+) -> Result<Intrinsics, CameraFileError> {
+    Intrinsics::from_matrix(rows).map_err(|error| refused(place(), error))
 }
 
 /// Focal lengths and principal point from K, which is 3×3 or a list by rows.
-fn pinhole(storage: &Storage, names: &[&str]) -> Result<Intrinsics, CameraFileError> {
+fn projection(storage: &Storage, names: &[&str]) -> Result<Intrinsics, CameraFileError> {
     let shapes = [[3, 3], [9, 1], [1, 9]];
     let (name, values) = shaped::<9>(storage, names, &shapes, "3 × 3")?;
-    let plain = Intrinsics::from_matrix(by_rows(values));
-    plain.map_err(|error| refused(storage.place(name), error))
+    pinhole_of_matrix(by_rows(values), || storage.place(name))
 }
 
 /// The camera of K and of the coefficients of its lens, whose kind the file may state.
@@ -71,7 +80,7 @@ pub(super) fn camera(
     [matrix, distortion]: [&[&str]; 2],
     stated: Option<LensModel>,
 ) -> Result<NamedCamera, CameraFileError> {
-    let plain = pinhole(storage, matrix)?;
+    let plain = projection(storage, matrix)?;
     let camera = |lens: Lens| NamedCamera::new(name, plain.with_lens(lens));
     let Some(key) = first(storage, distortion) else {
         return match stated {
@@ -92,49 +101,8 @@ pub(super) fn camera(
         });
     }
     let values = storage.list(key)?.unwrap_or_default();
-    let (lens, is_unclear) = lens(&values, stated).map_err(|error| refused(place(), error))?;
-    Ok(camera(lens).with_unclear_lens(is_unclear.then(place)))
-}
-
-/// The lens of some coefficients, and whether it may be one of another kind: a lens whose kind is
-/// not stated is radial–tangential, as that of most files, unless it has four coefficients.
-pub(super) fn lens(values: &[f64], stated: Option<LensModel>) -> Result<(Lens, bool), CameraError> {
-    let are_zero = values.iter().all(|x| *x == 0.0);
-    let lens = match stated {
-        Some(LensModel::Fisheye) => LensModel::Fisheye.lens(values)?,
-        _ if values.is_empty() => Lens::Pinhole,
-        Some(LensModel::Pinhole) if are_zero => Lens::Pinhole,
-        Some(LensModel::Pinhole) => LensModel::Pinhole.lens(values)?,
-        _ => match LensModel::RadialTangential.lens(values)? {
-            // A lens without distortion is a pinhole.
-            _ if are_zero => Lens::Pinhole,
-            lens => lens,
-        },
-    };
-    Ok((lens, stated.is_none() && values.len() == 4 && !are_zero))
-}
-
-/// The kind of lens that a text names.
-pub(super) fn named_lens(
-    storage: &Storage,
-    key: &str,
-) -> Result<Option<LensModel>, CameraFileError> {
-    let Some(text) = storage.text(key)? else {
-        return Ok(None);
-    };
-    let names = LensModel::ALL.map(|model| model.names().map(move |name| (name, model)));
-    let names: Vec<_> = names.into_iter().flatten().collect();
-    let named = names
-        .iter()
-        .find(|(known, _)| known.eq_ignore_ascii_case(&text));
-    match named {
-        Some((_, model)) => Ok(Some(*model)),
-        None => Err(CameraFileError::Model {
-            place: storage.place(key),
-            found: text.into(),
-            known: names.iter().map(|(known, _)| *known).collect(),
-        }),
-    }
+    let (lens, unstated) = lens(&values, stated, place)?;
+    Ok(camera(lens).with_unstated_lens(unstated))
 }
 
 /// Columns and rows of pictures, under a pair of names or as a list.
@@ -192,17 +160,16 @@ pub(super) fn pose(
 
 fn rotor(storage: &Storage, names: &[&str]) -> Result<Rotor<f64>, CameraFileError> {
     let name = first(storage, names).ok_or_else(|| missing(storage, names))?;
-    let refuse = |deviation| CameraFileError::Rotation {
-        place: storage.place(name),
-        deviation,
-    };
     if let Some(vector) = storage.matrix(name)?.filter(|m| m.values().len() == 3) {
         let vector = [0, 1, 2].map(|k| vector.values()[k]);
-        return Rotor::from_rotation_vector(vector).ok_or(refuse(f64::INFINITY));
+        return Rotor::from_rotation_vector(vector).ok_or_else(|| CameraFileError::Value {
+            place: storage.place(name),
+            expected: "a rotation vector",
+        });
     }
     let shapes = [[3, 3], [9, 1], [1, 9]];
     let (_, values) = shaped::<9>(storage, names, &shapes, "3 × 3 or three components")?;
-    nearest_rotor(by_rows(values)).map_err(refuse)
+    nearest_rotor(by_rows(values), || storage.place(name))
 }
 
 /// The motor of a matrix 4×4, or of its first three rows.
@@ -213,9 +180,7 @@ pub(super) fn transform(
     let Some(matrix) = storage.matrix(name)? else {
         return Ok(None);
     };
-    let values = matrix.values();
-    let is_whole = matrix.columns() == 4 && matches!(matrix.rows(), 3 | 4);
-    if !is_whole {
+    if matrix.columns() != 4 || !matches!(matrix.rows(), 3 | 4) {
         return Err(CameraFileError::Shape {
             place: storage.place(name),
             rows: matrix.rows(),
@@ -223,25 +188,6 @@ pub(super) fn transform(
             expected: "4 × 4",
         });
     }
-    let rows = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|column| values[4 * row + column]));
-    let motor = rigid(rows).map_err(|deviation| CameraFileError::Rotation {
-        place: storage.place(name),
-        deviation,
-    })?;
-    Ok(Some(motor))
-}
-
-/// The motor of the rows of a rotation and a translation, or how far the former is from a rotation.
-pub(super) fn rigid(rows: [[f64; 4]; 3]) -> Result<Motor<f64>, f64> {
-    let rotor = nearest_rotor(rows.map(|[a, b, c, _]| [a, b, c]))?;
-    Ok(Translator::from_displacement(rows.map(|row| row[3])) * rotor)
-}
-
-/// The rows of a motor's rotation and translation.
-pub(super) fn rows(motor: Motor<f64>) -> [[f64; 4]; 3] {
-    let (rotation, along) = (motor.rotor().to_matrix(), motor.translator().displacement());
-    [0, 1, 2].map(|row| {
-        let [a, b, c] = rotation[row];
-        [a, b, c, along[row]]
-    })
+    let (rows, _) = matrix.values().as_chunks();
+    homogeneous(rows, || storage.place(name)).map(Some)
 }

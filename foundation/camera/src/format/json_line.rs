@@ -34,8 +34,13 @@ impl JsonLines {
                 Content::List(items) => items.get(view),
                 _ => None,
             });
-            line = item.map(|item| item.line);
-            entries = item.and_then(map);
+            // What all views share stands in the file.
+            let is_shared = self.0.iter().any(|(name, _)| *name == place.key)
+                && !item.is_some_and(|item| has(item, &place.key));
+            if !is_shared {
+                line = item.map(|item| item.line);
+                entries = item.and_then(map);
+            }
         }
         for key in place.key.split('.') {
             let found = entries.and_then(|entries| entries.iter().find(|(name, _)| name == key));
@@ -45,6 +50,11 @@ impl JsonLines {
         }
         place.line = line;
     }
+}
+
+fn has(node: &Node, key: &str) -> bool {
+    let entries = map(node).map(Vec::as_slice).unwrap_or_default();
+    entries.iter().any(|(name, _)| name == key)
 }
 
 fn map(node: &Node) -> Option<&Vec<(String, Node)>> {

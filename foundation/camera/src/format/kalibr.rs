@@ -13,31 +13,43 @@
 //! ```
 //!
 //! `intrinsics` are f_x, f_y, c_x and c_y; `radtan` has k1, k2, p1 and p2, and `equidistant` the
-//! four coefficients of a fisheye. `T_cn_cnm1` takes the frame of the camera before into that of
-//! this one, in metres. The world is the frame of the first camera, or, where there is no such
-//! chain, that of the inertial sensor, from which `T_cam_imu` leads. Models other than `pinhole`
-//! are refused.
+//! four coefficients of a fisheye. `T_cn_cnm1` takes the frame of the camera whose number is one
+//! less into that of this one, in metres; that camera must be there. The world is the frame of the
+//! first camera, or, where there is no such chain, that of the inertial sensor, from which
+//! `T_cam_imu` leads. Models other than `pinhole` are refused.
+//!
+//! `sensor.yaml` of the EuRoC data has the values of one camera, with `distortion_coefficients`,
+//! and `T_BS`, which takes its frame into that of the body: there the world is the body.
 
 use std::fmt::Write;
 
 use ga_runtime::cga3::Motor;
 
-use super::camera_file::{CameraFile, NamedCamera};
+use super::camera_file::{CameraFile, NamedCamera, SINGLE};
 use super::error::CameraFileError;
-use super::fields::{first, lens, missing, named_lens, refused, rows, size, transform};
-use super::storage::{Storage, plain};
-use crate::{Intrinsics, LensModel};
+use super::fields::{first, missing, pinhole, size, transform};
+use super::lens::stated_lens;
+use super::lens_name::named_lens;
+use super::rotation::rows;
+use super::storage::{Storage, list};
+use crate::LensModel;
 
 const CHAIN: &str = "T_cn_cnm1";
 const TO_SENSOR: &str = "T_cam_imu";
+const TO_BODY: &str = "T_BS";
 const COEFFICIENTS: [&str; 2] = ["distortion_coeffs", "distortion_coefficients"];
 
-/// Whether there is a camera of kalibr.
+/// Whether there is a camera of kalibr, or one of EuRoC.
 pub(super) fn is_chain(storage: &Storage) -> bool {
-    storage
-        .maps()
-        .iter()
-        .any(|(name, map)| is_camera(name, map))
+    let maps = storage.maps();
+    is_alone(storage) || maps.iter().any(|(name, map)| is_camera(name, map))
+}
+
+/// Whether the values are those of one camera, in no map of its own. Parameters with names are not
+/// kalibr's.
+fn is_alone(storage: &Storage) -> bool {
+    let is_list = storage.list("intrinsics").is_ok_and(|list| list.is_some());
+    storage.has("camera_model") && is_list
 }
 
 fn is_camera(name: &str, map: &Storage) -> bool {
@@ -47,6 +59,11 @@ fn is_camera(name: &str, map: &Storage) -> bool {
 
 /// The cameras of a file.
 pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
+    if is_alone(storage) {
+        let pose = transform(storage, TO_BODY)?.map(Motor::reverse);
+        let camera = camera(SINGLE, storage)?.with_pose(pose);
+        return Ok(CameraFile::new(vec![camera]));
+    }
     let mut maps = storage.maps();
     // Other maps, as of targets, are none of cameras.
     maps.retain(|(name, map)| is_camera(name, map) || is_numbered(name));
@@ -69,6 +86,7 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
             (true, 0) => Some(world),
             (true, _) => {
                 let step = transform(map, CHAIN)?.ok_or_else(|| missing(map, &[CHAIN]))?;
+                check_previous(&maps[index - 1].0, &maps[index])?;
                 world = step * world;
                 Some(world)
             }
@@ -76,6 +94,22 @@ pub(super) fn decode(storage: &Storage) -> Result<CameraFile, CameraFileError> {
         };
     }
     Ok(CameraFile::new(cameras))
+}
+
+/// Checks that a camera from whose frame one leads into that of the next is the one of the number
+/// before.
+fn check_previous(before: &str, (name, map): &(String, Storage)) -> Result<(), CameraFileError> {
+    let missing = match (number(before), number(name)) {
+        (Some(before), Some(own)) if own != before + 1 => Some(own.saturating_sub(1)),
+        _ => None,
+    };
+    match missing {
+        None => Ok(()),
+        Some(missing) => Err(CameraFileError::NoSuchFrame {
+            place: map.place(CHAIN),
+            from: format!("cam{missing}"),
+        }),
+    }
 }
 
 /// Whether a name is `cam` with a number.
@@ -109,18 +143,15 @@ fn camera(name: &str, map: &Storage) -> Result<NamedCamera, CameraFileError> {
             expected: "four: f_x, f_y, c_x and c_y",
         });
     };
-    let plain = Intrinsics::new([fx, fy], [cx, cy]);
-    let plain = plain.map_err(|error| refused(map.place(key), error))?;
-    let values = match first(map, &COEFFICIENTS) {
-        Some(key) => map.list(key)?.unwrap_or_default(),
-        None => Vec::new(),
-    };
+    let plain = pinhole([fx, fy], [cx, cy], || map.place(key))?;
+    let coefficients = first(map, &COEFFICIENTS).unwrap_or(COEFFICIENTS[0]);
+    let values = map.list(coefficients)?.unwrap_or_default();
     let model = named_lens(map, "distortion_model")?;
     if model.is_none() && !values.is_empty() {
         return Err(missing(map, &["distortion_model"]));
     }
-    let (lens, _) = lens(&values, model.or(Some(LensModel::Pinhole)))
-        .map_err(|error| refused(map.place(COEFFICIENTS[0]), error))?;
+    let model = model.unwrap_or(LensModel::Pinhole);
+    let lens = stated_lens(&values, model, || map.place(coefficients))?;
     let size = size(map, &[], &["resolution"])?;
     Ok(NamedCamera::new(name, plain.with_lens(lens)).with_size(size))
 }
@@ -158,7 +189,7 @@ pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError>
                 let step: Motor<f64> = pose * Motor::reverse(before);
                 let last = [0.0, 0.0, 0.0, 1.0];
                 for row in rows(step).into_iter().chain([last]) {
-                    _ = writeln!(text, "  - {}", list(&row));
+                    _ = writeln!(text, "  - [{}]", list(&row, ", "));
                 }
             }
             before = Some(pose);
@@ -166,10 +197,10 @@ pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError>
         let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
         _ = writeln!(
             text,
-            "  camera_model: pinhole\n  distortion_coeffs: {}\n  distortion_model: {model}\n  \
-             intrinsics: {}",
-            list(&coefficients[..4]),
-            list(&[fx, fy, cx, cy])
+            "  camera_model: pinhole\n  distortion_coeffs: [{}]\n  distortion_model: {model}\n  \
+             intrinsics: [{}]",
+            list(&coefficients[..4], ", "),
+            list(&[fx, fy, cx, cy], ", ")
         );
         if let Some([width, height]) = camera.size {
             _ = writeln!(text, "  resolution: [{width}, {height}]");
@@ -181,9 +212,4 @@ pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError>
 
 fn others(index: usize, count: usize) -> Vec<usize> {
     (0..count).filter(|other| *other != index).collect()
-}
-
-fn list(values: &[f64]) -> String {
-    let values: Vec<String> = values.iter().map(|value| plain(*value)).collect();
-    format!("[{}]", values.join(", "))
 }

@@ -11,19 +11,24 @@
 //! distortion `D_02`, the motion `R_02` and `T_02` from the frame of camera 0 into its own, and the
 //! size `S_02` of its pictures; `S_rect_02` is that of the rectified ones. The cameras are named
 //! after these keys, rectified ones first. Lines of other sensors are ignored.
+//!
+//! The world is the frame of the rectified camera 0 for all of them, into which `R_rect_00` turns
+//! that of camera 0; where nothing is rectified, it is the frame of camera 0.
 
-use std::collections::HashSet;
 use std::fmt::Write;
 
 use ga_runtime::cga3::{Motor, Translator};
 
 use super::camera::used_coefficients;
 use super::camera_file::{CameraFile, NamedCamera, Rectified};
-use super::error::{CameraFileError, Place, wrong_type};
-use super::fields::{by_rows, lens, pixels, refused, rigid, rows};
-use super::storage::plain;
+use super::error::{CameraFileError, finite};
+use super::fields::{by_rows, pinhole_of_matrix, pixels};
+use super::key_values::KeyValues;
+use super::lens::stated_lens;
+use super::rotation::{nearest_rotor, rigid, rows};
+use super::storage::list;
 use crate::rig::RectifiedRig;
-use crate::{Intrinsics, Lens, LensModel};
+use crate::{Lens, LensModel};
 
 /// The name of the format in errors.
 const NAME: &str = "KITTI's calibration";
@@ -45,15 +50,30 @@ fn is_projection(key: &str) -> bool {
     number.is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
+/// The rotation from the frame of camera 0 into that of its rectified pictures.
+const RECTIFICATION: &str = "R_rect_00";
+
 /// The cameras of a file.
 pub(super) fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
-    let entries = Entries::new(text)?;
-    let keys = || entries.0.iter().map(|(key, ..)| *key);
-    let projections = keys().filter(|key| is_projection(key));
-    let projections = projections.map(|key| entries.projection(key));
-    let raw = keys().filter(|key| key.starts_with("K_"));
-    let raw = raw.map(|key| entries.raw(key));
-    let cameras = projections.chain(raw).collect::<Result<Vec<_>, _>>()?;
+    let entries = KeyValues::new(text, ':', "not of the form KEY: values")?;
+    let projections = entries.keys().filter(|key| is_projection(key));
+    let projections = projections.map(|key| projection(&entries, key));
+    let mut cameras = projections.collect::<Result<Vec<_>, _>>()?;
+    let raw = entries.keys().filter(|key| key.starts_with("K_"));
+    let raw = raw.map(|key| before_rectification(&entries, key));
+    let mut raw = raw.collect::<Result<Vec<_>, _>>()?;
+    let posed = raw.iter().find(|camera| camera.pose.is_some());
+    if let (false, Some(posed)) = (cameras.is_empty(), posed) {
+        // Both kinds of cameras stand in one world.
+        let rows = entries.exactly(RECTIFICATION, "3 × 3")?;
+        let rows = rows.ok_or_else(|| entries.missing_beside(RECTIFICATION, &posed.name))?;
+        let place = || entries.place(RECTIFICATION);
+        let from_rectified = Motor::from(nearest_rotor(by_rows(rows), place)?).reverse();
+        for camera in &mut raw {
+            camera.pose = camera.pose.map(|pose| pose * from_rectified);
+        }
+    }
+    cameras.append(&mut raw);
     let rectified = rectified(&cameras);
     Ok(CameraFile { cameras, rectified })
 }
@@ -77,148 +97,58 @@ fn rectified(cameras: &[NamedCamera]) -> Option<Rectified> {
     })
 }
 
-fn absent(key: &str) -> CameraFileError {
-    CameraFileError::Missing {
-        place: Place::on_line(0, key),
-        also: Vec::new(),
-    }
+fn size(entries: &KeyValues, key: &str) -> Result<Option<[usize; 2]>, CameraFileError> {
+    let Some([width, height]) = entries.exactly(key, "width and height")? else {
+        return Ok(None);
+    };
+    let pixels = |value| pixels(entries.place(key), value);
+    Ok(Some([pixels(width)?, pixels(height)?]))
 }
 
-/// Keys and values with their lines.
-struct Entries<'a>(Vec<(&'a str, usize, &'a str)>);
+fn projection(entries: &KeyValues, key: &str) -> Result<NamedCamera, CameraFileError> {
+    let values: [f64; 12] = entries.required(key, "3 × 4")?;
+    let [a, b, c, x, d, e, f, y, g, h, i, z] = values;
+    let place = || entries.place(key);
+    let intrinsics = pinhole_of_matrix([[a, b, c], [d, e, f], [g, h, i]], place)?;
+    let along = [(x - c * z) / a, (y - f * z) / e, z];
+    for value in along {
+        finite(place, value)?;
+    }
+    let size = match key.strip_prefix("P_rect_") {
+        Some(number) => size(entries, &format!("S_rect_{number}"))?,
+        None => None,
+    };
+    let pose = Translator::from_displacement(along).into();
+    let camera = NamedCamera::new(key, intrinsics).with_size(size);
+    Ok(camera.with_pose(Some(pose)))
+}
 
-impl<'a> Entries<'a> {
-    fn new(text: &'a str) -> Result<Self, CameraFileError> {
-        let mut found = Vec::new();
-        let mut keys = HashSet::new();
-        for (index, text) in text.lines().enumerate() {
-            let line = index + 1;
-            if text.trim().is_empty() {
-                continue;
-            }
-            let (key, value) = text.split_once(':').ok_or(CameraFileError::Unsupported {
-                line,
-                problem: "not of the form KEY: values",
-            })?;
-            let key = key.trim();
-            if !keys.insert(key) {
-                return Err(CameraFileError::Duplicate(Place::on_line(line, key)));
-            }
-            found.push((key, line, value.trim()));
+fn before_rectification(entries: &KeyValues, key: &str) -> Result<NamedCamera, CameraFileError> {
+    let matrix = by_rows(entries.required(key, "3 × 3")?);
+    let plain = pinhole_of_matrix(matrix, || entries.place(key))?;
+    let number = &key[2..];
+    let [distortion, rotation, translation, pixels] =
+        ["D", "R", "T", "S"].map(|letter| format!("{letter}_{number}"));
+    let values = entries.numbers(&distortion)?.unwrap_or_default();
+    let place = || entries.place(&distortion);
+    let lens = stated_lens(&values, LensModel::RadialTangential, place)?;
+    let turned = entries.exactly(&rotation, "3 × 3")?;
+    let along = entries.exactly::<3>(&translation, "three components")?;
+    let pose = match (turned, along) {
+        (None, None) => None,
+        (Some(values), Some(along)) => {
+            let turned = by_rows(values);
+            let rows = [0, 1, 2].map(|k| {
+                let [a, b, c] = turned[k];
+                [a, b, c, along[k]]
+            });
+            Some(rigid(rows, || entries.place(&rotation))?)
         }
-        Ok(Self(found))
-    }
-
-    fn place(&self, key: &str) -> Place {
-        let entry = self.0.iter().find(|(other, ..)| *other == key);
-        Place::on_line(entry.map_or(0, |(_, line, _)| *line), key)
-    }
-
-    /// The numbers of a key, all finite.
-    fn numbers(&self, key: &str) -> Result<Option<Vec<f64>>, CameraFileError> {
-        let entry = self.0.iter().find(|(other, ..)| *other == key);
-        let Some((_, line, text)) = entry else {
-            return Ok(None);
-        };
-        let numbers = text.split_whitespace().map(|word| {
-            let number = word.parse::<f64>();
-            let number = number.map_err(|_| wrong_type(key, *line, "a list of numbers"))?;
-            match number.is_finite() {
-                true => Ok(number),
-                false => Err(CameraFileError::NotFinite {
-                    place: self.place(key),
-                    value: number,
-                }),
-            }
-        });
-        numbers.collect::<Result<_, _>>().map(Some)
-    }
-
-    fn exactly<const N: usize>(
-        &self,
-        key: &str,
-        expected: &'static str,
-    ) -> Result<Option<[f64; N]>, CameraFileError> {
-        let Some(values) = self.numbers(key)? else {
-            return Ok(None);
-        };
-        let found = <[f64; N]>::try_from(values);
-        found.map(Some).map_err(|values| CameraFileError::Shape {
-            place: self.place(key),
-            rows: 1,
-            columns: values.len(),
-            expected,
-        })
-    }
-
-    /// As [`exactly`](Self::exactly), where the key must be there.
-    fn required<const N: usize>(
-        &self,
-        key: &str,
-        expected: &'static str,
-    ) -> Result<[f64; N], CameraFileError> {
-        self.exactly(key, expected)?.ok_or_else(|| absent(key))
-    }
-
-    fn size(&self, key: &str) -> Result<Option<[usize; 2]>, CameraFileError> {
-        let Some([width, height]) = self.exactly(key, "width and height")? else {
-            return Ok(None);
-        };
-        let pixels = |value| pixels(self.place(key), value);
-        Ok(Some([pixels(width)?, pixels(height)?]))
-    }
-
-    fn projection(&self, key: &str) -> Result<NamedCamera, CameraFileError> {
-        let values: [f64; 12] = self.required(key, "3 × 4")?;
-        let [a, b, c, x, d, e, f, y, g, h, i, z] = values;
-        let intrinsics = Intrinsics::from_matrix([[a, b, c], [d, e, f], [g, h, i]]);
-        let intrinsics = intrinsics.map_err(|error| refused(self.place(key), error))?;
-        let along = [(x - c * z) / a, (y - f * z) / e, z];
-        if let Some(value) = along.into_iter().find(|value| !value.is_finite()) {
-            let place = self.place(key);
-            return Err(CameraFileError::NotFinite { place, value });
-        }
-        let size = match key.strip_prefix("P_rect_") {
-            Some(number) => self.size(&format!("S_rect_{number}"))?,
-            None => None,
-        };
-        let pose = Translator::from_displacement(along).into();
-        let camera = NamedCamera::new(key, intrinsics).with_size(size);
-        Ok(camera.with_pose(Some(pose)))
-    }
-
-    fn raw(&self, key: &str) -> Result<NamedCamera, CameraFileError> {
-        let matrix = by_rows(self.required(key, "3 × 3")?);
-        let plain = Intrinsics::from_matrix(matrix);
-        let plain = plain.map_err(|error| refused(self.place(key), error))?;
-        let number = &key[2..];
-        let [distortion, rotation, translation, size] =
-            ["D", "R", "T", "S"].map(|letter| format!("{letter}_{number}"));
-        let values = self.numbers(&distortion)?.unwrap_or_default();
-        let (lens, _) = lens(&values, Some(LensModel::RadialTangential))
-            .map_err(|error| refused(self.place(&distortion), error))?;
-        let turned = self.exactly(&rotation, "3 × 3")?;
-        let along = self.exactly::<3>(&translation, "three components")?;
-        let pose = match (turned, along) {
-            (None, None) => None,
-            (Some(values), Some(along)) => {
-                let turned = by_rows(values);
-                let rows = [0, 1, 2].map(|k| {
-                    let [a, b, c] = turned[k];
-                    [a, b, c, along[k]]
-                });
-                let motor = rigid(rows).map_err(|deviation| CameraFileError::Rotation {
-                    place: self.place(&rotation),
-                    deviation,
-                });
-                Some(motor?)
-            }
-            (None, Some(_)) => return Err(absent(&rotation)),
-            (Some(_), None) => return Err(absent(&translation)),
-        };
-        let camera = NamedCamera::new(key, plain.with_lens(lens));
-        Ok(camera.with_size(self.size(&size)?).with_pose(pose))
-    }
+        (None, Some(_)) => return Err(entries.missing_beside(&rotation, &translation)),
+        (Some(_), None) => return Err(entries.missing_beside(&translation, &rotation)),
+    };
+    let camera = NamedCamera::new(key, plain.with_lens(lens));
+    Ok(camera.with_size(size(entries, &pixels)?).with_pose(pose))
 }
 
 /// The text of a file: projections of cameras without distortion that look the same way, and
@@ -231,9 +161,8 @@ pub(super) fn encode(cameras: &[NamedCamera]) -> Result<String, CameraFileError>
     let are_projections = are_projections(cameras);
     let mut text = String::new();
     let mut line = |key: String, values: &[f64]| {
-        let values: Vec<String> = values.iter().map(|value| plain(*value)).collect();
         // Writing to a string does not fail.
-        _ = writeln!(text, "{key}: {}", values.join(" "));
+        _ = writeln!(text, "{key}: {}", list(values, " "));
     };
     for (index, ((intrinsics, pose), camera)) in all.iter().zip(cameras).enumerate() {
         let k = intrinsics.to_matrix();

@@ -13,44 +13,53 @@
 //! `doffs` is the difference of the principal points in pixels, right minus left, the baseline is
 //! in millimetres, and disparities are below `ndisp`. Other keys are ignored.
 
-use std::collections::HashSet;
 use std::fmt::Write;
-use std::str::FromStr;
 
 use super::camera_file::{CameraFile, NamedCamera, Rectified, SIDES};
-use super::error::{CameraFileError, Place, wrong_type};
+use super::error::{CameraFileError, absent, wrong_type};
+use super::fields::{pinhole_of_matrix, pixels};
+use super::key_values::KeyValues;
 use crate::Intrinsics;
 use crate::rig::{RectifiedRig, RigError};
 
 /// The rectified rig of a file.
 pub(super) fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
-    let entries = Entries::new(text)?;
-    let left = entries.camera("cam0")?;
-    let right = entries.camera("cam1")?;
-    let (baseline_line, millimetres) = entries.required::<f64>("baseline", "a number")?;
+    let entries = KeyValues::new(text, '=', "not of the form key=value")?;
+    let left = camera(&entries, "cam0")?;
+    let right = camera(&entries, "cam1")?;
+    let millimetres = entries.number("baseline")?;
+    let millimetres = millimetres.ok_or_else(|| absent(entries.place("baseline")))?;
     let rig = RectifiedRig::new(left, right, millimetres * 1e-3).map_err(|error| {
-        let line = match error {
-            RigError::Baseline(_) => baseline_line,
-            _ => entries.find("cam1").map_or(0, |(line, _)| line),
+        let key = match error {
+            RigError::Baseline(_) => "baseline",
+            _ => "cam1",
         };
-        let error = Box::new(error);
-        CameraFileError::Rectified { line, error }
+        CameraFileError::Rectified {
+            line: entries.find(key).map_or(0, |(line, _)| line),
+            error: Box::new(error),
+        }
     })?;
-    if let Some((line, found)) = entries.optional::<f64>("doffs", "a number")? {
+    if let Some(found) = entries.number("doffs")? {
         let expected = rig.disparity_offset();
         // Principal points are written with three digits after the point.
-        if (found - expected).abs() > 2e-3 || found.is_nan() {
+        if (found - expected).abs() > 2e-3 {
             return Err(CameraFileError::Offset {
-                place: Place::on_line(line, "doffs"),
+                place: entries.place("doffs"),
                 found,
                 expected,
             });
         }
     }
-    let whole = |key| entries.optional::<usize>(key, "a whole number");
+    let whole = |key| {
+        let number = entries.number(key)?;
+        let number = number.map(|number| pixels(entries.place(key), number));
+        number.transpose()
+    };
     let size = match (whole("width")?, whole("height")?) {
-        (Some((_, width)), Some((_, height))) => Some([width, height]),
-        _ => None,
+        (Some(width), Some(height)) => Some([width, height]),
+        (Some(_), None) => return Err(entries.missing_beside("height", "width")),
+        (None, Some(_)) => return Err(entries.missing_beside("width", "height")),
+        (None, None) => None,
     };
     let cameras = rig.stereo_rig();
     let sides = SIDES.into_iter().zip([cameras.left, cameras.right]);
@@ -62,7 +71,7 @@ pub(super) fn decode(text: &str) -> Result<CameraFile, CameraFileError> {
         cameras: named.collect(),
         rectified: Some(Rectified {
             rig,
-            disparities: whole("ndisp")?.map(|(_, count)| count),
+            disparities: whole("ndisp")?,
         }),
     })
 }
@@ -92,74 +101,14 @@ pub fn encode(rectified: &Rectified, size: Option<[usize; 2]>) -> String {
     text
 }
 
-/// Keys and values with their lines.
-struct Entries<'a>(Vec<(&'a str, usize, &'a str)>);
-
-impl<'a> Entries<'a> {
-    fn new(text: &'a str) -> Result<Self, CameraFileError> {
-        let mut found: Vec<(&str, usize, &str)> = Vec::new();
-        let mut keys = HashSet::new();
-        for (index, text) in text.lines().enumerate() {
-            let line = index + 1;
-            if text.trim().is_empty() {
-                continue;
-            }
-            let (key, value) = text.split_once('=').ok_or(CameraFileError::Unsupported {
-                line,
-                problem: "not of the form key=value",
-            })?;
-            let (key, value) = (key.trim(), value.trim());
-            if !keys.insert(key) {
-                return Err(CameraFileError::Duplicate(Place::on_line(line, key)));
-            }
-            found.push((key, line, value));
-        }
-        Ok(Self(found))
-    }
-
-    fn find(&self, key: &str) -> Option<(usize, &'a str)> {
-        let mut entries = self.0.iter();
-        let (_, line, value) = entries.find(|(other, ..)| *other == key)?;
-        Some((*line, value))
-    }
-
-    fn optional<T: FromStr>(
-        &self,
-        key: &'static str,
-        expected: &'static str,
-    ) -> Result<Option<(usize, T)>, CameraFileError> {
-        let Some((line, value)) = self.find(key) else {
-            return Ok(None);
-        };
-        let parsed = value.parse().map_err(|_| wrong_type(key, line, expected))?;
-        Ok(Some((line, parsed)))
-    }
-
-    fn required<T: FromStr>(
-        &self,
-        key: &'static str,
-        expected: &'static str,
-    ) -> Result<(usize, T), CameraFileError> {
-        self.optional(key, expected)?.ok_or_else(|| missing(key))
-    }
-
-    /// A matrix `[a b c; d e f; g h i]` that forms a camera.
-    fn camera(&self, key: &'static str) -> Result<Intrinsics, CameraFileError> {
-        let (line, text) = self.find(key).ok_or_else(|| missing(key))?;
-        let expected = "a matrix [a b c; d e f; g h i]";
-        let rows = matrix(text).ok_or_else(|| wrong_type(key, line, expected))?;
-        Intrinsics::from_matrix(rows).map_err(|error| CameraFileError::Camera {
-            place: Place::on_line(line, key),
-            error: error.into(),
-        })
-    }
-}
-
-fn missing(key: &str) -> CameraFileError {
-    CameraFileError::Missing {
-        place: Place::on_line(0, key),
-        also: Vec::new(),
-    }
+/// A matrix `[a b c; d e f; g h i]` that forms a camera.
+fn camera(entries: &KeyValues, key: &str) -> Result<Intrinsics, CameraFileError> {
+    let (line, text) = entries
+        .find(key)
+        .ok_or_else(|| absent(entries.place(key)))?;
+    let expected = "a matrix [a b c; d e f; g h i]";
+    let rows = matrix(text).ok_or_else(|| wrong_type(key, line, expected))?;
+    pinhole_of_matrix(rows, || entries.place(key))
 }
 
 fn matrix(text: &str) -> Option<[[f64; 3]; 3]> {

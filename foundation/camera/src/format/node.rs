@@ -1,6 +1,6 @@
 //! The values of a file with their lines, whatever its syntax.
 
-use super::error::{CameraFileError, Place, wrong_type};
+use super::error::{CameraFileError, Place, finite, wrong_type};
 
 /// How deeply lists and maps may be nested: files of cameras have four levels.
 pub(super) const DEPTH: usize = 16;
@@ -33,14 +33,7 @@ impl Node {
                 .parse()
                 .map_err(|_| wrong_type(name, self.line, "a number"))?,
         };
-        if number.is_finite() {
-            Ok(number)
-        } else {
-            Err(CameraFileError::NotFinite {
-                place: Place::on_line(self.line, name),
-                value: number,
-            })
-        }
+        finite(|| Place::on_line(self.line, name), number)
     }
 }
 

@@ -9,6 +9,7 @@
 //! | translation in metres | `T`, `t`, `translation`, `tvec` |
 //! | width, height | `image_width`, `image_height`, or a list `image_size` |
 //! | fisheye | `fisheye_model: 1`, `fisheye: true`, `distortion_model: equidistant` or `fisheye` |
+//! | the model | `camera_model`, `camera_type`, `model_type`, …; other models are refused |
 //!
 //! The names of the left and the right camera end in `1` and `2`, `_1` and `_2`, `0` and `1`, `_l`
 //! and `_r`, `L` and `R`, `_left` and `_right`, or begin with `left_` and `right_`.
@@ -28,7 +29,8 @@ use ga_runtime::cga3::Motor;
 use super::camera_file::{CameraFile, NamedCamera, SIDES, SINGLE};
 use super::error::CameraFileError;
 use super::fields;
-use super::named_parameters;
+use super::lens_name::{lens_of_any_name, lens_of_camera_model, named_lens};
+use super::named_parameters::{self, FIRST, SECOND};
 use super::storage::Storage;
 use crate::LensModel;
 
@@ -79,6 +81,20 @@ const SIZES: [[&str; 2]; 4] = [
     ["Camera.width", "Camera.height"],
 ];
 const SIZE_LISTS: [&str; 2] = ["image_size", "imageSize"];
+/// The matrix of ORB-SLAM3 from the frame of the right camera into that of the left one.
+const RIGHT_TO_LEFT: &str = "Stereo.T_c1_c2";
+const DISTORTION_MODELS: [&str; 2] = ["distortion_model", "distortion_type"];
+/// The names of the model of a camera.
+const CAMERA_MODELS: [&str; 8] = [
+    "camera_model",
+    "camera_type",
+    "model_type",
+    "lens_model",
+    "lens_type",
+    "projection_model",
+    "Camera.type",
+    "Camera.model",
+];
 
 /// What stands before and behind the names of the values of the left and the right camera. Those
 /// that count from 0 come first: in them the left camera of others is the right one.
@@ -109,7 +125,7 @@ fn has_own(storage: &Storage) -> bool {
 }
 
 fn has_single(storage: &Storage) -> bool {
-    fields::first(storage, &MATRIX).is_some() || named_parameters::has_camera(storage)
+    fields::first(storage, &MATRIX).is_some() || named_parameters::has_camera(storage, &FIRST)
 }
 
 /// The cameras of a file.
@@ -123,6 +139,9 @@ fn cameras(storage: &Storage, around: &[&Storage]) -> Result<Vec<NamedCamera>, C
     if let Some(marks) = marks(storage) {
         return pair(storage, marks, around);
     }
+    if named_parameters::has_camera(storage, &SECOND) {
+        return numbered_pair(storage, around);
+    }
     if has_single(storage) {
         return Ok(vec![single(storage, SINGLE, around)?]);
     }
@@ -134,6 +153,8 @@ fn cameras(storage: &Storage, around: &[&Storage]) -> Result<Vec<NamedCamera>, C
         .collect();
     match inner.as_slice() {
         [] => {
+            // A model that is not read has other parameters.
+            lens_model(storage, &around)?;
             let first = [MATRIX.as_slice(), &["M1", "K1", "cameraMatrix1"]].concat();
             Err(fields::missing(storage, &first))
         }
@@ -208,6 +229,24 @@ fn pair(
     Ok(found)
 }
 
+/// Two cameras whose parameters have names, and the motion from the right one's frame into that of
+/// the left one.
+fn numbered_pair(
+    storage: &Storage,
+    around: &[&Storage],
+) -> Result<Vec<NamedCamera>, CameraFileError> {
+    let (model, size) = (lens_model(storage, around)?, size(storage, around)?);
+    let side = |name, prefixes: &[&'static str]| {
+        let camera = named_parameters::camera(storage, name, prefixes, model)?;
+        let camera = camera.ok_or_else(|| fields::missing(storage, &["Camera1.fx"]))?;
+        Ok::<_, CameraFileError>(camera.with_size(size))
+    };
+    let mut found = vec![side(SIDES[0], &FIRST)?, side(SIDES[1], &SECOND)?];
+    let to_left = fields::transform(storage, RIGHT_TO_LEFT)?;
+    set_poses(&mut found, to_left.map(Motor::reverse));
+    Ok(found)
+}
+
 /// The world of a rig is the frame of its left camera.
 fn set_poses(pair: &mut [NamedCamera], motion: Option<Motor<f64>>) {
     if let (Some(motion), [left, right]) = (motion, pair) {
@@ -240,7 +279,7 @@ fn single(
     around: &[&Storage],
 ) -> Result<NamedCamera, CameraFileError> {
     let model = lens_model(storage, around)?;
-    let camera = match named_parameters::camera(storage, name, model)? {
+    let camera = match named_parameters::camera(storage, name, &FIRST, model)? {
         Some(camera) => camera,
         None => fields::camera(storage, name, [&MATRIX, &DISTORTION], model)?,
     };
@@ -276,13 +315,19 @@ fn lens_model(
                 None => {}
             }
         }
-        if let Some(model) = fields::named_lens(scope, "distortion_model")? {
-            return Ok(Some(model));
+        for key in DISTORTION_MODELS {
+            if let Some(model) = named_lens(scope, key)? {
+                return Ok(Some(model));
+            }
         }
-        for key in ["lens", "lens_model", "camera_model", "model_type", "model"] {
-            // A pinhole says nothing of the distortion there, and other programs have other names.
-            if let Ok(Some(LensModel::Fisheye)) = fields::named_lens(scope, key) {
-                return Ok(Some(LensModel::Fisheye));
+        for key in CAMERA_MODELS {
+            if let Some(model) = lens_of_camera_model(scope, key)? {
+                return Ok(Some(model));
+            }
+        }
+        for key in ["lens", "model", "type"] {
+            if let Some(model) = lens_of_any_name(scope, key)? {
+                return Ok(Some(model));
             }
         }
     }

@@ -6,16 +6,21 @@
 //! millimetres and the rows of the rotation from the world to a frame with x to the right, y up and
 //! z backwards. The name is the `serial`, the size that of `fov_video`. Cameras that are not active
 //! are left out.
+//!
+//! The calibration is that of the pixels for markers, `fov_marker_max`. Where the video has others,
+//! by `fov_video_max` or by a `video_resolution` such as `540p` of 1080 lines, focal lengths and
+//! principal point are brought to its pixels: a place u is at `s (u + 1/2) - 1/2`.
 
 use ga_runtime::cga3::{Motor, Point, Translator};
 use roxmltree::Node;
 
 use super::camera_file::{CameraFile, NamedCamera};
-use super::error::{CameraFileError, Place, wrong_type};
-use super::fields::{lens, pixels, refused};
+use super::error::{CameraFileError, Place, absent, finite, wrong_type};
+use super::fields::{pinhole, pixels};
+use super::lens::stated_lens;
 use super::rotation::nearest_rotor;
 use super::syntax::xml::Xml;
-use crate::{Intrinsics, LensModel};
+use crate::LensModel;
 
 /// The parts of a pixel in which the file counts.
 const PARTS: f64 = 64.0;
@@ -43,10 +48,7 @@ pub(super) fn decode(xml: &Xml) -> Result<CameraFile, CameraFileError> {
     let cameras = cameras.collect::<Result<Vec<_>, _>>()?;
     match cameras.is_empty() {
         false => Ok(CameraFile::new(cameras)),
-        true => Err(CameraFileError::Missing {
-            place: Place::on_line(xml.line(xml.root()), "camera"),
-            also: Vec::new(),
-        }),
+        true => Err(absent(Place::on_line(xml.line(xml.root()), "camera"))),
     }
 }
 
@@ -64,10 +66,7 @@ impl Part<'_, '_> {
     }
 
     fn missing(&self, name: &str) -> CameraFileError {
-        CameraFileError::Missing {
-            place: self.place(name),
-            also: Vec::new(),
-        }
+        absent(self.place(name))
     }
 
     fn child(self, name: &str) -> Option<Self> {
@@ -87,10 +86,7 @@ impl Part<'_, '_> {
         let line = place.line.unwrap_or(0);
         let number = text.trim().parse::<f64>();
         let value = number.map_err(|_| wrong_type(&place.key, line, "a number"))?;
-        match value.is_finite() {
-            true => Ok(value),
-            false => Err(CameraFileError::NotFinite { place, value }),
-        }
+        finite(|| place, value)
     }
 
     fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<[f64; N], CameraFileError> {
@@ -105,17 +101,16 @@ impl Part<'_, '_> {
         let inner = self.required("intrinsic")?;
         let focal = inner.numbers(["focalLengthU", "focalLengthV"])?;
         let principal = inner.numbers(["centerPointU", "centerPointV"])?;
-        let [focal, mut principal] = [focal, principal].map(|pair| pair.map(|x| x / PARTS));
+        let pictures = self.pictures()?;
+        let scale = pictures.scale / PARTS;
+        let corner = pictures.field.map_or([0.0; 2], |field| field.corner);
         // The principal point is that of the whole sensor, and pictures are a field of it.
-        let field = self.child("fov_video").or(self.child("fov_marker"));
-        let corner = field
-            .map(|field| field.numbers(["left", "top"]))
-            .transpose()?;
-        for (place, first) in principal.iter_mut().zip(corner.unwrap_or_default()) {
-            *place -= first;
-        }
-        let plain = Intrinsics::new(focal, principal);
-        let plain = plain.map_err(|error| refused(inner.place("focalLengthU"), error))?;
+        let principal = [0, 1].map(|k| {
+            let from_edge = scale * (principal[k] + 0.5 * PARTS);
+            from_edge - 0.5 - corner[k]
+        });
+        let place = || inner.place("focalLengthU");
+        let plain = pinhole(focal.map(|f| scale * f), principal, place)?;
         let [k1, k2, k3] = inner.numbers([
             "radialDistortion1",
             "radialDistortion2",
@@ -123,15 +118,15 @@ impl Part<'_, '_> {
         ])?;
         let [p1, p2] = inner.numbers(["tangentalDistortion1", "tangentalDistortion2"])?;
         let coefficients = [k1, k2, p1, p2, k3];
-        let (lens, _) = lens(&coefficients, Some(LensModel::RadialTangential))
-            .map_err(|error| refused(inner.place("radialDistortion1"), error))?;
+        let place = || inner.place("radialDistortion1");
+        let lens = stated_lens(&coefficients, LensModel::RadialTangential, place)?;
         let skew = match inner.element.has_attribute("skew") {
-            true => inner.number("skew")? / PARTS,
+            true => scale * inner.number("skew")?,
             false => 0.0,
         };
         let camera = NamedCamera::new(name, plain.with_lens(lens)).with_skew(skew);
         let pose = self.child("transform").map(Part::pose).transpose()?;
-        let size = field.map(Part::size).transpose()?;
+        let size = pictures.field.map(|field| field.size);
         Ok(camera.with_size(size).with_pose(pose))
     }
 
@@ -143,21 +138,96 @@ impl Part<'_, '_> {
         ];
         // Down and forwards, where the file has up and backwards.
         let rotation = [right, up.map(|x| -x), back.map(|x| -x)];
-        let rotor = nearest_rotor(rotation).map_err(|deviation| CameraFileError::Rotation {
-            place: self.place("r11"),
-            deviation,
-        })?;
+        let rotor = nearest_rotor(rotation, || self.place("r11"))?;
         let centre = self.numbers(["x", "y", "z"])?.map(|x| x * 1e-3);
         let along = rotor.transform(Point::from(centre)).coordinates();
         Ok(Translator::from_displacement(along.map(|x| -x)) * rotor)
     }
 
-    fn size(self) -> Result<[usize; 2], CameraFileError> {
+    /// What the pictures are of the sensor: the video's, or else those for markers.
+    fn pictures(self) -> Result<Pictures, CameraFileError> {
+        let field = |name| self.child(name).map(Self::field).transpose();
+        // Cameras for markers alone have no video, or one of a single pixel.
+        let video = field("fov_video")?.filter(|video| video.size != [1; 2]);
+        let Some(video) = video else {
+            return Ok(Pictures {
+                field: field("fov_marker")?,
+                scale: 1.0,
+            });
+        };
+        let sensor = field("fov_video_max")?.unwrap_or(video);
+        let whole = field("fov_marker_max")?.unwrap_or(sensor).size;
+        let scale = scale_between(whole, sensor.size);
+        let scale = scale.ok_or_else(|| CameraFileError::Sizes {
+            place: self.place("fov_video_max"),
+            found: sensor.size,
+            whole,
+        })?;
+        let Some(lines) = self.lines() else {
+            let field = Some(video);
+            return Ok(Pictures { field, scale });
+        };
+        // The fields may be those of all pixels, of which the video joins several to one.
+        let sides = sensor.size[0].min(sensor.size[1]);
+        let joined = (sides as f64 / lines as f64).round().max(1.0);
+        let is_whole = (sides as f64 / (joined * lines as f64) - 1.0).abs() < 0.03;
+        let size = video.size.map(|side| side as f64 / joined);
+        if !is_whole || size.iter().any(|side| side.fract() != 0.0) {
+            return Err(CameraFileError::Value {
+                place: self.place("video_resolution"),
+                expected: "the lines of fov_video_max, or a half or a third of them and so on",
+            });
+        }
+        Ok(Pictures {
+            field: Some(Field {
+                corner: video.corner.map(|first| first / joined),
+                size: size.map(|side| side as usize),
+            }),
+            scale: scale / joined,
+        })
+    }
+
+    /// The lines of the video, by a resolution such as `1080p`.
+    fn lines(&self) -> Option<usize> {
+        let text = self.element.attribute("video_resolution")?;
+        let lines = text.trim().strip_suffix('p')?.parse().ok();
+        lines.filter(|lines| *lines > 0)
+    }
+
+    fn field(self) -> Result<Field, CameraFileError> {
         let [left, top, right, bottom] = self.numbers(["left", "top", "right", "bottom"])?;
         let pixels = |name, value| pixels(self.place(name), value);
-        Ok([
-            pixels("right", right - left + 1.0)?,
-            pixels("bottom", bottom - top + 1.0)?,
-        ])
+        Ok(Field {
+            corner: [left, top],
+            size: [
+                pixels("right", right - left + 1.0)?,
+                pixels("bottom", bottom - top + 1.0)?,
+            ],
+        })
     }
+}
+
+/// Pixels of the sensor.
+#[derive(Clone, Copy)]
+struct Field {
+    /// The first column and the first row.
+    corner: [f64; 2],
+    size: [usize; 2],
+}
+
+/// What pictures are of the sensor, and how many of their pixels are one of the calibration.
+struct Pictures {
+    field: Option<Field>,
+    scale: f64,
+}
+
+/// How many pixels of one size are a pixel of another, where both are of the same sensor. Sizes of
+/// the sensor may differ by a row or a column that is not used.
+fn scale_between(from: [usize; 2], to: [usize; 2]) -> Option<f64> {
+    let differ = |k: usize| from[k].abs_diff(to[k]);
+    if differ(0) <= 1 && differ(1) <= 1 {
+        return Some(1.0);
+    }
+    let [wide, high] = [0, 1].map(|k| to[k] as f64 / from[k] as f64);
+    ((wide / high - 1.0).abs() < 0.01).then_some(0.5 * (wide + high))
 }

@@ -80,8 +80,8 @@ fn decode_with_format(
         match &mut file {
             Ok(file) => {
                 let cameras = file.cameras.iter_mut();
-                let unclear = cameras.filter_map(NamedCamera::unclear_lens_mut);
-                unclear.for_each(|place| lines.add_to(place));
+                let unstated = cameras.filter_map(NamedCamera::unstated_lens_mut);
+                unstated.for_each(|place| lines.add_to(place));
             }
             Err(error) => error
                 .place_mut()

@@ -50,12 +50,16 @@ pub(super) fn storage_of(
     for (k, side) in sides.iter().enumerate() {
         set_intrinsics(&mut storage, NAMES[k], side);
     }
-    let Some(pose) = pose else {
-        return Ok(storage);
-    };
-    let rotation = pose.rotor().to_matrix().into_iter().flatten().collect();
-    set(&mut storage, "R", [3, 3], rotation);
-    let translation = pose.translator().displacement().to_vec();
-    set(&mut storage, "T", [3, 1], translation);
+    if let Some(pose) = pose {
+        set_pose(&mut storage, pose);
+    }
     Ok(storage)
+}
+
+/// Stores rotation and translation.
+pub(super) fn set_pose(storage: &mut Storage, pose: Motor<f64>) {
+    let rotation = pose.rotor().to_matrix().into_iter().flatten().collect();
+    set(storage, "R", [3, 3], rotation);
+    let translation = pose.translator().displacement().to_vec();
+    set(storage, "T", [3, 1], translation);
 }

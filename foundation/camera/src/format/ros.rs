@@ -3,18 +3,25 @@
 //!
 //! K is `camera_matrix`, `K` or `k`, the distortion `distortion_coefficients`, `D` or `d`, the size
 //! `image_width` and `image_height`, or `width` and `height`. `distortion_model` is `plumb_bob` or
-//! `rational_polynomial`, or of a fisheye `equidistant`, `kannala_brandt` or `fisheye`. Messages
-//! about pictures that are parts of others or have fewer pixels are refused.
+//! `rational_polynomial`, or of a fisheye `equidistant`, `kannala_brandt` or `fisheye`; empty, it
+//! states none. Messages about pictures that are parts of others or have fewer pixels are refused.
+//!
+//! `R` and `P` of a message are those of its rectified pictures, and are ignored. With a
+//! translation beside them the values are those of [OpenCV](super::opencv), whose `R` and `T` are a
+//! pose.
 
 use super::camera::used_coefficients;
 use super::camera_file::{CameraFile, NamedCamera, SINGLE};
 use super::error::CameraFileError;
-use super::fields::{self, first, named_lens, size};
-use super::storage::{Storage, plain};
+use super::fields::{self, first, size};
+use super::lens_name::named_lens;
+use super::storage::{Storage, in_quotes, list};
 use crate::LensModel;
 
 const MATRIX: [&str; 3] = ["camera_matrix", "K", "k"];
 const DISTORTION: [&str; 3] = ["distortion_coefficients", "D", "d"];
+/// What a message does not have.
+const TRANSLATION: [&str; 4] = ["T", "t", "translation", "tvec"];
 const SIZES: [[&str; 2]; 2] = [["image_width", "image_height"], ["width", "height"]];
 
 /// Whether it is such a message.
@@ -22,6 +29,7 @@ pub(super) fn is_message(storage: &Storage) -> bool {
     storage.has("distortion_model")
         && first(storage, &MATRIX).is_some()
         && first(storage, &DISTORTION).is_some()
+        && first(storage, &TRANSLATION).is_none()
 }
 
 /// The camera of a message.
@@ -81,15 +89,12 @@ pub(super) fn encode(camera: &NamedCamera) -> Result<String, CameraFileError> {
             });
         }
     };
-    let [width, height] = camera.size.ok_or_else(|| CameraFileError::NoSize {
-        name: camera.name.clone(),
-    })?;
+    let [width, height] = camera.known_size()?;
     let k = intrinsics.to_matrix();
-    let name = serde_json::Value::from(camera.name.as_str());
+    let name = in_quotes(&camera.name);
     let matrix = |name: &str, columns: usize, values: Vec<f64>| {
         let rows = values.len() / columns;
-        let values: Vec<String> = values.into_iter().map(plain).collect();
-        let data = values.join(", ");
+        let data = list(&values, ", ");
         format!("{name}:\n  rows: {rows}\n  cols: {columns}\n  data: [{data}]\n")
     };
     let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];

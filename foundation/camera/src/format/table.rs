@@ -81,7 +81,7 @@ struct Description {
     encode: fn(&CameraFile) -> Result<Texts, CameraFileError>,
 }
 
-/// What OpenCV's files keep, and those of one camera without its pose.
+/// What OpenCV's files keep; those of one camera keep its pose in the world.
 const OF_RIG: Kept = Kept {
     cameras: Some(2),
     sizes: true,
@@ -381,6 +381,11 @@ impl Format {
         (self == Self::Colmap).then_some(&colmap::NAMES)
     }
 
+    /// Whether it is OpenCV's, in any syntax.
+    pub(super) fn is_opencv(self) -> bool {
+        matches!(self, Self::OpenCv | Self::OpenCvXml | Self::OpenCvJson)
+    }
+
     pub(super) fn kept(self) -> Kept {
         self.description().kept
     }
@@ -445,7 +450,13 @@ fn opencv_storage(cameras: &[NamedCamera]) -> Result<Storage, CameraFileError> {
             let size = left.size.filter(|size| right.size == Some(*size));
             rig::storage_of([left.intrinsics()?, right.intrinsics()?], pose, size)
         }
-        [only] => Ok(camera::storage(&only.intrinsics()?, only.size)),
+        [only] => {
+            let mut storage = camera::storage(&only.intrinsics()?, only.size);
+            if let Some(pose) = only.pose {
+                rig::set_pose(&mut storage, pose);
+            }
+            Ok(storage)
+        }
         _ => Ok(Storage::default()),
     }
 }

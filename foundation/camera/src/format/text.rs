@@ -2,13 +2,14 @@
 
 use super::error::CameraFileError;
 
-/// The text, without a byte order mark.
+/// The text, without a byte order mark. A null byte is in none, but in numbers and in UTF-16.
 pub(super) fn text(bytes: &[u8]) -> Result<&str, CameraFileError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        CameraFileError::NotText {
-            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-        }
-    })?;
+    let refuse = |end: usize| CameraFileError::NotText {
+        line: 1 + bytes[..end].iter().filter(|byte| **byte == b'\n').count(),
+    };
+    let text = std::str::from_utf8(bytes).map_err(|error| refuse(error.valid_up_to()))?;
+    if let Some(end) = bytes.iter().position(|byte| *byte == 0) {
+        return Err(refuse(end));
+    }
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }

@@ -82,13 +82,13 @@ pub fn encode_files(
     });
     Ok(Encoded {
         files: files.collect(),
-        omissions: omissions(format, cameras),
+        omissions: omissions(format, file),
     })
 }
 
 /// What a format cannot hold of cameras.
-fn omissions(format: Format, cameras: &[NamedCamera]) -> Vec<Omission> {
-    let kept = format.kept();
+fn omissions(format: Format, file: &CameraFile) -> Vec<Omission> {
+    let (kept, cameras) = (format.kept(), file.cameras.as_slice());
     let mut found = Vec::new();
     let mut add = |what, is_kept: bool, is_lost: &dyn Fn(&NamedCamera) -> bool| {
         let count = cameras.iter().filter(|camera| is_lost(camera)).count();
@@ -96,10 +96,7 @@ fn omissions(format: Format, cameras: &[NamedCamera]) -> Vec<Omission> {
             found.push(Omission { what, count });
         }
     };
-    let is_rig_file = matches!(
-        format,
-        Format::OpenCv | Format::OpenCvXml | Format::OpenCvJson | Format::Middlebury
-    );
+    let is_rig_file = format.is_opencv() || format == Format::Middlebury;
     let sizes: Vec<_> = cameras.iter().filter_map(|camera| camera.size).collect();
     let is_one_size = sizes.iter().all(|size| *size == sizes[0]) && sizes.len() == cameras.len();
     let are_projections = format == Format::Kitti && kitti::are_projections(cameras);
@@ -115,6 +112,7 @@ fn omissions(format: Format, cameras: &[NamedCamera]) -> Vec<Omission> {
     let all_have = cameras.iter().all(|camera| camera.pose.is_some());
     match kept.poses {
         Poses::World => {}
+        Poses::InFirst if format.is_opencv() && cameras.len() == 1 => {}
         Poses::InFirst if all_have && cameras.len() > 1 => {
             let moves = cameras.first().is_some_and(is_placed);
             add("places in the world", !moves, &|_| true);
@@ -140,6 +138,15 @@ fn omissions(format: Format, cameras: &[NamedCamera]) -> Vec<Omission> {
     add("least and greatest depths", kept.depths, &|camera| {
         camera.near.is_some() || camera.far.is_some()
     });
+    let is_middlebury = format == Format::Middlebury;
+    let rectified = file.rectified.filter(|_| !is_middlebury);
+    add(
+        "marks of rectified pictures",
+        rectified.is_none() || are_projections,
+        &|_| true,
+    );
+    let disparities = rectified.and_then(|rectified| rectified.disparities);
+    add("bounds of disparities", disparities.is_none(), &|_| true);
     found
 }
 

@@ -3,11 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod camera;
+mod colmap;
 mod format;
+mod format_faults;
 mod formats;
+mod lens_choice;
 mod lens_models;
 mod many_views;
 mod rig;
+mod storage;
 mod two_views;
 mod views;
 

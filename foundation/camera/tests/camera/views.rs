@@ -189,7 +189,7 @@ fn faults_name_the_view_and_the_key() {
     assert!(matches!(error, CameraFileError::Skew { skew: 1.5, .. }));
     let few = fault(&file(&pose, r#", "distortion": [0.1, 0.2, 0.3]"#));
     assert!(
-        few.starts_with("view 0: `camera`: 3 distortion coefficients"),
+        few.starts_with("view 0: `camera.distortion`: 3 distortion coefficients"),
         "{few}"
     );
 }

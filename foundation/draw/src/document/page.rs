@@ -26,6 +26,8 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
 #[derive(Clone, Debug)]
 pub struct Page {
     html: String,
+    /// The length of what stands before the first part.
+    begin: usize,
 }
 
 impl Page {
@@ -33,13 +35,13 @@ impl Page {
     #[must_use]
     pub fn new(title: &str) -> Self {
         let title = escaped(title);
-        Self {
-            html: format!(
-                "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
-                 <meta name=\"viewport\" content=\"width=device-width\"><title>{title}</title>\
-                 <style>{STYLE}</style></head><body>\n<h1>{title}</h1>\n"
-            ),
-        }
+        let html = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+             <meta name=\"viewport\" content=\"width=device-width\"><title>{title}</title>\
+             <style>{STYLE}</style></head><body>\n<h1>{title}</h1>\n"
+        );
+        let begin = html.len();
+        Self { html, begin }
     }
 
     /// A heading below those of [`heading`](Self::heading).
@@ -54,7 +56,14 @@ impl Page {
 
     /// A paragraph that is not overlooked.
     pub fn warning(&mut self, text: &str) {
-        self.add(format_args!("<p class=\"warning\">{}</p>\n", escaped(text)));
+        self.add(format_args!("{}", warning(text)));
+    }
+
+    /// The same below the heading of the page, before the parts that it has.
+    pub fn warning_first(&mut self, text: &str) {
+        let warning = warning(text);
+        self.html.insert_str(self.begin, &warning);
+        self.begin += warning.len();
     }
 
     /// A heading of a part.
@@ -177,6 +186,10 @@ impl Page {
         // Writing to a string does not fail.
         let _ = self.html.write_fmt(html);
     }
+}
+
+fn warning(text: &str) -> String {
+    format!("<p class=\"warning\">{}</p>\n", escaped(text))
 }
 
 /// A part as per cent, without the digits that only rounding makes.

@@ -40,7 +40,7 @@ impl CameraFiles {
         match (&self.rig, &self.views) {
             (Some(path), _) => of_rig(path, &self.chosen, joints.views().len()),
             (None, Some(path)) => {
-                self.chosen.refuse(
+                self.chosen.refuse_names(
                     "it chooses cameras of --rig; those of --views have the names of views",
                 )?;
                 let cameras = joints.match_cameras(&self.chosen.read_all(path)?.cameras);

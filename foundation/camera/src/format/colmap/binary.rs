@@ -1,6 +1,6 @@
 //! Models of COLMAP as binary files: numbers in the order of little-endian machines.
 
-use super::device::{Device, Shot};
+use super::device::{Device, Shot, distinct};
 use super::model;
 use super::text::pose;
 use crate::format::error::{CameraFileError, Place};
@@ -98,7 +98,7 @@ pub(super) fn devices(bytes: &[u8]) -> Result<Vec<Device>, CameraFileError> {
         let id = u32::from_le_bytes(bytes.take()?);
         let place = |name: &str| Place::on_line(0, format!("camera {id}: {name}"));
         let number = i32::from_le_bytes(bytes.take()?);
-        let model = model::find(None, number, place("MODEL"))?;
+        let model = model::find(None, number, || place("MODEL"))?;
         let size = [bytes.count()? as f64, bytes.count()? as f64];
         let size = [
             pixels(place("WIDTH"), size[0])?,
@@ -110,11 +110,12 @@ pub(super) fn devices(bytes: &[u8]) -> Result<Vec<Device>, CameraFileError> {
             id,
             size,
             intrinsics: model.intrinsics(&parameters, || place("PARAMS"))?,
+            line: 0,
         });
     }
     bytes.end()?;
     match devices.is_empty() {
-        false => Ok(devices),
+        false => distinct(devices),
         true => Err(bytes.refuse("there are no cameras")),
     }
 }

@@ -19,6 +19,7 @@ use device::{Device, Shot};
 
 use super::camera_file::{CameraFile, NamedCamera};
 use super::error::{CameraFileError, Place};
+use crate::LensModel;
 
 pub(super) use text::is_camera_line;
 
@@ -39,6 +40,14 @@ pub(super) fn encode(
         texts.push((NAMES[2], points.to_owned()));
     }
     Ok(texts)
+}
+
+/// The kind of lens that a model of a camera has by its name.
+pub(super) fn lens_of_model(
+    name: &str,
+    place: impl FnOnce() -> Place,
+) -> Result<LensModel, CameraFileError> {
+    Ok(model::find(Some(name), 0, place)?.lens)
 }
 
 /// Whether a text is that of cameras of a model.
@@ -62,54 +71,51 @@ pub(super) fn file_in(folder: &Path) -> Option<PathBuf> {
 
 /// The cameras of a text, or of bytes that are none, in a folder.
 pub(super) fn decode(bytes: &[u8], folder: &Path) -> Result<CameraFile, CameraFileError> {
-    Ok(CameraFile::new(match std::str::from_utf8(bytes) {
-        Ok(words) if !is_binary(bytes) => {
-            let devices = text::devices(words)?;
-            cameras(&devices, shots(folder, TEXT[1], text::shots)?, folder)?
-        }
-        _ => {
-            let devices = binary::devices(bytes)?;
-            cameras(&devices, shots(folder, BINARY[1], binary::shots)?, folder)?
-        }
-    }))
+    let (devices, name, decode): (_, _, DecodeShots) = match std::str::from_utf8(bytes) {
+        Ok(words) if !is_binary(bytes) => (text::devices(words)?, TEXT[1], text::shots),
+        _ => (binary::devices(bytes)?, BINARY[1], binary::shots),
+    };
+    let shots = shots(&folder.join(name), &devices, decode)?;
+    Ok(CameraFile::new(cameras(&devices, shots, folder)))
 }
 
-/// The images of a file in a folder; `None` where there is none.
-fn shots(
-    folder: &Path,
-    name: &'static str,
-    decode: fn(&[u8]) -> Result<Vec<Shot>, CameraFileError>,
-) -> Result<Option<Vec<Shot>>, CameraFileError> {
-    let path = folder.join(name);
+type DecodeShots = fn(&[u8]) -> Result<Vec<Shot>, CameraFileError>;
+
+/// The images of a file, each with its device; none where there is no such file.
+fn shots<'a>(
+    path: &Path,
+    devices: &'a [Device],
+    decode: DecodeShots,
+) -> Result<Vec<(Shot, &'a Device)>, CameraFileError> {
     if !path.is_file() {
-        return Ok(None);
+        return Ok(Vec::new());
     }
-    let found = ga_files::read(&path, decode);
-    found
-        .map(Some)
-        .map_err(|error| CameraFileError::Images(Box::new(error)))
-}
-
-fn cameras(
-    devices: &[Device],
-    shots: Option<Vec<Shot>>,
-    folder: &Path,
-) -> Result<Vec<NamedCamera>, CameraFileError> {
-    let named = |name: String, device: &Device| {
-        NamedCamera::new(name, device.intrinsics).with_size(Some(device.size))
-    };
-    let Some(shots) = shots.filter(|shots| !shots.is_empty()) else {
-        let all = devices.iter();
-        return Ok(all
-            .map(|device| named(device.id.to_string(), device))
-            .collect());
-    };
-    let cameras = shots.into_iter().map(|shot| {
+    let with_device = |shot: Shot| {
         let device = devices.iter().find(|device| device.id == shot.device);
         let device = device.ok_or_else(|| CameraFileError::Value {
             place: Place::on_line(shot.place, format!("{}: CAMERA_ID", shot.name)),
             expected: "the number of a camera of the model",
         })?;
+        Ok((shot, device))
+    };
+    let found = ga_files::read(path, |bytes| {
+        decode(bytes)?.into_iter().map(with_device).collect()
+    });
+    found.map_err(|error| CameraFileError::Images(Box::new(error)))
+}
+
+/// The cameras of the images, or, without any, the devices.
+fn cameras(devices: &[Device], shots: Vec<(Shot, &Device)>, folder: &Path) -> Vec<NamedCamera> {
+    let named = |name: String, device: &Device| {
+        NamedCamera::new(name, device.intrinsics).with_size(Some(device.size))
+    };
+    if shots.is_empty() {
+        let all = devices.iter();
+        return all
+            .map(|device| named(device.id.to_string(), device))
+            .collect();
+    }
+    let cameras = shots.into_iter().map(|(shot, device)| {
         let places = [
             folder.to_path_buf(),
             folder.join("images"),
@@ -120,7 +126,7 @@ fn cameras(
         let picture = pictures.into_iter().find(|path| path.is_file());
         let mut camera = named(shot.name, device).with_pose(Some(shot.pose));
         camera.picture = picture;
-        Ok(camera)
+        camera
     });
     cameras.collect()
 }

@@ -1,7 +1,8 @@
 //! The models of cameras in COLMAP.
 
 use crate::format::error::{CameraFileError, Place};
-use crate::format::fields::{lens, refused};
+use crate::format::fields::pinhole;
+use crate::format::lens::stated_lens;
 use crate::{Intrinsics, LensModel};
 
 /// The middle of the first pixel.
@@ -15,7 +16,7 @@ pub(super) struct Model {
     pub(super) parameters: usize,
     /// Whether there is one focal length for both directions.
     has_one_focal: bool,
-    lens: LensModel,
+    pub(super) lens: LensModel,
 }
 
 const fn model(
@@ -48,10 +49,16 @@ const MODELS: [Model; 9] = [
 ];
 
 /// Models that are known and not read.
-const OTHERS: [(&str, i32); 3] = [
+const OTHERS: [(&str, i32); 9] = [
     ("FOV", 7),
     ("THIN_PRISM_FISHEYE", 10),
     ("RAD_TAN_THIN_PRISM_FISHEYE", 11),
+    ("SIMPLE_DIVISION", 12),
+    ("DIVISION", 13),
+    ("SIMPLE_FISHEYE", 14),
+    ("FISHEYE", 15),
+    ("EUCM", 16),
+    ("EQUIRECTANGULAR", 17),
 ];
 
 /// Whether a word is the name of a model.
@@ -65,7 +72,7 @@ pub(super) fn is_name(word: &str) -> bool {
 pub(super) fn find(
     name: Option<&str>,
     number: i32,
-    place: Place,
+    place: impl FnOnce() -> Place,
 ) -> Result<Model, CameraFileError> {
     let fits = |other: &str, other_number| match name {
         Some(name) => name == other,
@@ -78,7 +85,7 @@ pub(super) fn find(
         let mut others = OTHERS.iter();
         let other = others.find(|(name, number)| fits(name, *number));
         CameraFileError::Model {
-            place,
+            place: place(),
             found: match (name, other) {
                 (Some(name), _) => name.into(),
                 (None, Some((name, _))) => (*name).into(),
@@ -96,7 +103,6 @@ impl Model {
         parameters: &[f64],
         place: impl Fn() -> Place,
     ) -> Result<Intrinsics, CameraFileError> {
-        let refuse = |error| refused(place(), error);
         let (focal, rest) = match (self.has_one_focal, parameters) {
             (true, [f, rest @ ..]) => ([*f, *f], rest),
             (false, [fx, fy, rest @ ..]) => ([*fx, *fy], rest),
@@ -111,9 +117,8 @@ impl Model {
             LensModel::RadialTangential | LensModel::Fisheye => 4,
         };
         coefficients.resize(coefficients.len().max(least), 0.0);
-        let plain = Intrinsics::new(focal, principal).map_err(refuse)?;
-        let (lens, _) = lens(&coefficients, Some(self.lens)).map_err(refuse)?;
-        Ok(plain.with_lens(lens))
+        let plain = pinhole(focal, principal, &place)?;
+        Ok(plain.with_lens(stated_lens(&coefficients, self.lens, place)?))
     }
 }
 

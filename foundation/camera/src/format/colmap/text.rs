@@ -5,12 +5,12 @@ use std::str::FromStr;
 
 use ga_runtime::cga3::{Motor, Rotor, Translator};
 
-use super::device::{Device, Shot};
+use super::device::{Device, Shot, distinct};
 use super::model;
 use crate::format::camera_file::NamedCamera;
-use crate::format::error::{CameraFileError, Place, wrong_type};
+use crate::format::error::{CameraFileError, Place, absent, finite, wrong_type};
 use crate::format::fields::pixels;
-use crate::format::storage::plain;
+use crate::format::storage::list;
 
 /// Whether a line is that of a camera: its number and the name of a model.
 pub(in crate::format) fn is_camera_line(line: &str) -> bool {
@@ -35,23 +35,15 @@ impl Words<'_> {
         key: &str,
         expected: &'static str,
     ) -> Result<T, CameraFileError> {
-        let word = self.words.next().ok_or_else(|| CameraFileError::Missing {
-            place: self.place(key),
-            also: Vec::new(),
-        })?;
+        let word = self.words.next();
+        let word = word.ok_or_else(|| absent(self.place(key)))?;
         word.parse()
             .map_err(|_| wrong_type(key, self.line, expected))
     }
 
     fn number(&mut self, key: &str) -> Result<f64, CameraFileError> {
         let value: f64 = self.next(key, "a number")?;
-        match value.is_finite() {
-            true => Ok(value),
-            false => Err(CameraFileError::NotFinite {
-                place: self.place(key),
-                value,
-            }),
-        }
+        finite(|| self.place(key), value)
     }
 }
 
@@ -73,7 +65,7 @@ pub(super) fn devices(text: &str) -> Result<Vec<Device>, CameraFileError> {
         };
         let id = words.next("CAMERA_ID", "a whole number")?;
         let name: String = words.next("MODEL", "a name")?;
-        let model = model::find(Some(&name), 0, words.place("MODEL"))?;
+        let model = model::find(Some(&name), 0, || words.place("MODEL"))?;
         let size = [words.number("WIDTH")?, words.number("HEIGHT")?];
         let size = [
             pixels(words.place("WIDTH"), size[0])?,
@@ -93,12 +85,14 @@ pub(super) fn devices(text: &str) -> Result<Vec<Device>, CameraFileError> {
             id,
             size,
             intrinsics,
+            line,
         })
     });
-    devices.collect()
+    distinct(devices.collect::<Result<_, _>>()?)
 }
 
-/// The images: each has two lines, of which the second, which may be empty, is ignored.
+/// The images: each has two lines, of which the second, which may be empty, has points of the
+/// picture, which are not used.
 pub(super) fn shots(bytes: &[u8]) -> Result<Vec<Shot>, CameraFileError> {
     let text = crate::format::text::text(bytes)?;
     let mut lines = lines(text);
@@ -126,14 +120,11 @@ pub(super) fn shots(bytes: &[u8]) -> Result<Vec<Shot>, CameraFileError> {
         let device = words.next("CAMERA_ID", "a whole number")?;
         let name: Vec<&str> = words.words.by_ref().collect();
         if name.is_empty() {
-            return Err(CameraFileError::Missing {
-                place: words.place("NAME"),
-                also: Vec::new(),
-            });
+            return Err(absent(words.place("NAME")));
         }
-        let pose = pose([w, x, y, z], along).ok_or_else(|| CameraFileError::Rotation {
+        let pose = pose([w, x, y, z], along).ok_or_else(|| CameraFileError::Value {
             place: words.place("QW"),
-            deviation: 1.0,
+            expected: "the first of four numbers of a quaternion that is not zero",
         })?;
         shots.push(Shot {
             device,
@@ -141,9 +132,26 @@ pub(super) fn shots(bytes: &[u8]) -> Result<Vec<Shot>, CameraFileError> {
             pose,
             place: line,
         });
-        lines.next();
+        if let Some((line, points)) = lines.next() {
+            check_points(line, points)?;
+        }
     }
     Ok(shots)
+}
+
+/// Checks that a line has three numbers for each point. An image whose line of points is left out
+/// would otherwise take the image after it for points.
+fn check_points(line: usize, text: &str) -> Result<(), CameraFileError> {
+    let numbers = text.split_whitespace().map(str::parse::<f64>);
+    let count = numbers.collect::<Result<Vec<_>, _>>().map(|all| all.len());
+    match count {
+        Ok(count) if count % 3 == 0 => Ok(()),
+        _ => Err(wrong_type(
+            "POINTS2D",
+            line,
+            "a list of points, which follows the line of an image and may be an empty line",
+        )),
+    }
 }
 
 /// The motor of a quaternion, which need not have the length 1, and a translation.
@@ -170,11 +178,8 @@ pub(in crate::format) fn encode_cameras(
             what: "the thin prism and the tilt of the lens",
             name: camera.name.clone(),
         })?;
-        let [width, height] = camera.size.ok_or_else(|| CameraFileError::NoSize {
-            name: camera.name.clone(),
-        })?;
-        let parameters: Vec<String> = parameters.into_iter().map(plain).collect();
-        let parameters = parameters.join(" ");
+        let [width, height] = camera.known_size()?;
+        let parameters = list(&parameters, " ");
         // Writing to a string does not fail.
         _ = writeln!(text, "{} {model} {width} {height} {parameters}", index + 1);
     }
@@ -187,10 +192,18 @@ pub(in crate::format) fn encode_images(cameras: &[NamedCamera]) -> Result<String
     text += "#   IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n";
     text += "#   POINTS2D[] as (X, Y, POINT3D_ID)\n";
     for (index, camera) in cameras.iter().enumerate() {
+        let words: Vec<&str> = camera.name.split_whitespace().collect();
+        if words.is_empty() || words.join(" ") != camera.name {
+            return Err(CameraFileError::CannotHold {
+                format: "COLMAP's model",
+                what: "a name that is empty or has other blanks than single spaces",
+                name: camera.name.clone(),
+            });
+        }
         let pose = camera.world_to_camera()?;
         let ([x, y, z], w) = pose.rotor().canonical().to_quaternion();
         let [a, b, c] = pose.translator().displacement();
-        let numbers = [w, x, y, z, a, b, c].map(plain).join(" ");
+        let numbers = list(&[w, x, y, z, a, b, c], " ");
         let number = index + 1;
         // Writing to a string does not fail.
         _ = writeln!(text, "{number} {numbers} {number} {}\n", camera.name);

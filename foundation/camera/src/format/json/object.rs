@@ -3,11 +3,12 @@
 use ga_runtime::cga3::Rotor;
 use serde_json::{Map, Value};
 
+use crate::LensModel;
 use crate::format::camera_file::NamedCamera;
-use crate::format::error::{CameraFileError, Place};
-use crate::format::fields::lens;
+use crate::format::error::{CameraFileError, Place, absent};
+use crate::format::fields::pinhole;
+use crate::format::lens::lens;
 use crate::format::rotation::{ROTATION_TOLERANCE, nearest_rotor};
-use crate::{CameraError, Intrinsics, LensModel};
 
 /// The keys of a pose.
 pub(super) const POSE: [&str; 3] = ["rotation", "quaternion_wxyz", "translation"];
@@ -84,10 +85,7 @@ impl<'a> Object<'a> {
     }
 
     pub(super) fn missing(&self, key: &str) -> CameraFileError {
-        CameraFileError::Missing {
-            place: self.place(key),
-            also: Vec::new(),
-        }
+        absent(self.place(key))
     }
 
     pub(super) fn of_type(&self, key: &str, expected: &'static str) -> CameraFileError {
@@ -143,7 +141,7 @@ impl<'a> Object<'a> {
         for (to, row) in matrix.iter_mut().zip(rows) {
             *to = self.numbers(key, row, expected)?;
         }
-        nearest_rotor(matrix).map_err(|deviation| self.no_rotation(key, deviation))
+        nearest_rotor(matrix, || self.place(key))
     }
 
     pub(super) fn quaternion(
@@ -168,13 +166,9 @@ impl<'a> Object<'a> {
 
     /// What the keys of a camera say but for its pose.
     pub(super) fn camera(&self, name: &str) -> Result<NamedCamera, CameraFileError> {
-        let refuse = |error: CameraError| CameraFileError::Camera {
-            place: self.whole(),
-            error: Box::new(error),
-        };
         let focal = [self.number("fx")?, self.number("fy")?];
         let principal = [self.number("cx")?, self.number("cy")?];
-        let plain = Intrinsics::new(focal, principal).map_err(refuse)?;
+        let plain = pinhole(focal, principal, || self.whole())?;
         let optional = |key: &str| {
             let given = self.fields.contains_key(key);
             given.then(|| self.number(key)).transpose()
@@ -196,9 +190,9 @@ impl<'a> Object<'a> {
         if named == Some(LensModel::Pinhole) && !values.is_empty() {
             return Err(self.of_type("distortion", "empty, which the lens \"pinhole\" needs"));
         }
-        let (lens, is_unclear) = lens(&values, named).map_err(refuse)?;
+        let (lens, unstated) = lens(&values, named, || self.place("distortion"))?;
         let mut camera = NamedCamera::new(name, plain.with_lens(lens)).with_skew(skew);
-        camera = camera.with_unclear_lens(is_unclear.then(|| self.place("distortion")));
+        camera = camera.with_unstated_lens(unstated);
         camera.size = Some([self.pixels("width")?, self.pixels("height")?]);
         camera.near = optional("near")?;
         camera.far = optional("far")?;

@@ -83,9 +83,7 @@ fn text(value: &impl Serialize) -> Result<String, CameraFileError> {
 impl Camera {
     fn new(camera: &NamedCamera) -> Result<Self, CameraFileError> {
         let (intrinsics, skew) = camera.intrinsics_and_skew()?;
-        let [width, height] = camera.size.ok_or_else(|| CameraFileError::NoSize {
-            name: camera.name.clone(),
-        })?;
+        let [width, height] = camera.known_size()?;
         let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
         let lens = intrinsics.lens();
         Ok(Self {

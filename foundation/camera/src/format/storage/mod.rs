@@ -34,7 +34,8 @@ mod yaml;
 
 pub use matrix::Matrix;
 
-pub(super) use number::plain;
+pub(super) use number::list;
+pub(super) use yaml::in_quotes;
 
 use std::collections::HashSet;
 

@@ -32,3 +32,9 @@ pub(in crate::format) fn plain(value: f64) -> String {
     };
     format!("{mantissa}{point}e{sign}{digits:0>2}")
 }
+
+/// Such numbers behind each other.
+pub(in crate::format) fn list(values: &[f64], separator: &str) -> String {
+    let values: Vec<String> = values.iter().map(|value| plain(*value)).collect();
+    values.join(separator)
+}

@@ -129,7 +129,8 @@ fn quoted(value: &str) -> String {
     in_quotes(value)
 }
 
-fn in_quotes(value: &str) -> String {
+/// A text in double quotes, as YAML, TOML and JSON read it.
+pub(in crate::format) fn in_quotes(value: &str) -> String {
     let mut text = String::from("\"");
     for c in value.chars() {
         match c {
