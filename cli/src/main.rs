@@ -14,6 +14,7 @@ mod interruption;
 mod mesh_file;
 mod motion_file;
 mod output;
+mod picture_file;
 mod pipeline;
 mod reading;
 mod report;

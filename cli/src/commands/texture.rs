@@ -13,8 +13,7 @@ use crate::camera_file::{LensChoice, about};
 use crate::files::expanded;
 use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context, Warning};
-use crate::mesh_file;
-use crate::output;
+use crate::{mesh_file, output, picture_file};
 
 /// Texture a mesh from pictures whose cameras are known.
 ///
@@ -164,7 +163,7 @@ fn read_views(path: &Path, pictures: &[PathBuf], lens: LensChoice) -> Result<Vec
         })?;
         let camera = named.camera().map_err(|error| about(path, error))?;
         let name = picture.display().to_string();
-        let view = View::new(name, camera, named.size, &ga_image::file::read(picture)?);
+        let view = View::new(name, camera, named.size, &picture_file::read(picture)?);
         view.with_context(|| shown.to_string())
     };
     cameras.iter().map(view).collect()

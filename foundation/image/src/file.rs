@@ -8,14 +8,18 @@ use ga_files::ReadError;
 
 pub use crate::format::Format;
 pub use crate::format_error::FormatError;
+pub use crate::oriented::Oriented;
 pub use crate::save::FileError;
 
 use crate::picture::{Picture, PictureView};
 use crate::save::save;
-use crate::{jpeg, pfm, png, pnm, y4m};
+use crate::{decoder, jpeg, pfm, png, pnm, y4m};
 
 /// Reads a picture; its format is known by its contents, whatever the name of the file. Of an
-/// animation or a film it is the first frame.
+/// animation or a film it is the first frame, of a TIFF file the first picture.
+///
+/// The picture is upright: the orientation that the file notes is applied; [`read_oriented`] says
+/// which one.
 ///
 /// ```
 /// use ga_image::file;
@@ -40,16 +44,25 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<FormatError>> {
     ga_files::read(path, decode)
 }
 
+/// As [`read`], with the orientation that was applied, for what measures in pictures: a camera's
+/// parameters are for the pixels of its sensor, and hold for a picture in the same orientation only.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_oriented(path: impl AsRef<Path>) -> Result<Oriented, ReadError<FormatError>> {
+    ga_files::read(path, decode_oriented)
+}
+
 /// The format of a file by its beginning; `None` where it is of no known one.
 ///
 /// # Errors
 ///
 /// The file cannot be read.
 pub fn detect(path: impl AsRef<Path>) -> io::Result<Option<Format>> {
-    const LONGEST_SIGNATURE: u64 = 16;
     let mut start = Vec::new();
     File::open(path)?
-        .take(LONGEST_SIGNATURE)
+        .take(Format::SIGNATURE as u64)
         .read_to_end(&mut start)?;
     Ok(Format::detect(&start))
 }
@@ -60,12 +73,25 @@ pub fn detect(path: impl AsRef<Path>) -> io::Result<Option<Format>> {
 ///
 /// Any [`FormatError`].
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
+    Ok(decode_oriented(bytes)?.picture)
+}
+
+/// The picture in the bytes of a file of any known format, and the orientation that was applied;
+/// see [`read_oriented`].
+///
+/// # Errors
+///
+/// Any [`FormatError`].
+pub fn decode_oriented(bytes: &[u8]) -> Result<Oriented, FormatError> {
     match Format::detect(bytes) {
-        Some(Format::Png) => png::decode(bytes),
-        Some(Format::Jpeg) => jpeg::decode(bytes),
-        Some(Format::Pnm) => pnm::decode(bytes),
-        Some(Format::Pfm) => pfm::decode(bytes),
-        Some(Format::Y4m) => y4m::decode_first(bytes),
+        Some(Format::Png) => png::decode_oriented(bytes),
+        Some(Format::Jpeg) => jpeg::decode_oriented(bytes),
+        Some(format @ (Format::Tiff | Format::Bmp | Format::WebP)) => {
+            decoder::decode(format, bytes)
+        }
+        Some(Format::Pnm) => pnm::decode(bytes).map(Oriented::upright),
+        Some(Format::Pfm) => pfm::decode(bytes).map(Oriented::upright),
+        Some(Format::Y4m) => y4m::decode_first(bytes).map(Oriented::upright),
         None => Err(FormatError::UnknownFormat {
             start: bytes[..bytes.len().min(8)].to_vec(),
         }),

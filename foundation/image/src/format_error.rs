@@ -10,7 +10,8 @@ use crate::format::Format;
 pub enum FormatError {
     /// The first bytes are not those of any known format.
     #[error(
-        "not a picture of a known format (PNG, JPEG, PGM, PPM, PFM, Y4M): it begins with {start:02x?}"
+        "not a picture of a known format ({}): it begins with {start:02x?}",
+        Format::names()
     )]
     UnknownFormat {
         /// The first bytes, at most eight.
@@ -37,6 +38,20 @@ pub enum FormatError {
         height: usize,
         /// The length of the file.
         length: usize,
+    },
+    /// The pixels would take more memory than is allowed.
+    #[error(
+        "{format}: the header claims {width} × {height} pixels, which take more than {most} bytes"
+    )]
+    TooLarge {
+        /// The format.
+        format: Format,
+        /// Columns as stated.
+        width: usize,
+        /// Rows as stated.
+        height: usize,
+        /// The greatest number of bytes that is allowed.
+        most: u64,
     },
     /// What follows the header is not as long as the size that it states.
     #[error(
@@ -69,6 +84,14 @@ pub enum FormatError {
     /// The JPEG decoder refused the bytes.
     #[error("JPEG: {0:?}")]
     JpegDecode(#[from] zune_jpeg::errors::DecodeErrors),
+    /// The decoder of a TIFF, BMP or WebP file refused the bytes.
+    #[error("{format}: {problem}")]
+    Decode {
+        /// The format.
+        format: Format,
+        /// What is wrong.
+        problem: image::ImageError,
+    },
     /// The format has no such pixels.
     #[error("{format} cannot hold {kind}")]
     Kind {

@@ -9,6 +9,7 @@ use zune_jpeg::JpegDecoder;
 
 use crate::format::Format;
 use crate::format_error::FormatError;
+use crate::oriented::Oriented;
 use crate::picture::Picture;
 use crate::plane::{Plane, PlaneView};
 use crate::size::{check_claim, size_for};
@@ -18,14 +19,19 @@ use crate::size::{check_claim, size_for};
 const PIXELS_FROM_ONE_BYTE: f64 = 512.0;
 
 /// The picture in the bytes of a JPEG file, baseline or progressive: grey where it has one
-/// component, else red, green and blue. The orientation that a camera noted is not applied, nor are
-/// colour profiles.
+/// component, else red, green and blue. The orientation that its Exif metadata note is applied;
+/// colour profiles are not.
 ///
 /// # Errors
 ///
 /// [`FormatError::JpegDecode`] with what is wrong, and [`FormatError::Claim`] when the header
 /// states more pixels than the bytes can hold.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
+    Ok(decode_oriented(bytes)?.picture)
+}
+
+/// The picture, and the orientation that was applied.
+pub(crate) fn decode_oriented(bytes: &[u8]) -> Result<Oriented, FormatError> {
     let options = DecoderOptions::new_safe()
         .set_strict_mode(true)
         .set_max_width(usize::from(u16::MAX))
@@ -58,11 +64,15 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     } else {
         Plane::from_values(width, height, data.as_chunks::<3>().0.to_vec()).map(Picture::from)
     };
-    picture.map_err(|_| FormatError::Syntax {
+    let picture = picture.map_err(|_| FormatError::Syntax {
         format: Format::Jpeg,
         offset: 0,
         problem: "the decoded pixels do not fill the picture",
-    })
+    })?;
+    Ok(Oriented::by_exif(
+        picture,
+        headers.exif().map(Vec::as_slice),
+    ))
 }
 
 /// The bytes of a baseline JPEG file. The quality, from 1 to 100, is that of the tables of the

@@ -3,7 +3,8 @@
 //! - [`plane`]: grids of pixels, owned and borrowed; [`sample`]: what a pixel may be.
 //! - [`picture`]: pictures whose kind of pixel is known only at run time.
 //! - [`file`](mod@file): reading and writing pictures of any known format; [`png`], [`jpeg`],
-//!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers.
+//!   [`pnm`], [`pfm`] and [`y4m`]: each format with all that it offers; [`orientation`]: which side
+//!   of a picture is up.
 //! - [`film`]: films that are written while their pictures are made.
 //! - [`colour`]: linear light and its encoding as 8-bit sRGB; [`grey`](mod@grey): from colour to
 //!   grey; [`ycbcr`]: the encoding of video.
@@ -35,6 +36,7 @@
 
 pub mod canny;
 pub mod colour;
+mod decoder;
 pub mod file;
 pub mod film;
 pub mod filter;
@@ -45,6 +47,8 @@ mod header;
 pub mod interpolation;
 pub mod jpeg;
 mod luma;
+pub mod orientation;
+mod oriented;
 pub mod pfm;
 pub mod picture;
 pub mod plane;

@@ -9,7 +9,7 @@ use crate::header::Header;
 use crate::picture::{Picture, PictureView};
 use crate::plane::{Plane, PlaneView};
 use crate::png::{big_endian, bytes_of};
-use crate::sample::{Pixel, Sample};
+use crate::sample::{Pixel, Sample, spread_to_16_bits};
 use crate::save::{FileError, save};
 use crate::size::{check_claim, size_for};
 
@@ -167,8 +167,7 @@ impl Stored for u16 {
     }
 
     fn scaled(value: u16, white: u16) -> Self {
-        // At most 65535² + 32767, which is less than 2³².
-        ((u32::from(value) * 65535 + u32::from(white) / 2) / u32::from(white)) as Self
+        spread_to_16_bits(value, white)
     }
 }
 

@@ -40,6 +40,29 @@ pub trait Sample: Copy + Debug + Default + PartialEq + PartialOrd + Send + Sync 
         Self::from_f32(value * Self::WHITE)
     }
 
+    /// The number where white is 255: that of a picture of 8 bits, with the fraction that other
+    /// types keep. Thresholds of levels are meant for it.
+    ///
+    /// ```
+    /// use ga_image::sample::Sample;
+    ///
+    /// assert_eq!((7u8.to_level(), (7 * 257u16).to_level()), (7.0, 7.0));
+    /// assert_eq!(0.5f32.to_level(), 127.5);
+    /// ```
+    #[must_use]
+    #[inline]
+    fn to_level(self) -> f32 {
+        // 255 and 65535 are multiples of 255.
+        self.to_f32() / (Self::WHITE / 255.0)
+    }
+
+    /// The nearest number with 16 bits.
+    #[doc(hidden)]
+    #[must_use]
+    fn to_u16(self) -> u16 {
+        u16::from_unit(self.to_unit())
+    }
+
     /// The grey of a colour; see [`Luma::of`].
     #[doc(hidden)]
     #[must_use]
@@ -98,6 +121,12 @@ macro_rules! integer_samples {
 integer_samples! {
     u8 {
         #[inline]
+        fn to_u16(self) -> u16 {
+            // 65535 is 255 · 257.
+            u16::from(self) * 257
+        }
+
+        #[inline]
         fn luma(rgb: [Self; 3], luma: Luma) -> Self {
             weighted_bytes(rgb, luma)
         }
@@ -107,11 +136,27 @@ integer_samples! {
             squared_error_of_bytes(a, b)
         }
     }
-    u16 {}
+    u16 {
+        #[inline]
+        fn to_u16(self) -> u16 {
+            self
+        }
+    }
+}
+
+/// A number of which `white` is the greatest, as one of 16 bits, rounded.
+pub(crate) fn spread_to_16_bits(value: u16, white: u16) -> u16 {
+    // At most 65535² + 32767, which is less than 2³².
+    ((u32::from(value) * 65535 + u32::from(white) / 2) / u32::from(white)) as u16
 }
 
 impl Sample for f32 {
     const WHITE: f32 = 1.0;
+
+    #[inline]
+    fn to_level(self) -> f32 {
+        self * 255.0
+    }
 
     #[inline]
     fn to_f32(self) -> f32 {

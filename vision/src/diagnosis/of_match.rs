@@ -1,6 +1,7 @@
 //! Why two views were matched badly as a whole.
 
 use ga_image::plane::Plane;
+use ga_image::sample::{Pixel, Sample};
 use ga_numerics::order_statistics::Sorted;
 
 use super::{Diagnosis, DiagnosisFault, DiagnosisOptions};
@@ -108,8 +109,8 @@ impl MatchFault {
 /// # Ok::<(), ga_vision::disparity::StereoError>(())
 /// ```
 #[must_use]
-pub fn faults_of_match(
-    [left, right]: [&Plane<u8>; 2],
+pub fn faults_of_match<T: Sample + Pixel>(
+    [left, right]: [&Plane<T>; 2],
     found: &Match,
     range: [i32; 2],
 ) -> Vec<MatchFault> {

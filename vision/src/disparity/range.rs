@@ -3,6 +3,7 @@
 use ga_image::plane::Plane;
 use ga_image::pyramid::halved;
 use ga_image::resample::{Method, resize};
+use ga_image::sample::{Pixel, Sample};
 use ga_numerics::order_statistics::Sorted;
 
 use super::error::StereoError;
@@ -67,7 +68,11 @@ impl DisparityRange {
     /// # Errors
     ///
     /// [`StereoError::FewPoints`] for fewer than 20 of them, and those of [`Matcher`].
-    pub fn of(left: &Plane<u8>, right: &Plane<u8>, threads: usize) -> Result<Self, StereoError> {
+    pub fn of<T: Sample + Pixel>(
+        left: &Plane<T>,
+        right: &Plane<T>,
+        threads: usize,
+    ) -> Result<Self, StereoError> {
         let mut disparities = along_rows(&points_of_both(left, right));
         let points = disparities.len();
         let sorted = Sorted::new(&mut disparities).filter(|_| points >= LEAST_POINTS);
@@ -101,9 +106,9 @@ impl DisparityRange {
 
 /// The disparities in pixels of what is matched with at least this confidence at a small size,
 /// within a range for views of this width; and how many pixels one of that size is wide.
-pub(crate) fn clear_disparities(
-    left: &Plane<u8>,
-    right: &Plane<u8>,
+pub(crate) fn clear_disparities<T: Sample + Pixel>(
+    left: &Plane<T>,
+    right: &Plane<T>,
     confidence: f32,
     threads: usize,
     range: impl Fn(f64) -> [f64; 2],
@@ -136,13 +141,16 @@ pub(crate) fn clear_disparities(
 
 /// Points that two views show. Small views have few corners; they are looked at in twice their
 /// size.
-pub(crate) fn points_of_both(left: &Plane<u8>, right: &Plane<u8>) -> Vec<PixelPair> {
+pub(crate) fn points_of_both<T: Sample + Pixel>(
+    left: &Plane<T>,
+    right: &Plane<T>,
+) -> Vec<PixelPair> {
     let options = ViewOptions::default();
     let pairs = match_views(left, right, &options);
     if pairs.len() >= ENOUGH_POINTS || left.width().max(left.height()) > SMALL {
         return pairs;
     }
-    let doubled = |view: &Plane<u8>| {
+    let doubled = |view: &Plane<T>| {
         resize(view, 2 * view.width(), 2 * view.height(), Method::Bilinear).unwrap_or_default()
     };
     let mut more = match_views(&doubled(left), &doubled(right), &options);

@@ -14,6 +14,7 @@ mod point;
 mod scale;
 
 use ga_image::plane::PlaneView;
+use ga_image::sample::Sample;
 
 pub use alignment::PixelPair;
 pub use descriptor::Descriptor;
@@ -57,7 +58,7 @@ pub struct ViewOptions {
     pub matching: MatchOptions,
 }
 
-/// The features of a grey view, by scale and in each by rows. None for a view that is too small.
+/// The features of a grey view of any depth, by scale and in each by rows. None for a view that is too small.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -73,7 +74,10 @@ pub struct ViewOptions {
 /// assert!((u - 59.5).abs() < 1.5 && (v - 59.5).abs() < 1.5);
 /// ```
 #[must_use]
-pub fn detect<'a>(view: impl Into<PlaneView<'a, u8>>, options: &DetectOptions) -> Vec<Feature> {
+pub fn detect<'a, T: Sample>(
+    view: impl Into<PlaneView<'a, T>>,
+    options: &DetectOptions,
+) -> Vec<Feature> {
     let scales = scale::scales(view.into(), options.scales);
     detect_in(&scales, options)
 }
@@ -128,9 +132,9 @@ fn detect_in(scales: &[Scale], options: &DetectOptions) -> Vec<Feature> {
 /// assert!(10 * right_ones.count() > 9 * pairs.len());
 /// ```
 #[must_use]
-pub fn match_views<'a, 'b>(
-    left: impl Into<PlaneView<'a, u8>>,
-    right: impl Into<PlaneView<'b, u8>>,
+pub fn match_views<'a, 'b, T: Sample, U: Sample>(
+    left: impl Into<PlaneView<'a, T>>,
+    right: impl Into<PlaneView<'b, U>>,
     options: &ViewOptions,
 ) -> Vec<PixelPair> {
     let left_scales = scale::scales(left.into(), options.detect.scales);

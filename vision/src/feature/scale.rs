@@ -4,6 +4,7 @@ use ga_image::filter::{Border, Gaussian};
 use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::Pyramid;
 use ga_image::resample::{Method, resize};
+use ga_image::sample::Sample;
 
 /// A view with a side below this number of pixels has no features: there is no room for their
 /// surroundings.
@@ -44,8 +45,8 @@ impl Scale {
 
 /// A view in sizes that fall by √2: it is halved again and again, and so is a copy of it that is
 /// smaller by √2.
-pub(super) fn scales(view: PlaneView<'_, u8>, count: usize) -> Vec<Scale> {
-    let picture = view.map(f32::from);
+pub(super) fn scales<T: Sample>(view: PlaneView<'_, T>, count: usize) -> Vec<Scale> {
+    let picture = view.map(Sample::to_level);
     let (width, height) = (picture.width(), picture.height());
     if width.min(height) < LEAST_SIDE {
         return Vec::new();

@@ -36,16 +36,30 @@ impl Features {
     /// bits are those of the neighbours before mirroring, and so is the sign of the slope.
     #[inline(always)]
     pub(super) fn compute(&mut self, view: &View, row: usize) {
-        let width = view.width();
         let row = row.cast_signed();
+        match view.is_fine() {
+            true => self.compute_census(view, |dy| view.padded_fine(row + dy)),
+            false => self.compute_census(view, |dy| view.padded(row + dy)),
+        }
+        self.compute_slopes(view, row);
+    }
+
+    /// The census of a row from the lines around it, by their distance from it.
+    #[inline(always)]
+    fn compute_census<'a, T: Copy + PartialOrd + 'a>(
+        &mut self,
+        view: &View,
+        lines: impl Fn(isize) -> &'a [T],
+    ) {
+        let width = view.width();
         let sign = if view.is_mirrored() { -1 } else { 1 };
-        let centre = &view.padded(row)[MARGIN..][..width];
+        let centre = &lines(0)[MARGIN..][..width];
         let mut bit = 0;
         for plane in &mut self.census {
             plane[..width].fill(0);
         }
         for dy in -REACH[1]..=REACH[1] {
-            let line = view.padded(row + dy);
+            let line = lines(dy);
             for dx in -REACH[0]..=REACH[0] {
                 if (dx, dy) == (0, 0) {
                     continue;
@@ -60,7 +74,6 @@ impl Features {
                 bit += 1;
             }
         }
-        self.compute_slopes(view, row);
     }
 
     /// The levels and slopes of a row.
@@ -84,10 +97,21 @@ impl Features {
 /// Whether two pixels of a row have the same census.
 pub(super) fn is_same_census(view: &View, row: usize, columns: [usize; 2]) -> bool {
     let row = row.cast_signed();
-    let centre = view.padded(row);
+    match view.is_fine() {
+        true => has_same_signs(columns, |dy| view.padded_fine(row + dy)),
+        false => has_same_signs(columns, |dy| view.padded(row + dy)),
+    }
+}
+
+#[inline(always)]
+fn has_same_signs<'a, T: Copy + PartialOrd + 'a>(
+    columns: [usize; 2],
+    lines: impl Fn(isize) -> &'a [T],
+) -> bool {
+    let centre = lines(0);
     // From the middle outwards: rows near it differ first.
     [0, -1, 1, -2, 2, -3, 3].into_iter().all(|dy| {
-        let line = view.padded(row + dy);
+        let line = lines(dy);
         let [a, b] = columns.map(|column| {
             let level = centre[column + MARGIN];
             let start = column + MARGIN - REACH[0].unsigned_abs();
@@ -111,10 +135,10 @@ mod tests {
     #[test]
     fn a_ramp_has_its_left_half_darker() {
         let plane = Plane::from_fn(20, 9, |column, _| (2 * column) as u8);
-        let identity = std::array::from_fn(|level| level as u8);
+        let identity = |level: u8| level;
         for mirrored in [false, true] {
             let mut view = View::new(20, 9, mirrored);
-            view.fill(plane.view(), &identity, 0);
+            view.fill(plane.view(), identity, 0);
             let mut features = Features::new(20, 32);
             features.compute(&view, 4);
             let column = if mirrored { 19 - 10 } else { 10 };

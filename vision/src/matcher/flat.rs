@@ -102,7 +102,7 @@ mod tests {
         };
         let plane = Plane::from_fn(170, 50, level);
         let mut view = View::new(170, 50, false);
-        view.fill(plane.view(), &std::array::from_fn(|level| level as u8), 0);
+        view.fill(plane.view(), |level| level, 0);
         let mut confidence = vec![9; 170 * 50];
         let textured = doubt(&view, &mut confidence);
         let doubted = |left: usize| {

@@ -2,7 +2,9 @@
 //!
 //! Cui's §2.1.2 and §2.1.4 need depth at every pixel. The steps are:
 //!
-//! 1. The right view is brought to the exposure of the left, where they differ much.
+//! 1. The right view is brought to the exposure of the left, where they differ much. Views of more
+//!    than 8 bits are brought to levels of 8 bits, spread where their contrast is small; the census
+//!    compares the numbers themselves.
 //! 2. The census transform, the level and the slope of each pixel are compared with those of its
 //!    candidates in the same row of the other view (Zabih and Woodfill 1994).
 //! 3. The costs are averaged over the region that the arms of a pixel span, on which levels are
@@ -64,6 +66,7 @@ mod view;
 mod winner;
 
 use ga_image::plane::{Plane, PlaneView};
+use ga_image::sample::Sample;
 use rayon::{ThreadPool, ThreadPoolBuilder, join};
 
 use crate::disparity::{DisparityMap, StereoError};
@@ -270,18 +273,19 @@ impl Matcher {
         self.options
     }
 
-    /// The disparities of a rectified pair in grey.
+    /// The disparities of a rectified pair in grey of any depth, whose numbers are compared to
+    /// 16 bits.
     ///
     /// # Errors
     ///
     /// [`StereoError::Views`] or [`StereoError::Size`].
-    pub fn run<'a>(
+    pub fn run<'a, T: Sample>(
         &mut self,
-        left: impl Into<PlaneView<'a, u8>>,
-        right: impl Into<PlaneView<'a, u8>>,
+        left: impl Into<PlaneView<'a, T>>,
+        right: impl Into<PlaneView<'a, T>>,
     ) -> Result<Match, StereoError> {
         let (left, right) = (left.into(), right.into());
-        let size = |view: PlaneView<'_, u8>| [view.width(), view.height()];
+        let size = |view: PlaneView<'_, T>| [view.width(), view.height()];
         if size(left) != size(right) {
             return Err(StereoError::Views {
                 left: size(left),

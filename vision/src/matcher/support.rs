@@ -206,7 +206,7 @@ mod tests {
             (40 * (column / 30 + row / 11) + hash / 24) as u8
         });
         let mut view = View::new(width, height, false);
-        view.fill(plane.view(), &std::array::from_fn(|level| level as u8), 0);
+        view.fill(plane.view(), |level| level, 0);
         view
     }
 

@@ -304,7 +304,7 @@ mod tests {
 
     fn view(plane: &Plane<u8>, mirrored: bool) -> View {
         let mut view = View::new(plane.width(), plane.height(), mirrored);
-        view.fill(plane.view(), &std::array::from_fn(|level| level as u8), 0);
+        view.fill(plane.view(), |level| level, 0);
         view
     }
 

@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use ga_image::plane::PlaneView;
+use ga_image::sample::Sample;
 use rayon::join;
 
 /// The columns of margin on either side of a row, in which its outermost pixel is repeated.
@@ -14,36 +15,137 @@ pub(super) const MARGIN: usize = 4;
 /// mirrored right view has the same relation to the left view as the left view to it.
 #[derive(Clone, Debug)]
 pub(super) struct View {
+    frame: Frame,
+    levels: Vec<u8>,
+    /// The numbers that the levels are rounded from; nothing where they tell no more than these.
+    fine: Vec<u16>,
+    /// The standard deviation of their noise, in levels.
+    fine_noise: f32,
+}
+
+/// Where the pixels of a view are.
+#[derive(Clone, Debug)]
+struct Frame {
     width: usize,
     height: usize,
     mirrored: bool,
     /// The columns that show something; others repeat the nearest of these.
     seen: Range<usize>,
-    levels: Vec<u8>,
 }
 
 impl View {
     pub(super) fn new(width: usize, height: usize, mirrored: bool) -> Self {
         Self {
-            width,
-            height,
-            mirrored,
-            seen: 0..width,
+            frame: Frame {
+                width,
+                height,
+                mirrored,
+                seen: 0..width,
+            },
             levels: vec![0; (width + 2 * MARGIN) * height],
+            fine: Vec::new(),
+            fine_noise: 0.0,
         }
     }
 
-    /// Takes the pixels of a plane of this size, each changed by a table and moved to the right by
-    /// a number of columns, less than the width.
-    pub(super) fn fill(&mut self, plane: PlaneView<'_, u8>, table: &[u8; 256], shift: isize) {
+    /// Takes the levels of the pixels of a plane of this size, moved to the right by a number of
+    /// columns, less than the width.
+    pub(super) fn fill<T: Copy>(
+        &mut self,
+        plane: PlaneView<'_, T>,
+        level: impl Fn(T) -> u8,
+        shift: isize,
+    ) {
+        self.frame.place(&mut self.levels, plane, level, shift);
+        self.fine.clear();
+        let width = self.frame.width;
+        let seen = shown(width, shift);
+        self.frame.seen = match self.frame.mirrored {
+            true => width - seen.end..width - seen.start,
+            false => seen,
+        };
+    }
+
+    /// Keeps the numbers that the levels were rounded from, of a plane moved as before.
+    fn keep_fine<T: Sample>(&mut self, plane: PlaneView<'_, T>, shift: isize) {
+        self.fine.resize(self.levels.len(), 0);
+        self.frame.place(&mut self.fine, plane, T::to_u16, shift);
+        let number = |value: u16| i32::from(value);
+        self.fine_noise =
+            deviation_of_noise(&self.frame, |row| self.fine_row(row), number, FINENESS)
+                * FINENESS as f32
+                / IN_A_LEVEL as f32;
+    }
+
+    pub(super) fn width(&self) -> usize {
+        self.frame.width
+    }
+
+    pub(super) fn height(&self) -> usize {
+        self.frame.height
+    }
+
+    /// The columns that show something.
+    pub(super) fn seen(&self) -> Range<usize> {
+        self.frame.seen.clone()
+    }
+
+    /// Whether columns count from the right.
+    pub(super) fn is_mirrored(&self) -> bool {
+        self.frame.mirrored
+    }
+
+    /// Whether there are numbers that tell more than the levels.
+    pub(super) fn is_fine(&self) -> bool {
+        !self.fine.is_empty()
+    }
+
+    /// The row at a signed place, with margins; beyond the border, the outermost row.
+    #[inline(always)]
+    pub(super) fn padded(&self, row: isize) -> &[u8] {
+        self.frame.padded(&self.levels, row)
+    }
+
+    /// As [`padded`](Self::padded), the numbers that the levels are rounded from.
+    #[inline(always)]
+    pub(super) fn padded_fine(&self, row: isize) -> &[u16] {
+        self.frame.padded(&self.fine, row)
+    }
+
+    /// A row of the numbers that the levels are rounded from, without margins.
+    pub(super) fn fine_row(&self, row: usize) -> &[u16] {
+        &self.padded_fine(row.cast_signed())[MARGIN..][..self.frame.width]
+    }
+
+    /// The standard deviation of their noise, in levels; `None` where they tell no more than these.
+    pub(super) fn fine_noise(&self) -> Option<f32> {
+        self.is_fine().then_some(self.fine_noise)
+    }
+
+    /// A row without margins.
+    #[inline(always)]
+    pub(super) fn row(&self, row: usize) -> &[u8] {
+        &self.padded(row.cast_signed())[MARGIN..][..self.frame.width]
+    }
+}
+
+impl Frame {
+    /// Copies the changed pixels of a plane to where they are in this view.
+    fn place<T: Copy, U: Copy>(
+        &self,
+        values: &mut [U],
+        plane: PlaneView<'_, T>,
+        change: impl Fn(T) -> U,
+        shift: isize,
+    ) {
         let width = self.width;
-        let seen = shift.max(0).cast_unsigned()..width.saturating_add_signed(shift.min(0));
+        let seen = shown(width, shift);
         let hidden = (-shift).max(0).cast_unsigned();
-        let rows = self.levels.chunks_exact_mut(width + 2 * MARGIN);
+        let rows = values.chunks_exact_mut(width + 2 * MARGIN);
         for (row, source) in rows.zip(plane.rows()) {
             let inside = &mut row[MARGIN..][..width];
-            for (level, value) in inside[seen.clone()].iter_mut().zip(&source[hidden..]) {
-                *level = table[usize::from(*value)];
+            for (to, from) in inside[seen.clone()].iter_mut().zip(&source[hidden..]) {
+                *to = change(*from);
             }
             let (first, last) = (inside[seen.start], inside[seen.end - 1]);
             inside[..seen.start].fill(first);
@@ -55,120 +157,235 @@ impl View {
             row[..MARGIN].fill(first);
             row[MARGIN + width..].fill(last);
         }
-        self.seen = match self.mirrored {
-            true => width - seen.end..width - seen.start,
-            false => seen,
-        };
     }
 
-    pub(super) fn width(&self) -> usize {
-        self.width
-    }
-
-    pub(super) fn height(&self) -> usize {
-        self.height
-    }
-
-    /// The columns that show something.
-    pub(super) fn seen(&self) -> Range<usize> {
-        self.seen.clone()
-    }
-
-    /// Whether columns count from the right.
-    pub(super) fn is_mirrored(&self) -> bool {
-        self.mirrored
-    }
-
-    /// The row at a signed place, with margins; beyond the border, the outermost row.
     #[inline(always)]
-    pub(super) fn padded(&self, row: isize) -> &[u8] {
+    fn padded<'a, U>(&self, values: &'a [U], row: isize) -> &'a [U] {
         let row = row.clamp(0, self.height.cast_signed() - 1).cast_unsigned();
         let stride = self.width + 2 * MARGIN;
-        &self.levels[row * stride..][..stride]
+        &values[row * stride..][..stride]
     }
+}
 
-    /// A row without margins.
-    #[inline(always)]
-    pub(super) fn row(&self, row: usize) -> &[u8] {
-        &self.padded(row.cast_signed())[MARGIN..][..self.width]
-    }
+/// The columns that still show something of a view that is moved to the right.
+fn shown(width: usize, shift: isize) -> Range<usize> {
+    shift.max(0).cast_unsigned()..width.saturating_add_signed(shift.min(0))
 }
 
 /// Takes the left and the right view, the right one at the exposure of the left and moved to the
 /// right by the least disparity. Then disparities count from that one.
-pub(super) fn fill(
-    planes: [PlaneView<'_, u8>; 2],
+pub(super) fn fill<T: Sample>(
+    planes: [PlaneView<'_, T>; 2],
     [left, right]: [&mut View; 2],
     least_disparity: isize,
 ) {
-    let identity = std::array::from_fn(|level| level as u8);
-    let table = exposure(planes);
+    let (of_left, of_right) = join(|| Histogram::new(planes[0]), || Histogram::new(planes[1]));
+    let is_fine = of_left.is_fine() || of_right.is_fine();
+    let stretch = match is_fine {
+        true => Stretch::new(&of_left, &of_right),
+        false => Stretch::default(),
+    };
+    let exposure = Exposure::new(&of_left, &of_right, stretch.gain);
+    let left_table = table(|level| stretch.apply(level));
+    let right_table = table(|level| stretch.apply(exposure.apply(level)));
+    let take = |view: &mut View, plane: PlaneView<'_, T>, table: &[u8], shift| {
+        view.fill(plane, |value: T| table[usize::from(value.to_u16())], shift);
+        if is_fine {
+            view.keep_fine(plane, shift);
+        }
+    };
     join(
-        || left.fill(planes[0], &identity, 0),
-        || right.fill(planes[1], &table, least_disparity),
+        || take(left, planes[0], &left_table, 0),
+        || take(right, planes[1], &right_table, least_disparity),
     );
 }
 
-/// The table that brings the right view to the exposure of the left: the gain and the offset for
-/// which means and standard deviations agree. Where the gain is within 6 % of 1 and the means are
-/// within 6 levels, nothing is changed: such differences come from what only one view shows.
-fn exposure([left, right]: [PlaneView<'_, u8>; 2]) -> [u8; 256] {
-    let ((mean_left, deviation_left), (mean_right, deviation_right)) =
-        join(|| moments(left), || moments(right));
-    let gain = if deviation_right > 0.5 && deviation_left > 0.5 {
-        deviation_left / deviation_right
-    } else {
-        1.0
-    };
-    let same = (gain - 1.0).abs() <= 0.06 && (mean_left - mean_right).abs() <= 6.0;
-    std::array::from_fn(|level| {
-        if same {
-            level as u8
-        } else {
-            // The conversion saturates.
-            (mean_left + gain * (level as f64 - mean_right) + 0.5) as u8
-        }
-    })
+/// The numbers of 16 bits in a level of 8: 65535 / 255.
+pub(super) const IN_A_LEVEL: usize = 257;
+
+/// The level of each number of 16 bits, from the level with its fraction.
+fn table(level: impl Fn(f64) -> f64) -> Vec<u8> {
+    let levels = (0..=u16::MAX).map(|number| f64::from(number) / IN_A_LEVEL as f64);
+    // The conversion saturates.
+    levels.map(|before| (level(before) + 0.5) as u8).collect()
 }
 
-/// The mean and the standard deviation of the levels.
-fn moments(plane: PlaneView<'_, u8>) -> (f64, f64) {
-    let mut counts = [0u64; 256];
-    for row in plane.rows() {
-        for level in row {
-            counts[usize::from(*level)] += 1;
+/// How often each number of 16 bits occurs in a view.
+struct Histogram {
+    counts: Vec<u32>,
+    pixels: usize,
+}
+
+impl Histogram {
+    fn new<T: Sample>(plane: PlaneView<'_, T>) -> Self {
+        let mut counts = vec![0u32; 1 << 16];
+        for row in plane.rows() {
+            for value in row {
+                counts[usize::from(value.to_u16())] += 1;
+            }
+        }
+        Self {
+            counts,
+            pixels: plane.width() * plane.height(),
         }
     }
-    let count = counts.iter().sum::<u64>().max(1) as f64;
-    let moment = |power: i32, origin: f64| -> f64 {
-        let levels = counts.iter().enumerate();
-        levels
-            .map(|(level, n)| *n as f64 * (level as f64 - origin).powi(power))
-            .sum::<f64>()
-            / count
-    };
-    let mean = moment(1, 0.0);
-    (mean, moment(2, mean).sqrt())
+
+    /// Whether there are numbers between the levels of 8 bits.
+    fn is_fine(&self) -> bool {
+        let mut counts = self.counts.iter().enumerate();
+        counts.any(|(number, count)| *count > 0 && number % IN_A_LEVEL != 0)
+    }
+
+    /// The levels that occur, with how many pixels have them.
+    fn levels(&self) -> impl Iterator<Item = (f64, f64)> {
+        let counts = self
+            .counts
+            .iter()
+            .enumerate()
+            .filter(|(_, count)| **count > 0);
+        counts.map(|(number, count)| (number as f64 / IN_A_LEVEL as f64, f64::from(*count)))
+    }
+
+    /// The mean and the standard deviation of the levels.
+    fn moments(&self) -> (f64, f64) {
+        let count = self.pixels.max(1) as f64;
+        let moment = |power: i32, origin: f64| -> f64 {
+            let terms = self
+                .levels()
+                .map(|(level, n)| n * (level - origin).powi(power));
+            terms.sum::<f64>() / count
+        };
+        let mean = moment(1, 0.0);
+        (mean, moment(2, mean).sqrt())
+    }
 }
 
-/// The standard deviation of noise in a view, in levels: the first quartile of the magnitude of the
-/// Laplacian 1 −2 1; −2 4 −2; 1 −2 1, whose weights have a root of the sum of squares of 6, divided
-/// by 6 · 0.3186, that quartile of a normal distribution.
+/// Levels of views whose contrast is below that of usual views of 8 bits are spread, so that what
+/// differs in their numbers differs in their levels.
+struct Stretch {
+    gain: f64,
+    low: f64,
+    offset: f64,
+}
+
+impl Default for Stretch {
+    fn default() -> Self {
+        Self {
+            gain: 1.0,
+            low: 0.0,
+            offset: 0.0,
+        }
+    }
+}
+
+impl Stretch {
+    /// Brings all but 0.1 % at either end of the levels of two views to a range of 128 levels in
+    /// the middle, where they have a smaller one.
+    fn new(left: &Histogram, right: &Histogram) -> Self {
+        const RANGE: f64 = 128.0;
+        const BEYOND: f64 = 0.001;
+        let beyond = BEYOND * (left.pixels + right.pixels) as f64;
+        let counts = || {
+            left.counts
+                .iter()
+                .zip(&right.counts)
+                .map(|(a, b)| f64::from(*a + *b))
+        };
+        let end = |found: Option<usize>| found.unwrap_or(0) as f64 / IN_A_LEVEL as f64;
+        let mut below = 0.0;
+        let is_low = |count: f64| {
+            below += count;
+            below > beyond
+        };
+        let low = end(counts().position(is_low));
+        let mut above = 0.0;
+        let is_high = |count: f64| {
+            above += count;
+            above > beyond
+        };
+        let last = usize::from(u16::MAX);
+        let high = end(counts().rev().position(is_high).map(|place| last - place));
+        if high <= low || high - low >= RANGE {
+            return Self::default();
+        }
+        Self {
+            gain: RANGE / (high - low),
+            low,
+            offset: 0.5 * (255.0 - RANGE),
+        }
+    }
+
+    fn apply(&self, level: f64) -> f64 {
+        self.offset + self.gain * (level - self.low)
+    }
+}
+
+/// What brings the right view to the exposure of the left: the gain and the offset for which means
+/// and standard deviations agree.
+struct Exposure {
+    mean_left: f64,
+    mean_right: f64,
+    gain: f64,
+    /// Nothing is changed.
+    same: bool,
+}
+
+impl Exposure {
+    /// Where the gain is within 6 % of 1 and the means are within 6 levels, counted after a
+    /// stretch, nothing is changed: such differences come from what only one view shows.
+    fn new(left: &Histogram, right: &Histogram, stretch: f64) -> Self {
+        let ((mean_left, deviation_left), (mean_right, deviation_right)) =
+            join(|| left.moments(), || right.moments());
+        let gain = match stretch * deviation_right > 0.5 && stretch * deviation_left > 0.5 {
+            true => deviation_left / deviation_right,
+            false => 1.0,
+        };
+        let apart = stretch * (mean_left - mean_right).abs();
+        Self {
+            mean_left,
+            mean_right,
+            gain,
+            same: (gain - 1.0).abs() <= 0.06 && apart <= 6.0,
+        }
+    }
+
+    fn apply(&self, level: f64) -> f64 {
+        match self.same {
+            true => level,
+            false => self.mean_left + self.gain * (level - self.mean_right),
+        }
+    }
+}
+
+/// The standard deviation of noise in a view, in levels.
 pub(super) fn noise(view: &View) -> f32 {
+    deviation_of_noise(&view.frame, |row| view.row(row), i32::from, 1)
+}
+
+/// Numbers of 16 bits that are taken together where noise is measured.
+const FINENESS: u32 = 16;
+
+/// The standard deviation of noise, in steps of so many numbers: the first quartile of the
+/// magnitude of the Laplacian 1 −2 1; −2 4 −2; 1 −2 1, whose weights have a root of the sum of
+/// squares of 6, divided by 6 · 0.3186, that quartile of a normal distribution.
+fn deviation_of_noise<'a, T: Copy + 'a>(
+    frame: &Frame,
+    rows: impl Fn(usize) -> &'a [T],
+    number: impl Fn(T) -> i32,
+    step: u32,
+) -> f32 {
     const QUARTILE: f32 = 1.91;
     let mut counts = [0u32; 2048];
     let mut total = 0;
-    let height = view.height();
     // Every second row is more than enough for a quartile.
-    for row in (1..height.saturating_sub(1)).step_by(2) {
-        let [above, middle, below] = [row - 1, row, row + 1].map(|r| view.row(r));
-        for column in view.seen.start + 1..view.seen.end.saturating_sub(1) {
-            let second = |line: &[u8]| {
-                i32::from(line[column - 1]) - 2 * i32::from(line[column])
-                    + i32::from(line[column + 1])
+    for row in (1..frame.height.saturating_sub(1)).step_by(2) {
+        let [above, middle, below] = [row - 1, row, row + 1].map(&rows);
+        for column in frame.seen.start + 1..frame.seen.end.saturating_sub(1) {
+            let second = |line: &[T]| {
+                number(line[column - 1]) - 2 * number(line[column]) + number(line[column + 1])
             };
             let value = second(above) - 2 * second(middle) + second(below);
-            counts[(value.unsigned_abs() as usize).min(2047)] += 1;
+            counts[((value.unsigned_abs() / step) as usize).min(2047)] += 1;
             total += 1;
         }
     }

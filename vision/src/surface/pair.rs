@@ -1,6 +1,7 @@
 //! What a pair of rectified views needs before its disparities are a surface.
 
 use ga_image::plane::{Plane, PlaneError, PlaneView, same_size};
+use ga_image::sample::{Pixel, Sample};
 use ga_numerics::order_statistics::Sorted;
 
 use crate::disparity::range::clear_disparities;
@@ -37,9 +38,9 @@ const CONFIDENCE: f32 = 0.1;
 /// assert!(range > 21 && range <= 64, "{range}");
 /// # Ok::<(), ga_vision::disparity::StereoError>(())
 /// ```
-pub fn disparity_range(
-    left: &Plane<u8>,
-    right: &Plane<u8>,
+pub fn disparity_range<T: Sample + Pixel>(
+    left: &Plane<T>,
+    right: &Plane<T>,
     threads: usize,
 ) -> Result<usize, StereoError> {
     let reach = |width: f64| [0.0, width * 2.0 / 3.0];

@@ -2,6 +2,7 @@
 
 use ga_camera::rig::{RectifiedRig, StereoRig};
 use ga_image::grey::Luma;
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Motor;
 
@@ -15,6 +16,8 @@ use crate::rectification::{Rectification, RectificationOptions};
 #[derive(Clone, Debug)]
 pub struct RectifiedPair {
     views: [Plane<[u8; 3]>; 2],
+    /// The same in grey, as deep as the pictures are.
+    grey: [Plane<u16>; 2],
     inside: [Plane<bool>; 2],
     rig: RectifiedRig,
     to_left: Motor<f64>,
@@ -49,11 +52,12 @@ pub struct PairMatch {
 impl RectifiedPair {
     /// Views that are rectified already.
     #[must_use]
-    pub fn new(views: [Plane<[u8; 3]>; 2], rig: RectifiedRig) -> Self {
-        let inside = |view: &Plane<_>| Plane::filled(view.width(), view.height(), true);
+    pub fn new(views: &[Picture; 2], rig: RectifiedRig) -> Self {
+        let inside = |view: &Picture| Plane::filled(view.width(), view.height(), true);
         Self {
             inside: views.each_ref().map(inside),
-            views,
+            views: views.each_ref().map(Picture::to_rgb),
+            grey: grey(views),
             rig,
             to_left: Motor::default(),
         }
@@ -64,17 +68,19 @@ impl RectifiedPair {
     /// # Errors
     /// [`StereoError::Geometry`] for cameras whose views cannot be rectified, and
     /// [`StereoError::Plane`] for views of different sizes.
-    pub fn rectify(views: &[Plane<[u8; 3]>; 2], rig: &StereoRig) -> Result<Self, StereoError> {
+    pub fn rectify(views: &[Picture; 2], rig: &StereoRig) -> Result<Self, StereoError> {
         let [left, right] = views;
         let size = [left.width(), left.height()];
         let found = Rectification::new(rig, size, RectificationOptions::default());
         let found = found.map_err(|error| StereoError::Geometry(Box::new(error)))?;
         let maps = [found.left_map(), found.right_map()];
+        let views = [
+            left.view().warped(&maps[0])?,
+            right.view().warped(&maps[1])?,
+        ];
         Ok(Self {
-            views: [
-                maps[0].warped(left, [0; 3])?,
-                maps[1].warped(right, [0; 3])?,
-            ],
+            views: views.each_ref().map(Picture::to_rgb),
+            grey: grey(&views),
             inside: maps.each_ref().map(ga_image::warp::Warp::inside),
             rig: found.rig,
             to_left: found.left.motor.reverse(),
@@ -110,12 +116,12 @@ impl RectifiedPair {
             threads,
             ..
         } = *options;
-        let [left, right] = self.views.each_ref().map(|view| Luma::Bt601.plane(view));
+        let [left, right] = &self.grey;
         let beyond = match options.max_disparity {
             Some(beyond) => beyond,
             None => {
                 let most = left.width().min(GREATEST_RANGE) as i32;
-                let found = disparity_range(&left, &right, threads)? as i32;
+                let found = disparity_range(left, right, threads)? as i32;
                 found.min(min_disparity.saturating_add(most))
             }
         };
@@ -126,8 +132,8 @@ impl RectifiedPair {
             threads,
         };
         let mut matcher = Matcher::new(of_matcher, left.width(), left.height())?;
-        let found = matcher.run(&left, &right)?;
-        let faults = faults_of_match([&left, &right], &found, range);
+        let found = matcher.run(left, right)?;
+        let faults = faults_of_match([left, right], &found, range);
         let [left, right] = self.inside.each_ref().map(Plane::view);
         let certain = found.at_least(options.least_confidence).disparity;
         Ok(PairMatch {
@@ -136,4 +142,9 @@ impl RectifiedPair {
             faults,
         })
     }
+}
+
+/// Views in grey by the weights of ITU-R BT.601.
+fn grey(views: &[Picture; 2]) -> [Plane<u16>; 2] {
+    views.each_ref().map(|view| view.to_grey(Luma::Bt601))
 }

@@ -9,6 +9,7 @@ mod capture_surface;
 mod chessboard;
 mod contour;
 mod coverage;
+mod deep_views;
 mod dense;
 mod diagnosis;
 mod disparity;

@@ -221,13 +221,13 @@ fn the_range_of_disparities_is_found() {
             "{range} {shift}"
         );
     }
-    assert!(disparity_range(&Plane::filled(3, 3, 0), &Plane::filled(3, 3, 0), 1).is_err());
+    assert!(disparity_range(&Plane::filled(3, 3, 0u8), &Plane::filled(3, 3, 0u8), 1).is_err());
     // Flat views keep enough rows, and very wide ones get a range that a matcher accepts.
     let view =
         |shift: usize| Plane::from_fn(2000, 40, |column, row| level((column + shift) / 4, row / 4));
     let range = disparity_range(&view(0), &view(100), 1).unwrap();
     assert!(range > 100 && range <= 160, "{range}");
-    let wide = Plane::filled(3100, 10, 90);
+    let wide = Plane::filled(3100, 10, 90u8);
     let options = MatcherOptions {
         range: [0, disparity_range(&wide, &wide, 1).unwrap() as i32],
         mode: Mode::Fast,
@@ -372,7 +372,7 @@ fn a_rectified_pair_has_its_disparities_where_they_are_certain() {
         [(block * block / 977 % 200) as u8; 3]
     };
     let view = |shift: usize| Plane::from_fn(400, 160, |u, v| grey(u + shift, v));
-    let pair = RectifiedPair::new([view(0), view(21)], rig());
+    let pair = RectifiedPair::new(&[view(0).into(), view(21).into()], rig());
     let options = PairOptions {
         threads: 1,
         ..PairOptions::default()

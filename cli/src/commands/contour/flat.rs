@@ -6,8 +6,9 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 use ga_draw::document::{Outline, overlay};
 use ga_image::grey::Luma;
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
-use ga_image::{file, png};
+use ga_image::png;
 use ga_vision::contour::{MeasuredContour, Regions};
 use serde::Serialize;
 
@@ -16,7 +17,7 @@ use super::arguments::check_out;
 use super::settling::Settled;
 use crate::format::Format;
 use crate::frame::{Context, Warning};
-use crate::output;
+use crate::{output, picture_file};
 
 #[derive(Serialize)]
 pub(crate) struct Report {
@@ -35,7 +36,8 @@ pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Res
     check_out(arguments, context, &[Format::Svg])?;
     let progress = context.progress(1);
     progress.step("finding the contours");
-    let colours: Plane<[u8; 3]> = file::read(image)?.to_rgb();
+    let [read] = Picture::spread([picture_file::read(image)?]);
+    let colours: Plane<[u8; 3]> = read.to_rgb();
     let picture: Plane<u8> = Luma::Bt601.plane(&colours);
     let size = [picture.width(), picture.height()];
     let least_area = arguments.least_area;

@@ -98,7 +98,7 @@ impl Command for Arguments {
         files.write_if_given("--picture", self.picture.as_ref(), &[Format::Png])?;
         let progress = context.progress(5);
         progress.step("reading the views");
-        let [left, right] = views::read_pair(&self.views.left, &self.views.right)?;
+        let [left, right] = views::read_pair::<u16>(&self.views.left, &self.views.right)?;
 
         progress.step("finding the range");
         let threads = self.matching.threads();

@@ -112,7 +112,7 @@ impl Command for Arguments {
         progress.step("reading the views");
         let cameras = self.cameras()?;
         let paths = [&*self.first, &*self.second];
-        let views = [views::read(paths[0])?, views::read(paths[1])?];
+        let views = views::read_both(paths)?;
         let second = self.camera_b.as_ref().unwrap_or(&self.camera);
         let files = [&self.camera, second];
         for side in 0..2 {

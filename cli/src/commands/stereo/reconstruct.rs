@@ -6,6 +6,7 @@ use std::time::Instant;
 use anyhow::{Context as _, Result, ensure};
 use clap::ValueEnum;
 use ga_camera::frame::y_up;
+use ga_image::picture::Picture;
 use ga_image::png;
 use ga_mesh::format::{Format as MeshFormat, Options};
 use ga_runtime::cga3::Motor;
@@ -140,13 +141,13 @@ impl Command for Arguments {
         let begin = Instant::now();
         let progress = context.progress(5);
         progress.step("reading the views");
-        let views = self.views.read()?.map(|view| view.to_rgb());
+        let views = Picture::spread(self.views.read()?);
         progress.step("rectifying");
         let size = [views[0].width(), views[0].height()];
         let file = self.chosen.read(&self.rig)?;
         file.check_sizes(size, self.views.paths(), &self.rig)?;
         let pair = match file.rectified {
-            Some(rectified) => RectifiedPair::new(views, rectified.rig),
+            Some(rectified) => RectifiedPair::new(&views, rectified.rig),
             None => RectifiedPair::rectify(&views, &file.rig)
                 .with_context(|| self.rig.display().to_string())?,
         };

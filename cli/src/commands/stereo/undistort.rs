@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::camera_file::{LensChoice, about};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
-use crate::output;
+use crate::{output, picture_file};
 
 /// Remove the distortion of a lens from a picture.
 ///
@@ -74,7 +74,7 @@ impl Command for Arguments {
         let camera = self.lens.read_one(&self.camera, self.view.as_deref())?;
         let intrinsics = camera.intrinsics();
         let intrinsics = intrinsics.map_err(|error| about(&self.camera, error))?;
-        let old = ga_image::file::read(&self.picture)?;
+        let old = picture_file::read(&self.picture)?;
         let size = [old.width(), old.height()];
         camera.check_size(size, &self.picture, &self.camera)?;
 

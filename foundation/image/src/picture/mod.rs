@@ -1,7 +1,9 @@
 //! Pictures whose kind of pixel is known only at run time, as they come from files.
 
 mod convert;
+mod white;
 
+use crate::orientation::Orientation;
 use crate::plane::{Plane, PlaneError, PlaneView};
 use crate::warp::Warp;
 
@@ -40,6 +42,17 @@ macro_rules! kinds {
             pub fn view(&self) -> PictureView<'_> {
                 match self {
                     $(Self::$kind(plane) => PictureView::$kind(plane.view()),)*
+                }
+            }
+        }
+
+        impl Picture {
+            /// The picture after the change that an orientation stands for; see
+            /// [`Plane::oriented`].
+            #[must_use]
+            pub fn oriented(&self, orientation: Orientation) -> Self {
+                match self {
+                    $(Self::$kind(plane) => Self::$kind(plane.oriented(orientation)),)*
                 }
             }
         }

@@ -6,6 +6,7 @@ use png::{BitDepth, ColorType, Decoder, Transformations};
 
 use crate::format::Format;
 use crate::format_error::FormatError;
+use crate::oriented::Oriented;
 use crate::picture::Picture;
 use crate::plane::Plane;
 use crate::size::check_claim;
@@ -15,13 +16,18 @@ const BYTES_FROM_ONE: f64 = 1032.0;
 
 /// The picture in the bytes of a PNG file. Palettes become colours, depths below 8 bits become 8
 /// bits, a transparent colour becomes an alpha channel. Of an animation it is the default image.
-/// Gamma and colour profiles are not applied.
+/// The orientation that its Exif metadata note is applied; gamma and colour profiles are not.
 ///
 /// # Errors
 ///
 /// [`FormatError::PngDecode`] with what is wrong, and [`FormatError::Claim`] when the header states
 /// more pixels than the bytes can hold.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
+    Ok(decode_oriented(bytes)?.picture)
+}
+
+/// The picture, and the orientation that was applied.
+pub(crate) fn decode_oriented(bytes: &[u8]) -> Result<Oriented, FormatError> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
@@ -46,7 +52,10 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut data = vec![0; length];
     let frame = reader.next_frame(&mut data)?;
     data.truncate(frame.buffer_size());
-    match (colour, depth) {
+    // The metadata may follow the pixels. What is wrong behind the pixels does not change them.
+    let _ = reader.finish();
+    let exif = reader.info().exif_metadata.clone();
+    let stored = match (colour, depth) {
         (ColorType::Grayscale, BitDepth::Eight) => picture(size, data),
         (ColorType::GrayscaleAlpha, BitDepth::Eight) => picture(size, pixels::<_, 2>(&data)),
         (ColorType::Rgb, BitDepth::Eight) => picture(size, pixels::<_, 3>(&data)),
@@ -61,7 +70,8 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
             format: Format::Png,
             what: format!("{colour:?} with {depth:?} bits"),
         }),
-    }
+    };
+    Ok(Oriented::by_exif(stored?, exif.as_deref()))
 }
 
 fn picture<P: Copy>([width, height]: [usize; 2], values: Vec<P>) -> Result<Picture, FormatError>

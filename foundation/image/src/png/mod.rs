@@ -9,6 +9,7 @@ use std::path::Path;
 pub(crate) use animation::AnimationWriter;
 pub use animation::{Animation, encode_animation};
 pub use decode::decode;
+pub(crate) use decode::decode_oriented;
 pub(crate) use encode::{big_endian, bytes_of};
 pub use encode::{encode, encode_indexed};
 

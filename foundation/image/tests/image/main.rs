@@ -7,10 +7,13 @@ mod edges;
 mod files;
 mod films;
 mod hostile;
+mod oriented;
+mod other_formats;
 mod quality;
 mod scaling;
 mod stream;
 mod warp;
+mod white;
 
 use std::path::PathBuf;
 

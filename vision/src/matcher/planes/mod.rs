@@ -11,7 +11,7 @@ mod plane;
 mod regions;
 
 use super::refine::over_rows;
-use super::view::View;
+use super::view::{IN_A_LEVEL, View};
 use super::winner::{STEPS, UNKNOWN};
 use grid::Grid;
 use plane::DisparityPlane;
@@ -33,6 +33,9 @@ const SAMPLES: usize = 150;
 /// of their levels with texture.
 const REACH: usize = 4;
 const TEXTURE: f32 = 3.0;
+/// Of views of more than 8 bits, that deviation in terms of their noise, and the least in levels.
+const FINE_TEXTURE: f32 = 4.0;
+const LEAST_TEXTURE: f32 = 0.1;
 
 /// Replaces disparities by those of planes. `map` has the disparities that the other view confirms,
 /// `filled` the same with the holes filled from the row, and `other` those of the other view in
@@ -129,20 +132,30 @@ fn is_seen_through(other: &[u16], column: usize, disparity: f64) -> bool {
     behind != UNKNOWN && f64::from(behind) + IN_FRONT < disparity
 }
 
-/// Whether the levels around a pixel vary.
+/// Whether the levels around a pixel vary: by more than the noise of views of 8 bits, or, where the
+/// numbers behind the levels are known, by several times their own.
 fn has_texture(view: &View, column: usize, row: usize) -> bool {
     let columns = column.saturating_sub(REACH)..(column + REACH + 1).min(view.width());
-    let rows = row.saturating_sub(REACH)..(row + REACH + 1).min(view.height());
-    let count = (columns.len() * rows.len()) as f32;
-    let (mut sum, mut squares) = (0u32, 0u32);
-    for row in rows {
-        for level in &view.row(row)[columns.clone()] {
-            sum += u32::from(*level);
-            squares += u32::from(*level).pow(2);
-        }
+    let rows = || row.saturating_sub(REACH)..(row + REACH + 1).min(view.height());
+    let is_plain = deviation(rows().map(|row| &view.row(row)[columns.clone()])) < TEXTURE;
+    if is_plain && let Some(noise) = view.fine_noise() {
+        let deviation = deviation(rows().map(|row| &view.fine_row(row)[columns.clone()]));
+        return deviation / IN_A_LEVEL as f32 >= (FINE_TEXTURE * noise).max(LEAST_TEXTURE);
     }
-    let mean = sum as f32 / count;
-    squares as f32 / count - mean * mean >= TEXTURE * TEXTURE
+    !is_plain
+}
+
+/// The standard deviation of numbers of several rows.
+fn deviation<'a, T: Copy + Into<f64> + 'a>(rows: impl Iterator<Item = &'a [T]>) -> f32 {
+    let (mut count, mut sum, mut squares) = (0.0, 0.0, 0.0);
+    for number in rows.flatten() {
+        let number: f64 = (*number).into();
+        count += 1.0;
+        sum += number;
+        squares += number * number;
+    }
+    let mean = sum / count;
+    ((squares / count - mean * mean).max(0.0) as f32).sqrt()
 }
 
 #[cfg(test)]
@@ -177,8 +190,8 @@ mod tests {
     fn a_slanted_wall_is_continued() {
         let mut view = View::new(WIDTH, HEIGHT, false);
         let level = |column, row| if is_board(column, row) { 200u8 } else { 90 };
-        let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity, 0);
+        let identity = |level: u8| level;
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), identity, 0);
         let is_hole =
             |column: usize, row: usize| column < 20 || (42..60).contains(&column) && row > 10;
         let is_wrong = |column: usize, row: usize| column > 100 && row > 70;
@@ -221,8 +234,8 @@ mod tests {
     #[test]
     fn planes_end_with_the_range() {
         let mut view = View::new(WIDTH, HEIGHT, false);
-        let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::filled(WIDTH, HEIGHT, 90).view(), &identity, 0);
+        let identity = |level: u8| level;
+        view.fill(Plane::filled(WIDTH, HEIGHT, 90).view(), identity, 0);
         let slant = |column: usize| 4.0 + 0.1 * column as f64;
         let is_hole = |column: usize| column >= WIDTH / 2;
         let cells = (0..WIDTH * HEIGHT).map(|place| place % WIDTH);
@@ -263,8 +276,8 @@ mod tests {
     fn matches_with_texture_stay() {
         let mut view = View::new(WIDTH, HEIGHT, false);
         let level = |column: usize, row: usize| 90 + 9 * ((column + row) % 2) as u8;
-        let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), &identity, 0);
+        let identity = |level: u8| level;
+        view.fill(Plane::from_fn(WIDTH, HEIGHT, level).view(), identity, 0);
         let mut map = vec![steps(7.0); WIDTH * HEIGHT];
         map[WIDTH * 40 + 60] = steps(12.0);
         let mut filled = map.clone();

@@ -193,8 +193,8 @@ mod tests {
 
     fn grid(width: usize, height: usize, level: impl Fn(usize, usize) -> u8) -> Grid {
         let mut view = View::new(width, height, false);
-        let identity = std::array::from_fn(|level| level as u8);
-        view.fill(Plane::from_fn(width, height, level).view(), &identity, 0);
+        let identity = |level: u8| level;
+        view.fill(Plane::from_fn(width, height, level).view(), identity, 0);
         Grid::new(&view)
     }
 
