@@ -261,5 +261,5 @@ fn words_that_mean_something_mean_it_whatever_lies_in_the_folder() {
     assert_eq!(draw(), before);
     let contour = ["contour", "a.png", "--view", "left", "--out", "c.svg"];
     let output = nullcone(folder.path(), contour);
-    assert_failure(&output, &["--view left: it chooses cameras of --rig"]);
+    assert_failure(&output, &["--view left: it is about the cameras of --rig"]);
 }
