@@ -91,7 +91,8 @@ fn general_scenes() {
     check(&[
         coverage("general", 700.0, options, truth, cloud(50)),
         with_threshold(3.0),
-        with_threshold(2.0),
+        // What is left of 100 coordinates does not always show its noise.
+        with_threshold(2.0).with_least_counted(0.75),
         coverage("general, 12 points", 700.0, options, truth, cloud(12)),
         coverage("general, 6 points", 700.0, options, truth, cloud(6)),
     ]);
