@@ -27,7 +27,7 @@ const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 fn runs(one_in: u64) -> std::ops::Range<u64> {
     let number = |name, default| std::env::var(name).map_or(default, |text| text.parse().unwrap());
     let first = number("NULLCONE_COVERAGE_SEED", 0);
-    first..first + number("NULLCONE_COVERAGE_RUNS", 200) / one_in
+    first..first + number("NULLCONE_COVERAGE_RUNS", 100) / one_in
 }
 
 /// Random numbers of a run.
@@ -146,7 +146,7 @@ impl Coverage {
         let more = (deviation(self.counted.max(1) as f64) - deviation(1000.0)).max(0.0);
         let all = self.counted + self.refused;
         self.counted as f64 >= self.least_counted * all as f64
-            && (self.counted == 0 || (self.part() - 0.95).abs() <= 0.02 + more)
+            && (self.part() - 0.95).abs() <= 0.02 + more
     }
 }
 
@@ -172,5 +172,5 @@ fn a_coverage_that_is_not_true_is_told() {
     assert!(of(950, 1000, 0).is_true() && of(931, 1000, 0).is_true() && of(190, 200, 10).is_true());
     assert!(!of(929, 1000, 0).is_true() && !of(971, 1000, 0).is_true());
     assert!(!of(180, 200, 0).is_true() && !of(190, 200, 20).is_true());
-    assert!(!of(0, 0, 1000).is_true() && of(0, 0, 1000).with_least_counted(0.0).is_true());
+    assert!(!of(0, 0, 1000).is_true());
 }

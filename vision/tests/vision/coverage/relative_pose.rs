@@ -190,21 +190,26 @@ fn corners_near_a_line() {
 /// Corners near one place are refused, or their deviation holds.
 #[test]
 fn corners_near_one_place() {
-    let place = |radius: f64, depth: f64, least_counted: f64| {
+    let place = |radius: f64, depth: f64| {
         let place = |random: &mut Random| {
             let z = 6.0 + random.within(-depth, depth);
             let mut side = || random.within(-1.0, 1.0) * radius / 700.0 * z;
             [side(), side(), z]
         };
         let name = format!("within {radius} px, depth ± {depth}");
-        coverage(&name, 100, 3.0, sideways(), place).with_least_counted(least_counted)
+        coverage(&name, 100, 3.0, sideways(), place).with_least_counted(0.5)
     };
-    check(&[
-        place(3.0, 0.1, 0.0),
-        place(3.0, 2.0, 0.0),
-        place(12.0, 0.1, 0.0),
-        place(12.0, 2.0, 0.0),
-        place(48.0, 0.1, 0.0),
-        place(48.0, 2.0, 0.5),
-    ]);
+    for (radius, depth) in [
+        (3.0, 0.1),
+        (3.0, 2.0),
+        (12.0, 0.1),
+        (12.0, 2.0),
+        (48.0, 0.1),
+    ] {
+        let found = place(radius, depth);
+        found.print();
+        let part = found.counted as f64 / (found.counted + found.refused) as f64;
+        assert!(part <= 0.03, "{}: {part} are not refused", found.name);
+    }
+    check(&[place(48.0, 2.0)]);
 }
