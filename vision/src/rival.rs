@@ -35,3 +35,16 @@ pub(crate) fn is_rival(
     let equal = equal.max(VARIANCES * variance * correlation);
     sum <= equal + count * ROUNDING
 }
+
+/// Whether the angles between two explanations, in radians, are within the standard deviations of
+/// one of them, where these are known: both are the same.
+pub(crate) fn is_same(angles: impl IntoIterator<Item = (f64, Option<f64>)>) -> bool {
+    /// How many standard deviations are within.
+    const DEVIATIONS: f64 = 3.0;
+    /// An angle that may be rounding.
+    const ROUNDING: f64 = 1e-6;
+    /// A deviation where none is known.
+    const UNKNOWN: f64 = 1e-3;
+    let mut angles = angles.into_iter();
+    angles.all(|(angle, deviation)| angle <= DEVIATIONS * deviation.unwrap_or(UNKNOWN) + ROUNDING)
+}

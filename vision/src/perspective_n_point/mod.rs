@@ -13,7 +13,7 @@ use ga_runtime::vga3::Vector;
 pub use three_points::three_points;
 
 use crate::geometry_error::ViewGeometryError;
-use crate::rival::is_rival;
+use crate::rival::{is_rival, is_same};
 use ga_camera::{Camera, Intrinsics};
 use ga_numerics::least_squares::{
     self, Columns, Covariance, Equations, Minimum, Problem, minimise,
@@ -33,10 +33,12 @@ pub struct PerspectivePose {
     pub inliers: Vec<usize>,
     /// The root mean square of the distances of their pixels from those of the pose, in pixels.
     pub root_mean_square: f64,
-    /// The covariance of a small motion that follows the pose, `exp(B) M`, with the rotation vector
-    /// of B in radians and then its velocity of the origin in the unit of the points; to second
-    /// order, from the distances that remain. `None` for four points, and where the points that
-    /// agree do not show their noise.
+    /// The covariance C of a small motion that follows the pose, `exp(B) M`, with the rotation
+    /// vector of B in radians and then its velocity of the origin in the unit of the points; to
+    /// second order, from the distances that remain. It is so much larger for few points
+    /// ([`region_factor`](least_squares::region_factor)) that the motion b to the true pose satisfies `bᵀ C⁻¹ b ≤ 12.59`, the 95 %
+    /// quantile of the χ² distribution with 6 degrees of freedom, with the probability 95 %. `None`
+    /// for four points, and where the points that agree do not show their noise.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other poses that explain the pixels as well, within noise: the best first, and each without
     /// alternatives of its own. A plane that is small against its distance is seen almost alike
@@ -62,15 +64,9 @@ impl PerspectivePose {
 
     /// Whether another pose is within the deviations of this one, and so the same.
     fn is_near(&self, other: &Self) -> bool {
-        /// How many standard deviations are within.
-        const DEVIATIONS: f64 = 3.0;
-        /// An angle in radians that may be rounding.
-        const ROUNDING: f64 = 1e-6;
-        /// A deviation in radians where none is known.
-        const UNKNOWN: f64 = 1e-3;
         let [a, b] = [self, other].map(|pose| pose.world_to_camera.rotor());
         let (_, angle) = (a * b.reverse()).canonical().to_axis_angle();
-        angle <= DEVIATIONS * self.rotation_deviation().unwrap_or(UNKNOWN) + ROUNDING
+        is_same([(angle, self.rotation_deviation())])
     }
 }
 
@@ -233,11 +229,14 @@ struct Refined {
 impl Refined {
     /// The variance of a coordinate of a pixel, for the covariance of the pose.
     fn variance(&self, threshold: Option<f64>) -> Option<f64> {
-        let selected = match threshold {
-            Some(threshold) => SelectedNoise::new(self.minimum.variance()?, threshold, 2)?.factor,
-            None => 1.0,
-        };
-        Some(selected * self.minimum.student_variance()?)
+        let Minimum {
+            cost,
+            residuals,
+            unknowns,
+            ..
+        } = self.minimum;
+        let threshold = threshold.unwrap_or(f64::INFINITY);
+        SelectedNoise::new(cost, [residuals, unknowns], threshold, 2)?.of_region(unknowns)
     }
 
     fn pose(&self, problem: &Observed<'_>, threshold: Option<f64>) -> PerspectivePose {

@@ -16,8 +16,6 @@ pub(super) struct Settled {
     pub(super) minimum: Minimum<Motor<f64>>,
     pub(super) inliers: Vec<usize>,
     pub(super) selected: Vec<BearingPair>,
-    /// Whether it is a motion of a plane that is a better model than points anywhere.
-    pub(super) is_of_plane: bool,
 }
 
 /// One of the four motions with the essential matrix of a minimum.
@@ -83,24 +81,9 @@ pub(super) fn candidates(pairs: &[BearingPair], search: &Search) -> (Vec<Settled
     }
     let cost = |one: &Settled| rate(pairs, search, one.minimum.state).unwrap_or(f64::INFINITY);
     let best = found.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let plane = best.and_then(|best| {
-        let plane = planar::plane(&best.selected, search)?;
-        let variance = best.minimum.variance().unwrap_or(0.0);
-        let is_of_plane = plane.is_preferred(best.minimum.cost, variance);
-        Some((plane.motions, is_of_plane))
-    });
-    for (start, is_of_plane) in plane
-        .iter()
-        .flat_map(|(motions, is)| motions.map(|m| (m, *is)))
-    {
-        let settled = settle(pairs, search, start);
-        add(
-            &mut found,
-            settled.map(|settled| Settled {
-                is_of_plane,
-                ..settled
-            }),
-        );
+    let plane = best.and_then(|best| planar::motions(&best.selected, search));
+    for start in plane.into_iter().flatten() {
+        add(&mut found, settle(pairs, search, start));
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     for (index, settled) in found.iter().enumerate() {
@@ -116,23 +99,22 @@ pub(super) fn candidates(pairs: &[BearingPair], search: &Search) -> (Vec<Settled
 
 /// Adds a minimum, unless it is among those found.
 fn add(found: &mut Vec<Settled>, settled: Option<Settled>) {
-    /// Angles below which motions are equal, in radians.
+    /// The distance of essential matrices below which they are equal.
     const EQUAL: f64 = 1e-5;
     let Some(new) = settled else { return };
     let motor = new.minimum.state;
-    let mut known = found.iter_mut();
-    match known.find(|other| are_near(motor, other.minimum.state, [EQUAL; 2])) {
-        Some(other) => other.is_of_plane |= new.is_of_plane,
-        None => found.push(new),
+    if !(found.iter()).any(|other| are_near(motor, other.minimum.state, EQUAL)) {
+        found.push(new);
     }
 }
 
-/// Whether two motions have nearly one epipolar geometry: angles between their rotations and
-/// between the lines of their translations.
-fn are_near(a: Motor<f64>, b: Motor<f64>, limits: [f64; 2]) -> bool {
-    let [rotation, direction] = angles_between(a, b);
-    let direction = direction.min(std::f64::consts::PI - direction);
-    rotation <= limits[0] && direction <= limits[1]
+/// Whether two motions have nearly one epipolar geometry: those with one essential matrix may rotate
+/// in two ways.
+fn are_near(a: Motor<f64>, b: Motor<f64>, limit: f64) -> bool {
+    match [a, b].map(EssentialMatrix::from_motor) {
+        [Some(a), Some(b)] => a.distance(&b) <= limit,
+        _ => false,
+    }
 }
 
 /// The cost of a motion to random samples.
@@ -151,8 +133,8 @@ fn sampled_starts(pairs: &[BearingPair], search: &Search) -> Vec<Motor<f64>> {
     const FEW: usize = 300;
     /// Results of it that are refined with all pairs that agree.
     const FINALISTS: usize = 3;
-    /// Angles in radians below which they are one.
-    const EQUAL: [f64; 2] = [1e-3, 1e-2];
+    /// The distance of essential matrices below which they are one.
+    const EQUAL: f64 = 1e-3;
 
     let problem = Bearings(pairs);
     let options = least_squares::Options::default();
@@ -207,7 +189,6 @@ fn settle(pairs: &[BearingPair], search: &Search, start: Motor<f64>) -> Option<S
             minimum,
             inliers,
             selected,
-            is_of_plane: false,
         };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, settled));

@@ -5,6 +5,7 @@ use ga_runtime::vga3::Vector;
 
 use super::sampson::{SampsonCost, across_translation};
 use crate::feature::PixelPair;
+use crate::geometry_error::ViewGeometryError;
 use ga_numerics::least_squares::{Covariance, Minimum};
 use ga_numerics::ransac::SelectedNoise;
 
@@ -13,19 +14,30 @@ use ga_numerics::ransac::SelectedNoise;
 const REACH: f64 = 16.0;
 
 /// The covariance of the twist that follows a motion, from the distances of the pairs that a
-/// threshold has kept. `None` for up to seven pairs, and where they do not determine the motion or
-/// their noise.
+/// threshold has kept; `None` where they do not show their noise, as up to seven pairs.
+///
+/// # Errors
+/// [`ViewGeometryError::Undetermined`] where they do not determine the motion.
 pub(super) fn covariance(
     problem: &SampsonCost<'_>,
     minimum: &Minimum<Motor<f64>>,
     pixels: &[PixelPair],
     threshold: f64,
-) -> Option<[[f64; 6]; 6]> {
-    let selected = SelectedNoise::new(minimum.variance()?, threshold, 1)?.factor;
-    let correlation = correlation(problem, minimum.state, pixels);
-    let variance = minimum.student_variance()? * selected * correlation;
-    let covariance = minimum.curved_covariance(problem, variance)?;
-    Some(of_twist(&covariance, minimum.state))
+) -> Result<Option<[[f64; 6]; 6]>, ViewGeometryError> {
+    let Minimum {
+        cost,
+        residuals,
+        unknowns,
+        ..
+    } = *minimum;
+    let noise = SelectedNoise::new(cost, [residuals, unknowns], threshold, 1);
+    let Some(variance) = noise.and_then(|noise| noise.of_region(unknowns)) else {
+        return Ok(None);
+    };
+    let variance = variance * correlation(problem, minimum.state, pixels);
+    let covariance = minimum.curved_covariance(problem, variance);
+    let covariance = covariance.ok_or(ViewGeometryError::Undetermined)?;
+    Ok(Some(of_twist(&covariance, minimum.state)))
 }
 
 /// By how much sums over the pairs vary more than those of independent errors, 1 or more: the sum

@@ -100,8 +100,8 @@ pub fn eight_point(pairs: &[PixelPair]) -> Result<FundamentalMatrix, ViewGeometr
 /// the eight-point algorithm on all pairs that agree, as long as more do.
 ///
 /// # Errors
-/// [`ViewGeometryError`] for fewer than eight pairs, numbers that are not finite, pixels on a line,
-/// and no matrix with which eight pairs agree.
+/// [`ViewGeometryError`] for fewer than eight pairs, a threshold that is not positive and finite,
+/// numbers that are not finite, pixels on a line, and no matrix with which eight pairs agree.
 pub fn estimate_fundamental(
     pairs: &[PixelPair],
     options: &FundamentalOptions,
@@ -112,6 +112,9 @@ pub fn estimate_fundamental(
             found: pairs.len(),
             needed: NEEDED,
         });
+    }
+    if !(options.threshold.is_finite() && options.threshold > 0.0) {
+        return Err(ViewGeometryError::MatchThreshold(options.threshold));
     }
     check_finite(pairs)?;
     check_lines(pairs, 0.0)?;

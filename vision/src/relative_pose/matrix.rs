@@ -40,6 +40,17 @@ impl EssentialMatrix {
         self.rows.map(Vector::coordinates)
     }
 
+    /// The distance to another matrix or its negative, whichever is less, as the root of the mean
+    /// square of its two singular values: about the angle by which a small rotation or a small
+    /// change of the direction of the translation moves it.
+    pub(super) fn distance(&self, other: &Self) -> f64 {
+        let square = |sign: f64| -> f64 {
+            let rows = self.rows.iter().zip(&other.rows);
+            rows.map(|(a, b)| (*a - *b * sign).length_squared()).sum()
+        };
+        (0.5 * square(1.0).min(square(-1.0))).sqrt()
+    }
+
     /// `rᵀ E l`: zero where the rays in the directions l and r meet. It is the product of the two
     /// lines, `l ∨ r`, of which one has been moved to the frame of the other.
     #[must_use]

@@ -35,7 +35,7 @@ pub use view::View;
 
 use crate::feature::PixelPair;
 use crate::geometry_error::ViewGeometryError;
-use crate::rival::is_rival;
+use crate::rival::{is_rival, is_same};
 use candidate::{Candidate, Settled, angles_between, candidates};
 use ga_camera::Intrinsics;
 use ga_camera::frame::{LeftCamera, Pose, RightCamera};
@@ -80,13 +80,16 @@ pub struct RelativePose {
     pub in_front: usize,
     /// The root mean square of the Sampson distances of the pairs that agree, in pixels.
     pub root_mean_square: f64,
-    /// The covariance of a small motion that follows the result, `exp(B) M`, with the rotation
+    /// The covariance C of a small motion that follows the result, `exp(B) M`, with the rotation
     /// vector of B in radians and then its velocity of the origin, which is across the translation;
-    /// to second order, from the distances that remain. `None` for up to seven pairs, and where the
-    /// threshold is too small against the noise for the pairs to show it. The errors
-    /// of neighbouring pairs may be alike, as those of a corner that
-    /// [`match_views`](crate::feature::match_views) finds in several scales: it is greater by as
-    /// much as their distances are.
+    /// to second order, from the distances that remain. It is so much larger for few pairs
+    /// ([`region_factor`](ga_numerics::least_squares::region_factor)) that in the five coordinates
+    /// of a motion, three of the rotation and two across the translation, the step b to the true
+    /// motion satisfies `bᵀ C⁻¹ b ≤ 11.07`, the 95 % quantile of the χ² distribution with 5 degrees
+    /// of freedom, with the probability 95 %. `None` for up to seven pairs, and where the threshold
+    /// is too small against the noise for the pairs to show it. The errors of neighbouring pairs may
+    /// be alike, as those of a corner that [`match_views`](crate::feature::match_views) finds in
+    /// several scales: it is greater by as much as their distances are.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other motions that explain the pairs as well, within noise, with points in front of both
     /// cameras: the best first, and each without alternatives of its own. Two views of a plane
@@ -141,9 +144,9 @@ pub fn retain_in_field(pairs: &mut Vec<PixelPair>, left: &Intrinsics, right: &In
 /// explain them as well, they are its [alternatives](RelativePose::alternatives).
 ///
 /// # Errors
-/// [`ViewGeometryError`]: fewer than six pairs, pixels that are not finite, on one line or near one
-/// place, a rotation alone explains the pairs, too few of them agree, or the motion is not
-/// determined to half a radian.
+/// [`ViewGeometryError`]: fewer than six pairs, a threshold that is not positive and finite, pixels
+/// that are not finite, on one line or near one place, a rotation alone explains the pairs, too few
+/// of them agree, or the motion is not determined to half a radian.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -214,6 +217,9 @@ pub fn estimate_from_bearings(
             needed: NEEDED,
         });
     }
+    if !(options.threshold.is_finite() && options.threshold > 0.0) {
+        return Err(ViewGeometryError::MatchThreshold(options.threshold));
+    }
     degenerate::check_finite(pixels)?;
     degenerate::check_lines(pixels, 0.0)?;
     let search = Search {
@@ -250,17 +256,18 @@ pub fn estimate_from_bearings(
             pairs: inliers.len(),
         });
     }
-    let found = RelativePose::new(best, &minima[best.settled], pixels, options);
-    let mut found = found.ok_or(ViewGeometryError::Undetermined)?;
-    let deviations = [found.rotation_deviation(), found.direction_deviation()];
-    let deviation = deviations.into_iter().flatten().fold(0.0, f64::max);
-    if deviation > UNCERTAIN {
-        return Err(ViewGeometryError::Uncertain {
+    let mut found = RelativePose::new(best, &minima[best.settled], pixels, options)?;
+    found.alternatives = alternatives(&found, &minima, &candidates, pixels, options)?;
+    // Between motions of which one is not determined, the others claim too much.
+    let poses = std::iter::once(&found).chain(&found.alternatives);
+    let deviations = poses.flat_map(|pose| [pose.rotation_deviation(), pose.direction_deviation()]);
+    let deviation = deviations.flatten().fold(0.0, f64::max);
+    match deviation > UNCERTAIN {
+        true => Err(ViewGeometryError::Uncertain {
             degrees: deviation.to_degrees(),
-        });
+        }),
+        false => Ok(found),
     }
-    found.alternatives = alternatives(&found, &minima, &candidates, pixels, options);
-    Ok(found)
 }
 
 /// The candidates that explain the pairs as well as the first one, in another way.
@@ -270,12 +277,10 @@ fn alternatives(
     candidates: &[Candidate],
     pixels: &[PixelPair],
     options: &Options,
-) -> Vec<RelativePose> {
-    /// The part of the pairs that are in front of both cameras for each motion of a plane.
-    const IN_FRONT: f64 = 0.95;
+) -> Result<Vec<RelativePose>, ViewGeometryError> {
     let mut alternatives: Vec<RelativePose> = Vec::new();
     let [best, others @ ..] = candidates else {
-        return alternatives;
+        return Ok(alternatives);
     };
     let first = &minima[best.settled];
     let variance = first.minimum.variance().unwrap_or(0.0);
@@ -287,18 +292,16 @@ fn alternatives(
     for other in others {
         let settled = &minima[other.settled];
         let part = other.in_front as f64 / settled.inliers.len() as f64;
-        let is_twofold = first.is_of_plane && settled.is_of_plane && part >= IN_FRONT;
         let squares: [&[f64]; 2] = [&best.squares, &other.squares];
-        let is_equal = part > 0.5 && is_rival(squares, variance, 1, correlation);
-        if (is_twofold || is_equal)
-            && let Some(pose) = RelativePose::new(other, settled, pixels, options)
-            && !found.is_near(&pose)
-            && !alternatives.iter().any(|known| known.is_near(&pose))
-        {
+        if part <= 0.5 || !is_rival(squares, variance, 1, correlation) {
+            continue;
+        }
+        let pose = RelativePose::new(other, settled, pixels, options)?;
+        if !found.is_near(&pose) && !alternatives.iter().any(|known| known.is_near(&pose)) {
             alternatives.push(pose);
         }
     }
-    alternatives
+    Ok(alternatives)
 }
 
 impl RelativePose {
@@ -308,7 +311,7 @@ impl RelativePose {
         settled: &Settled,
         pixels: &[PixelPair],
         options: &Options,
-    ) -> Option<Self> {
+    ) -> Result<Self, ViewGeometryError> {
         let problem = SampsonCost {
             pairs: &settled.selected,
         };
@@ -318,13 +321,13 @@ impl RelativePose {
             candidate.motor,
             &least_squares::Options::default(),
         );
-        let minimum = minimum.ok()?;
+        let minimum = minimum.map_err(|_| ViewGeometryError::Undetermined)?;
         let agreeing: Vec<PixelPair> = settled.inliers.iter().map(|&k| pixels[k]).collect();
-        Some(Self {
+        Ok(Self {
             left_to_right: Pose::new(minimum.state),
             in_front: candidate.in_front,
             root_mean_square: minimum.root_mean_square(),
-            covariance: deviation::covariance(&problem, &minimum, &agreeing, options.threshold),
+            covariance: deviation::covariance(&problem, &minimum, &agreeing, options.threshold)?,
             inliers: settled.inliers.clone(),
             alternatives: Vec::new(),
         })
@@ -332,16 +335,12 @@ impl RelativePose {
 
     /// Whether another motion is within the deviations of this one, and so the same.
     fn is_near(&self, other: &Self) -> bool {
-        /// How many standard deviations are within.
-        const DEVIATIONS: f64 = 3.0;
-        /// Angles in radians that may be rounding.
-        const ROUNDING: f64 = 1e-6;
-        /// A deviation in radians where none is known.
-        const UNKNOWN: f64 = 1e-3;
         let motors = [self, other].map(|pose| pose.left_to_right.motor);
-        let angles = angles_between(motors[0], motors[1]);
         let deviations = [self.rotation_deviation(), self.direction_deviation()];
-        let mut pairs = angles.into_iter().zip(deviations);
-        pairs.all(|(angle, one)| angle <= DEVIATIONS * one.unwrap_or(UNKNOWN) + ROUNDING)
+        is_same(
+            angles_between(motors[0], motors[1])
+                .into_iter()
+                .zip(deviations),
+        )
     }
 }

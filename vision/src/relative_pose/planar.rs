@@ -6,31 +6,11 @@ use super::sampson::{BearingPair, with_unit_translation};
 use crate::homography::Homography;
 use ga_numerics::ransac::{Consensus, Search};
 
-/// The plane with which most pairs agree.
-pub(super) struct PlaneFit {
-    /// The two motions, with translations of length 1, that explain the pairs of the plane alike.
-    /// Where a scene is one plane, one of them is that of the cameras; elsewhere they are starts of
-    /// a search like others.
-    pub(super) motions: [Motor<f64>; 2],
-    /// The sum of the squared distances of all pairs from it, each cut off where pairs do not
-    /// agree.
-    cost: f64,
-    pairs: usize,
-}
-
-impl PlaneFit {
-    /// Whether the plane is a better model than points anywhere, which a motion explains up to a
-    /// sum of squares and a variance: each point that is free needs two variances less to be worth
-    /// its freedom (K. Kanatani, "Geometric information criterion for model selection",
-    /// International Journal of Computer Vision 26, 1998).
-    pub(super) fn is_preferred(&self, sum_of_squares: f64, variance: f64) -> bool {
-        self.cost <= sum_of_squares + 2.0 * self.pairs as f64 * variance
-    }
-}
-
-/// The plane with which most pairs agree. `None` where fewer than four do, or the cameras are in
-/// one place.
-pub(super) fn plane(pairs: &[BearingPair], search: &Search) -> Option<PlaneFit> {
+/// The two motions, with translations of length 1, that explain the pairs of the plane with which
+/// most pairs agree alike. Where a scene is one plane, one of them is that of the cameras; elsewhere
+/// they are starts of a search like others. `None` where fewer than four pairs agree, or the cameras
+/// are in one place.
+pub(super) fn motions(pairs: &[BearingPair], search: &Search) -> Option<[Motor<f64>; 2]> {
     /// Enough for a plane with 40 % of the pairs. One with fewer leaves no doubt, as the other
     /// pairs tell its motions apart.
     const SAMPLES: usize = 400;
@@ -49,14 +29,10 @@ pub(super) fn plane(pairs: &[BearingPair], search: &Search) -> Option<PlaneFit> 
         best = better;
     }
     let [first, second] = best.model.motions()?;
-    Some(PlaneFit {
-        motions: [
-            with_unit_translation(first)?,
-            with_unit_translation(second)?,
-        ],
-        cost: best.cost,
-        pairs: pairs.len(),
-    })
+    Some([
+        with_unit_translation(first)?,
+        with_unit_translation(second)?,
+    ])
 }
 
 struct Planes<'a>(&'a [BearingPair]);

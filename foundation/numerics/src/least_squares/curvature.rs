@@ -1,115 +1,172 @@
 //! How well the unknowns are determined where the residuals are not linear in them.
 
-use nalgebra_035::{Cholesky, DMatrix, DVector};
+use nalgebra_035::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::covariance::Covariance;
+use super::region::LEVEL;
+use crate::order_statistics::Sorted;
 
-/// The covariance of unknowns to second order, from that to first order and the cost after a step;
-/// all unknowns are shared.
+/// How many errors are drawn.
+const DRAWN: usize = 250;
+/// How many of them tell whether the residuals are as good as linear.
+const TRIED: usize = 25;
+
+/// The covariance of unknowns where residuals bend within their deviations, from that to first order
+/// with the residuals at the minimum and after a step; all unknowns are shared. See
+/// [`Minimum::curved_covariance`](super::Minimum::curved_covariance).
 ///
-/// Where the cost is a quadratic form, errors of the unknowns spread as an ellipsoid, `variance ·
-/// (JᵀWJ)⁻¹`. Where one direction is determined far worse than the others, as the direction of a
-/// translation beside a rotation that shows almost the same, the valley of the cost along it bends,
-/// and errors leave the thin ellipsoid. In coordinates y in which the ellipsoid is the unit ball
-/// the cost is `variance · (|y|² + T(y, y, y)/3 + …)`, and what is as likely as the cost says has
-/// the second moments about the minimum (L. Tierney and J. B. Kadane, "Accurate approximations for
-/// posterior moments and marginal densities", 1986)
+/// In coordinates y in which the ellipsoid to first order is the unit ball, errors of the residuals
+/// move the minimum by a normal vector z of variance 1 if the residuals are linear in y. Otherwise
+/// by the y at which the residuals have moved as far within their tangent space, `z = z(y)` with
 ///
 /// ```text
-/// I + (Σᵢ Bᵢᵢ)(Σᵢ Bᵢᵢ)ᵀ + 2 Σᵢⱼ Bᵢⱼ Bᵢⱼᵀ + …,   B = −T/2
+/// z(y) = Lᵀ Jᵀ (r(L y) − r(0)) / variance,   L Lᵀ = variance (JᵀJ)⁻¹
 /// ```
 ///
-/// The terms that are left out contain fourth derivatives and the bend along a direction itself;
-/// together they make the moments smaller along the valley, so that what is returned is rather too
-/// large there.
-///
-/// The numbers of T are differences of the cost between places that are one standard deviation
-/// away along one to three of the axes. `None` where there is no covariance to first order, or no
-/// cost at such a place.
+/// which is exact for residuals on a surface that is flat, however unevenly the unknowns cover it.
+/// Where z does not come as far, as for a point beyond the horizon, y is where it ends. `None` where
+/// the residuals do not exist about the minimum, and where variances grow so much that the minimum
+/// is a hollow in a wide valley.
 pub(super) fn curved(
     first: &Covariance,
-    count: usize,
     variance: f64,
-    cost: impl FnMut(&[f64]) -> Option<f64>,
+    (start, jacobian): (&[f64], &DMatrix<f64>),
+    mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
 ) -> Option<Covariance> {
+    /// Changes of z up to this are those of residuals that are linear.
+    const LINEAR: f64 = 0.05;
+    /// Errors that are so much larger are far above rounding.
+    const ABOVE_ROUNDING: f64 = 1e3;
+    /// Where variances grow by more than this, the minimum says nothing of the truth.
+    const GREATEST: f64 = 25.0;
+    /// Iterations of a search for eigenvalues, far more than matrices of this size need.
+    const SWEEPS: usize = 10_000;
+    let count = jacobian.ncols();
     let matrix = DMatrix::from_fn(count, count, |row, column| first.shared(row, column));
     let Some(factor) = Cholesky::new(matrix.clone()) else {
         // No variance, as of exact observations.
         return Some(Covariance::new(matrix, Vec::new()));
     };
     let axes = factor.l();
-    let cubic = Cubic::new(&axes, variance, cost)?;
-    let bent = |i: usize, j: usize| DVector::from_fn(count, |k, _| -0.5 * cubic.entry([i, j, k]));
-    let mut moments = DMatrix::identity(count, count);
-    let mut mean = DVector::zeros(count);
-    for i in 0..count {
-        mean += bent(i, i);
-        for j in 0..count {
-            let bent = bent(i, j);
-            moments += 2.0 * &bent * bent.transpose();
-        }
+    let tangents = jacobian * &axes / variance;
+    let start = DVector::from_column_slice(start);
+    let mut moved = |y: &DVector<f64>| -> Option<DVector<f64>> {
+        let residuals = residuals((&axes * y).as_slice())?;
+        Some(tangents.tr_mul(&(DVector::from_vec(residuals) - &start)))
+    };
+    let drawn = normal_draws(count);
+    // Errors as small as rounding look bent, but not where they are larger.
+    let mut is_linear = |scale: f64| {
+        drawn.iter().take(TRIED).all(|draw| {
+            let draw = draw * scale;
+            let moved = moved(&draw);
+            moved.is_some_and(|moved| (moved - &draw).norm() <= LINEAR * draw.norm())
+        })
+    };
+    if is_linear(1.0) || is_linear(ABOVE_ROUNDING) {
+        return Some(Covariance::new(matrix, Vec::new()));
     }
-    moments += &mean * mean.transpose();
-    let curved = &axes * moments * axes.transpose();
-    let is_finite = curved.iter().all(|value| value.is_finite());
-    is_finite.then(|| Covariance::new(curved, Vec::new()))
+    let errors: Option<Vec<DVector<f64>>> = drawn
+        .iter()
+        .map(|draw| followed(draw, &mut moved))
+        .collect();
+    let errors = errors?;
+    let square = DMatrix::zeros(count, count);
+    let sum = errors.iter().fold(square, |sum, y| sum + y * y.transpose());
+    let moments = sum / errors.len() as f64;
+    let inverse = Cholesky::new(moments.clone())?;
+    // The moments are scaled so that as many errors are within their ellipsoid as draws are within
+    // a ball.
+    let distances = errors.iter().map(|y| y.dot(&inverse.solve(y)));
+    let mut distances: Vec<f64> = distances.collect();
+    let mut balls: Vec<f64> = drawn.iter().map(|draw| draw.norm_squared()).collect();
+    let [reached, drawn] =
+        [&mut distances, &mut balls].map(|values| Some(Sorted::new(values)?.quantile(LEVEL)));
+    let scale = reached? / drawn?;
+    let moments = moments * scale;
+    if moments.iter().any(|value| !value.is_finite()) {
+        return None;
+    }
+    let greatest = SymmetricEigen::try_new(moments.clone(), f64::EPSILON, SWEEPS)?;
+    let is_determined = greatest.eigenvalues.max() <= GREATEST;
+    is_determined.then(|| Covariance::new(&axes * moments * axes.transpose(), Vec::new()))
 }
 
-/// The third derivatives of half of the cost over the variance, along axes.
-struct Cubic {
-    /// By indices that do not rise.
-    entries: Vec<Vec<Vec<f64>>>,
+/// The y with `z(y)` at a place, by C. G. Broyden's method ("A class of methods for solving
+/// nonlinear simultaneous equations", Mathematics of Computation 19, 1965), or how far it comes
+/// towards it. `None` where there are no residuals at all on the way.
+fn followed(
+    place: &DVector<f64>,
+    moved: &mut impl FnMut(&DVector<f64>) -> Option<DVector<f64>>,
+) -> Option<DVector<f64>> {
+    /// How near, in standard deviations.
+    const NEAR: f64 = 0.03;
+    const STEPS: usize = 12;
+    const HALVINGS: usize = 4;
+    let count = place.len();
+    let mut y = DVector::zeros(count);
+    let mut left = place.clone();
+    let mut inverse = DMatrix::identity(count, count);
+    for step in 0..STEPS {
+        if left.norm() <= NEAR {
+            break;
+        }
+        let mut change = &inverse * &left;
+        let mut next = None;
+        for _ in 0..=HALVINGS {
+            next = moved(&(&y + &change)).map(|moved| place - moved);
+            if next.as_ref().is_some_and(|next| next.norm() < left.norm()) {
+                break;
+            }
+            change *= 0.5;
+        }
+        let next = match next {
+            Some(next) => next,
+            None if step == 0 => return None,
+            None => break,
+        };
+        let fell = &left - &next;
+        let by_fall = &inverse * &fell;
+        let length = change.dot(&by_fall);
+        if length.abs() > 1e-9 * change.norm_squared() {
+            let row = inverse.tr_mul(&change);
+            inverse += (&change - by_fall) / length * row.transpose();
+        }
+        y += change;
+        left = next;
+    }
+    Some(y)
 }
 
-impl Cubic {
-    fn new(
-        axes: &DMatrix<f64>,
-        variance: f64,
-        mut cost: impl FnMut(&[f64]) -> Option<f64>,
-    ) -> Option<Self> {
-        // The odd part of the cost is T(y, y, y)/6, to third order.
-        let mut odd = |parts: &[(usize, f64)]| -> Option<f64> {
-            let step = parts.iter().fold(
-                DVector::zeros(axes.nrows()),
-                |sum: DVector<f64>, (axis, sign)| sum + axes.column(*axis) * *sign,
-            );
-            let both = [cost(step.as_slice())?, cost((-step).as_slice())?];
-            Some((both[0] - both[1]) / (4.0 * variance))
-        };
-        let count = axes.ncols();
-        let mut found = Self {
-            entries: (0..count)
-                .map(|i| (0..=i).map(|j| vec![0.0; j + 1]).collect())
-                .collect(),
-        };
-        for i in 0..count {
-            found.entries[i][i][i] = 6.0 * odd(&[(i, 1.0)])?;
-        }
-        for i in 0..count {
-            for j in 0..i {
-                let [sum, difference] = [odd(&[(i, 1.0), (j, 1.0)])?, odd(&[(i, 1.0), (j, -1.0)])?];
-                let [first, second] = [i, j].map(|k| found.entries[k][k][k] / 3.0);
-                found.entries[i][j][j] = sum + difference - first;
-                found.entries[i][i][j] = sum - difference - second;
-            }
-        }
-        for i in 0..count {
-            for j in 0..i {
-                for k in 0..j {
-                    let whole = odd(&[(i, 1.0), (j, 1.0), (k, 1.0)])?;
-                    let cubes: f64 = [i, j, k].iter().map(|n| found.entry([*n; 3])).sum();
-                    let pairs = [(i, j), (i, k), (j, k), (j, i), (k, i), (k, j)];
-                    let mixed: f64 = pairs.iter().map(|(a, b)| found.entry([*a, *a, *b])).sum();
-                    found.entries[i][j][k] = whole - (cubes + 3.0 * mixed) / 6.0;
-                }
-            }
-        }
-        Some(found)
+/// Vectors that are spread as those of independent normal numbers: the multiples of powers of the
+/// root of `φ^(d + 1) = φ + 1`, which fill a cube evenly, as quantiles, brought to the second
+/// moments 1.
+fn normal_draws(count: usize) -> Vec<DVector<f64>> {
+    let mut root: f64 = 1.5;
+    for _ in 0..60 {
+        root = (1.0 + root).powf((count as f64 + 1.0).recip());
     }
-
-    fn entry(&self, mut indices: [usize; 3]) -> f64 {
-        indices.sort_unstable();
-        let [k, j, i] = indices;
-        self.entries[i][j][k]
+    let normal = Normal::standard();
+    let draw = |index: usize| {
+        let one = |axis: usize, _| {
+            let multiple = index as f64 * root.powi(-(axis as i32 + 1));
+            normal.inverse_cdf((0.5 + multiple).fract())
+        };
+        DVector::from_fn(count, one)
+    };
+    let drawn: Vec<DVector<f64>> = (1..=DRAWN).map(draw).collect();
+    let sum = drawn
+        .iter()
+        .fold(DMatrix::zeros(count, count), |sum, draw| {
+            sum + draw * draw.transpose()
+        });
+    match Cholesky::new(sum / DRAWN as f64) {
+        Some(factor) => {
+            let lower = factor.l();
+            let scaled = |draw: &DVector<f64>| lower.solve_lower_triangular(draw);
+            drawn.iter().filter_map(scaled).collect()
+        }
+        None => drawn,
     }
 }

@@ -59,6 +59,40 @@ pub struct Equations {
     mixed: Vec<DMatrix<f64>>,
     /// `JᵀWr` for all columns.
     gradient: DVector<f64>,
+    /// Where they are asked for, the residuals with their derivatives.
+    linearised: Option<Linearised>,
+}
+
+/// All residuals and their derivatives by the unknowns.
+#[derive(Clone, Debug)]
+pub(super) struct Linearised {
+    /// r.
+    pub(super) residuals: Vec<f64>,
+    /// J by rows.
+    derivatives: Vec<f64>,
+}
+
+impl Linearised {
+    /// J, for a number of unknowns.
+    pub(super) fn jacobian(&self, unknowns: usize) -> DMatrix<f64> {
+        DMatrix::from_row_slice(self.residuals.len(), unknowns, &self.derivatives)
+    }
+
+    fn add<const N: usize>(
+        &mut self,
+        residual: [f64; N],
+        derivatives: &[(usize, [f64; N])],
+        unknowns: usize,
+    ) {
+        self.residuals.extend(residual);
+        let first = self.derivatives.len();
+        self.derivatives.resize(first + N * unknowns, 0.0);
+        for (column, derivative) in derivatives {
+            for (row, value) in derivative.iter().enumerate() {
+                self.derivatives[first + row * unknowns + column] += value;
+            }
+        }
+    }
 }
 
 /// A step, and what it does to the linear model of the residuals.
@@ -82,8 +116,26 @@ impl Equations {
             own: vec![DMatrix::zeros(size, size); columns.groups],
             mixed: vec![DMatrix::zeros(size, shared); columns.groups],
             gradient: DVector::zeros(columns.count()),
+            linearised: None,
             columns,
         }
+    }
+
+    /// The same for the residuals and derivatives of further states, which it keeps.
+    pub(super) fn keeping(&self) -> Self {
+        let linearised = Linearised {
+            residuals: Vec::new(),
+            derivatives: Vec::new(),
+        };
+        Self {
+            linearised: Some(linearised),
+            ..self.clone()
+        }
+    }
+
+    /// What was kept.
+    pub(super) fn linearised(&self) -> Option<&Linearised> {
+        self.linearised.as_ref()
     }
 
     pub(super) fn clear(&mut self) {
@@ -93,6 +145,10 @@ impl Equations {
         self.own.iter_mut().for_each(|block| block.fill(0.0));
         self.mixed.iter_mut().for_each(|block| block.fill(0.0));
         self.gradient.fill(0.0);
+        if let Some(kept) = &mut self.linearised {
+            kept.residuals.clear();
+            kept.derivatives.clear();
+        }
     }
 
     /// Adds a residual of N components with its derivatives by the columns on which it depends, in
@@ -102,6 +158,9 @@ impl Equations {
     /// Where a column does not exist, or where two columns belong to different groups.
     pub fn add<const N: usize>(&mut self, residual: [f64; N], derivatives: &[(usize, [f64; N])]) {
         let dot = |a: &[f64; N], b: &[f64; N]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        if let Some(kept) = &mut self.linearised {
+            kept.add(residual, derivatives, self.columns.count());
+        }
         let (loss, weight) = self.loss.of(dot(&residual, &residual));
         self.cost += loss;
         self.residuals += N;

@@ -15,11 +15,13 @@ mod curvature;
 mod descent;
 mod equations;
 mod loss;
+mod region;
 
 pub use covariance::Covariance;
 pub use descent::{Attempt, Damping, Descended, Descent, Outcome, Search};
 pub use equations::{Columns, Equations};
 pub use loss::Loss;
+pub use region::region_factor;
 
 /// A sum of squares to make least.
 pub trait Problem {
@@ -96,16 +98,6 @@ impl<State> Minimum<State> {
         (redundancy > 0).then(|| self.cost / redundancy as f64)
     }
 
-    /// The variance of a component of a residual as it is known from few: that of Student's t
-    /// distribution with ν degrees of freedom for an estimated variance of 1, ν/(ν − 2), times
-    /// [`variance`](Self::variance), with ν = residuals − unknowns. `None` for ν up to 2.
-    #[must_use]
-    pub fn student_variance(&self) -> Option<f64> {
-        let redundancy = self.residuals.checked_sub(self.unknowns + 2)?;
-        let factor = (redundancy + 2) as f64 / redundancy as f64;
-        Some(factor * self.variance().filter(|_| redundancy > 0)?)
-    }
-
     /// The covariance of the unknowns, to first order, for independent errors of the residuals'
     /// components with a variance: `variance · (JᵀWJ)⁻¹`. `None` where the residuals do not
     /// determine the unknowns.
@@ -114,10 +106,16 @@ impl<State> Minimum<State> {
         self.equations.covariance(variance).ok()
     }
 
-    /// The covariance of the unknowns to second order, for a problem without groups: it also holds
-    /// where the valley of the cost bends within a standard deviation. It is the second moments
-    /// about the minimum, as third derivatives of the cost enlarge them. `None` where the residuals
-    /// do not determine the unknowns, or do not exist one standard deviation away.
+    /// The covariance of the unknowns for a problem without groups whose loss is squares, where the
+    /// valley of the cost bends within a standard deviation: that of the normal distribution with an
+    /// ellipsoid for 95 % of all errors. Errors of the residuals, drawn in their tangent space, are
+    /// followed to the unknowns that bring the residuals there; the second moments of these about
+    /// the minimum are scaled so that 95 % are within their ellipsoid. It is
+    /// [`covariance`](Self::covariance) where the residuals are as good as linear.
+    ///
+    /// The draws are the same at every call. `None` where the residuals do not determine the
+    /// unknowns, do not exist about the minimum, or let errors reach more than five times as far as
+    /// those to first order: the minimum then is a hollow in a wide valley.
     #[must_use]
     pub fn curved_covariance<P: Problem<State = State>>(
         &self,
@@ -128,11 +126,14 @@ impl<State> Minimum<State> {
         State: Clone,
     {
         let first = self.covariance(variance)?;
-        let mut equations = self.equations.clone();
-        curvature::curved(&first, self.unknowns, variance, |step| {
+        let mut equations = self.equations.keeping();
+        evaluate(problem, &self.state, &mut equations)?;
+        let minimum = equations.linearised()?.clone();
+        let jacobian = minimum.jacobian(self.unknowns);
+        curvature::curved(&first, variance, (&minimum.residuals, &jacobian), |step| {
             let state = problem.stepped(&self.state, step)?;
             evaluate(problem, &state, &mut equations)?;
-            Some(equations.cost())
+            Some(equations.linearised()?.residuals.clone())
         })
     }
 

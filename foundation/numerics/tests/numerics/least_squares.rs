@@ -4,6 +4,11 @@ use ga_numerics::least_squares::{
     Columns, Equations, LeastSquaresError, Loss, Options, Problem, minimise,
 };
 use proptest::prelude::*;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use statrs::distribution::{ContinuousCDF, Normal};
+
+use super::ransac::unit;
 
 /// Misra1a of the Statistical Reference Datasets of the National Institute of Standards and
 /// Technology: monomolecular adsorption, `y = b1 (1 − exp(−b2 x))`.
@@ -269,11 +274,60 @@ impl Problem for Parabola {
 
 #[test]
 fn a_valley_that_bends_is_wider_than_it_is_across() {
-    let problem = Parabola { width: 0.5 };
-    let minimum = minimise(&problem, [0.0, 0.0], &Options::default()).unwrap();
-    let first = minimum.covariance(1.0).unwrap();
-    assert!((first.shared(1, 1) - 0.25).abs() < 1e-12);
-    let curved = minimum.curved_covariance(&problem, 1.0).unwrap();
-    assert!((curved.shared(1, 1) - 3.25).abs() < 1e-9);
-    assert!(curved.shared(0, 1).abs() < 1e-9 && curved.shared(0, 0) >= 1.0);
+    for width in [0.5, 1.0, 2.0] {
+        let problem = Parabola { width };
+        let minimum = minimise(&problem, [0.0, 0.0], &Options::default()).unwrap();
+        let first = minimum.covariance(1.0).unwrap();
+        assert!((first.shared(1, 1) - width * width).abs() < 1e-12);
+        let curved = minimum.curved_covariance(&problem, 1.0).unwrap();
+        let [x, xy, y] = [(0, 0), (0, 1), (1, 1)].map(|(i, j)| curved.shared(i, j));
+        let ratio = (width * width + 3.0) / 1.0;
+        assert!((y / x - ratio).abs() < 0.1 * ratio, "{width}: {x} {y}");
+        assert!(xy.abs() < 0.05 * (x * y).sqrt(), "{xy}");
+        // Errors as they are: x of the valley, and what is across it.
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        let normal = Normal::standard();
+        let mut number = || normal.inverse_cdf(unit(&mut random));
+        let mut within = 0;
+        for _ in 0..20_000 {
+            let (along, across) = (number(), width * number());
+            let error = [along, across + along * along];
+            let square = (y * error[0].powi(2) - 2.0 * xy * error[0] * error[1]
+                + x * error[1].powi(2))
+                / (x * y - xy * xy);
+            within += u32::from(square <= 5.991_465);
+        }
+        let part = f64::from(within) / 20_000.0;
+        assert!((part - 0.95).abs() < 0.015, "{width}: {part}");
+    }
+}
+
+/// A valley along x whose end is beyond all numbers that its residuals determine.
+#[test]
+fn a_hollow_in_a_wide_valley_determines_nothing() {
+    /// The first residual ends at 1.
+    struct Horizon;
+    impl Problem for Horizon {
+        type State = f64;
+
+        fn columns(&self) -> Columns {
+            Columns::dense(1)
+        }
+
+        fn evaluate(&self, x: &f64, equations: &mut Equations) -> Option<()> {
+            equations.add([x.tanh()], &[(0, [x.cosh().powi(-2)])]);
+            Some(())
+        }
+
+        fn stepped(&self, x: &f64, step: &[f64]) -> Option<f64> {
+            Some(x + step[0])
+        }
+    }
+    let minimum = minimise(&Horizon, 0.1, &Options::default()).unwrap();
+    let first = minimum.covariance(1.0).unwrap().shared(0, 0);
+    assert!((first - 1.0).abs() < 1e-9);
+    assert!(minimum.curved_covariance(&Horizon, 1.0).is_none());
+    // Errors far below the horizon are as to first order.
+    let near = minimum.curved_covariance(&Horizon, 1e-4).unwrap();
+    assert!((near.shared(0, 0) - 1e-4).abs() < 1e-5);
 }

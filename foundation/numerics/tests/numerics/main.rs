@@ -5,3 +5,4 @@
 mod conjugate_gradient;
 mod least_squares;
 mod order_statistics;
+mod ransac;
