@@ -14,7 +14,7 @@ const NEIGHBOURS: usize = 4;
 /// its longest edge. The homography of a small tag says less of what is far from it.
 const GREATEST: f64 = 0.5;
 
-/// More tags than one, and than this part of them, that are elsewhere mean another board, whose tags
+/// More tags than one, and than this part of them, that are elsewhere mean another board whose tags
 /// have the same numbers.
 const ELSEWHERE: f64 = 0.1;
 

@@ -2,7 +2,8 @@
 //!
 //! [`detect`] finds the tags of a [`Dictionary`] of ArUco or AprilTag: dark quadrangles in the
 //! picture at several thresholds, whose corners are where lines through their edges meet, and whose
-//! modules are read through the homography of these. [`CharucoBoard`] and [`AprilGrid`] tell which points of a board are seen where.
+//! modules are read through the homography of these. [`CharucoBoard`] and [`AprilGrid`] tell which
+//! points of a board are seen where.
 //!
 //! Places are pixel coordinates `[u, v]`: u to the right and v down from the centre of the top left
 //! pixel, as OpenCV has them.

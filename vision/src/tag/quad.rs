@@ -20,8 +20,8 @@ const INSIDE: f64 = 0.7;
 /// The greatest distance of its border from its edges: this part of the shortest edge, and pixels.
 const STRAIGHT: (f64, f64) = (0.1, 2.0);
 
-/// The corners of dark quadrangles, clockwise as seen, about as accurate as pixels. The same one may
-/// be found several times.
+/// The corners of dark quadrangles, clockwise as seen, about as accurate as pixels. The same
+/// quadrangle may be found several times.
 pub(super) fn quads(levels: &Plane<f32>) -> Vec<[[f64; 2]; 4]> {
     let bytes = levels.map(|level| (level + 0.5) as u8);
     let side = levels.width().max(levels.height());

@@ -1,5 +1,5 @@
-//! The words of dictionaries, as data: row by row from the top left module of the upright tag, which
-//! is the highest bit; 1 is white.
+//! The words of dictionaries, as data: row by row from the top left module of the upright tag,
+//! which is the highest bit; 1 is white.
 
 pub(super) mod april;
 pub(super) mod aruco_4x4;
