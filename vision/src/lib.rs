@@ -3,6 +3,7 @@
 //! cite as "Cui".
 //!
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
+//! - [`tag`]: ArUco markers, AprilTags and boards of them in pictures.
 //! - [`calibration`]: cameras and rigs from pictures of chessboards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rectification`]: views in which the images of a point are in the same row.
@@ -38,6 +39,7 @@ pub mod rectification;
 pub mod relative_pose;
 mod rival;
 pub mod surface;
+pub mod tag;
 pub mod texture;
 
 pub use geometry_error::ViewGeometryError;

@@ -44,8 +44,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, ReadError<FormatError>> {
     ga_files::read(path, decode)
 }
 
-/// As [`read`], with the orientation that was applied, for what measures in pictures: a camera's
-/// parameters are for the pixels of its sensor, and hold for a picture in the same orientation only.
+/// As [`read`], with the orientation that was applied, for what measures in pictures: the
+/// parameters of a camera hold for pictures in one orientation only.
 ///
 /// # Errors
 ///

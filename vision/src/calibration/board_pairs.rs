@@ -1,6 +1,7 @@
 //! A rig from pairs of pictures of a chessboard.
 
 use ga_image::plane::Plane;
+use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::error::{CalibrationError, LEAST_VIEWS};
@@ -93,9 +94,9 @@ impl BoardPairs {
     ///
     /// # Errors
     /// [`CalibrationError::PictureSizes`] for pictures of other sizes than the first.
-    pub fn add(
+    pub fn add<T: Sample>(
         &mut self,
-        pictures: &[Plane<u8>; 2],
+        pictures: &[Plane<T>; 2],
         names: PairNames,
     ) -> Result<Option<&[Chessboard; 2]>, CalibrationError> {
         self.check_sizes(pictures, &names)?;
@@ -122,9 +123,9 @@ impl BoardPairs {
         Ok(self.found.last().map(|(_, boards)| boards))
     }
 
-    fn check_sizes(
+    fn check_sizes<T: Copy>(
         &mut self,
-        pictures: &[Plane<u8>; 2],
+        pictures: &[Plane<T>; 2],
         names: &PairNames,
     ) -> Result<(), CalibrationError> {
         let sizes = pictures.each_ref().map(|p| [p.width(), p.height()]);

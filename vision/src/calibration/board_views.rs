@@ -3,6 +3,7 @@
 use ga_camera::Intrinsics;
 use ga_image::plane::Plane;
 use ga_image::pyramid::halved;
+use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::error::{CalibrationError, LEAST_VIEWS};
@@ -161,7 +162,11 @@ impl BoardViews {
     ///
     /// # Errors
     /// Those of [`find`] other than that there is no board.
-    pub fn add(&mut self, picture: &Plane<u8>, name: String) -> Result<(), CalibrationError> {
+    pub fn add<T: Sample>(
+        &mut self,
+        picture: &Plane<T>,
+        name: String,
+    ) -> Result<(), CalibrationError> {
         let size = [picture.width(), picture.height()];
         let index = self.pictures.len();
         self.pictures.push((name.clone(), size));
@@ -273,8 +278,8 @@ impl BoardViews {
 }
 
 /// A picture of at most 800 columns.
-fn small(picture: &Plane<u8>) -> Plane<u8> {
-    let mut small = picture.clone();
+fn small<T: Sample>(picture: &Plane<T>) -> Plane<u8> {
+    let mut small = picture.map(|value| u8::from_unit(value.to_unit()));
     while small.width() > 800 {
         small = halved(&small);
     }

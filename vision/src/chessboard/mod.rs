@@ -16,7 +16,7 @@ mod board_size;
 mod grid;
 mod margin;
 mod picture;
-mod refinement;
+pub(crate) mod refinement;
 mod saddle;
 
 use std::borrow::Cow;

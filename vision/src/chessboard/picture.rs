@@ -2,6 +2,7 @@
 
 use super::Chessboard;
 use ga_image::plane::Plane;
+use ga_image::sample::Sample;
 
 /// The half length of the cross at a corner, in pixels.
 const CROSS: isize = 4;
@@ -12,7 +13,7 @@ const BLUE: [u8; 3] = [90, 150, 255];
 /// Two views beside each other, with a line through the corners in their order and a cross at each:
 /// red at the first corner, green in the first row, and blue in the others. Where one view is
 /// lower, what is below it is black.
-pub fn pair_picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
+pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
     let width = views[0].width();
     let height = views[0].height().max(views[1].height());
     let mut picture = Plane::from_fn(width + views[1].width(), height, |column, row| {
@@ -20,7 +21,7 @@ pub fn pair_picture(views: &[Plane<u8>; 2], boards: &[Chessboard; 2]) -> Plane<[
             true => views[0].get(column, row),
             false => views[1].get(column - width, row),
         };
-        [value.unwrap_or(0); 3]
+        [value.map_or(0, |value| u8::from_unit(value.to_unit())); 3]
     });
     for (left, board) in [0, width].into_iter().zip(boards) {
         let corners: Vec<[f64; 2]> = board

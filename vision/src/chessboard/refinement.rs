@@ -19,10 +19,10 @@ const SETTLED: f64 = 1e-5;
 const STEPS: usize = 60;
 
 /// The gradient of a picture, from which corners are refined.
-pub(super) struct Gradient(Plane<[f32; 2]>);
+pub(crate) struct Gradient(Plane<[f32; 2]>);
 
 impl Gradient {
-    pub(super) fn new(picture: &Plane<f32>) -> Result<Self, PlaneError> {
+    pub(crate) fn new(picture: &Plane<f32>) -> Result<Self, PlaneError> {
         let smooth = Gaussian::new(SIGMA)?.blur(picture, Border::Mirror);
         let [right, bottom] = [smooth.width(), smooth.height()].map(|k| k.saturating_sub(1));
         Ok(Self(Plane::from_fn(
@@ -73,7 +73,11 @@ impl Gradient {
     /// Gülch, "A fast operator for detection and precise location of distinct points, corners and
     /// centres of circular features", 1987). The window is a parallelogram along the board, and
     /// moves with q.
-    fn corner(&self, start: Vector<f64>, sides: [Vector<f64>; 2]) -> Option<Vector<f64>> {
+    pub(crate) fn corner(
+        &self,
+        start: Vector<f64>,
+        sides: [Vector<f64>; 2],
+    ) -> Option<Vector<f64>> {
         let area = (sides[0] ^ sides[1]).e12;
         let extent = |k: usize| {
             sides

@@ -58,7 +58,8 @@ pub struct ViewOptions {
     pub matching: MatchOptions,
 }
 
-/// The features of a grey view of any depth, by scale and in each by rows. None for a view that is too small.
+/// The features of a grey view of any depth, by scale and in each by rows. None for a view that is
+/// too small.
 ///
 /// ```
 /// use ga_image::plane::Plane;

@@ -24,6 +24,7 @@ mod relative_pose;
 mod space_curve;
 mod surface;
 mod synthetic_scene;
+mod tag;
 mod texture;
 mod texture_blend;
 

@@ -101,7 +101,7 @@ impl Command for Arguments {
         let mut boards = BoardViews::new(self.board);
         for path in &pictures {
             progress.step("looking for the board");
-            boards.add(&views::read(path)?, path.display().to_string())?;
+            boards.add(&views::read::<u16>(path)?, path.display().to_string())?;
         }
         progress.step("calibrating");
         let found = boards.calibrate(self.square, self.lens)?;

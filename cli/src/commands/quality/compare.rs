@@ -38,8 +38,9 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {
-    /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM) or a video (Y4M, - for Y4M on standard
-    /// input, a folder of numbered pictures; MP4 where the program is built with feature mp4).
+    /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM, TIFF, BMP, WebP) or a video (Y4M, - for
+    /// Y4M on standard input, a folder of numbered pictures; MP4 where the program is built with
+    /// feature mp4).
     #[arg(value_name = "REF")]
     reference: PathBuf,
     /// What is measured: a picture or a video of the same size.

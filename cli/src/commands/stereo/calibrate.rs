@@ -218,7 +218,7 @@ impl Arguments {
         let mut pictures = Vec::new();
         for (index, [left, right]) in files.iter().enumerate() {
             progress.step("looking for the board");
-            let views = views::read_pair(left, right)?;
+            let views = views::read_pair::<u16>(left, right)?;
             let names = PairNames {
                 left: left.display().to_string(),
                 right: right.display().to_string(),
