@@ -12,7 +12,9 @@ use crate::homography::{Homography, in_plane};
 use crate::perspective_n_point;
 use ga_camera::frame::{Board, CameraFrame, Pose};
 use ga_camera::{CameraError, Intrinsics};
-use ga_numerics::least_squares::{Covariance, Loss, Minimum, Options, minimise};
+use ga_numerics::least_squares::{
+    Covariance, Loss, Minimum, Options, Region, minimise, region_factor,
+};
 
 /// Where the intrinsic parameters of a camera come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,8 +44,9 @@ pub struct CameraCalibration {
     /// The camera.
     pub intrinsics: Intrinsics,
     /// The standard deviations of the intrinsic parameters, in the order of
-    /// [`Intrinsics::parameters`], 0 for those that did not vary: to first order, for independent
-    /// errors of the corners of the size that the remaining distances show.
+    /// [`Intrinsics::parameters`], 0 for those that did not vary: 1.96 of them to either side hold
+    /// 95 % of all errors of a parameter, for independent errors of the corners of the size that the
+    /// remaining distances show.
     pub deviations: [f64; Intrinsics::MAX_PARAMETERS],
     /// For each view the motor that takes the board into the camera's frame.
     pub boards: Vec<Pose<Board, CameraFrame>>,
@@ -158,12 +161,16 @@ pub(super) fn calibrate_views(
     })
 }
 
-/// The covariance of the unknowns with the variance that the residuals show.
+/// The covariance of the unknowns with the variance that the residuals show, such that 95 % of all
+/// errors of a parameter of a camera are within 1.96 of its standard deviations.
 pub(super) fn covariance(
     bundle: &Bundle<'_>,
     minimum: &Minimum<BundleState>,
 ) -> Result<Covariance, CalibrationError> {
-    let covariance = minimum.covariance(minimum.variance().unwrap_or(0.0));
+    let redundancy = minimum.residuals.saturating_sub(minimum.unknowns) as f64;
+    let factor = region_factor(1, redundancy).unwrap_or(1.0);
+    let variance = factor * minimum.variance().unwrap_or(0.0);
+    let covariance = minimum.curved_covariance(bundle, variance, Region::Intervals);
     covariance.ok_or_else(|| {
         let column = minimum.undetermined().unwrap_or_default();
         let parameter = bundle.unknown_name(&minimum.state, column);

@@ -16,7 +16,7 @@ use crate::geometry_error::ViewGeometryError;
 use crate::rival::{is_rival, is_same};
 use ga_camera::{Camera, Intrinsics};
 use ga_numerics::least_squares::{
-    self, Columns, Covariance, Equations, Minimum, Problem, minimise,
+    self, Columns, Covariance, Equations, Minimum, Problem, Region, minimise,
 };
 pub use ga_numerics::ransac::PoseOptions as Options;
 use ga_numerics::ransac::{Consensus, Search, SelectedNoise};
@@ -245,9 +245,10 @@ impl Refined {
             observations: &selected,
             ..*problem
         };
-        let covariance = self
-            .variance(threshold)
-            .and_then(|variance| self.minimum.curved_covariance(&part, variance));
+        let covariance = self.variance(threshold).and_then(|variance| {
+            self.minimum
+                .curved_covariance(&part, variance, Region::Ellipsoid)
+        });
         let entries = |covariance: Covariance| {
             std::array::from_fn(|row| std::array::from_fn(|column| covariance.shared(row, column)))
         };

@@ -6,7 +6,7 @@ use ga_runtime::vga3::Vector;
 use super::sampson::{SampsonCost, across_translation};
 use crate::feature::PixelPair;
 use crate::geometry_error::ViewGeometryError;
-use ga_numerics::least_squares::{Covariance, Minimum};
+use ga_numerics::least_squares::{Covariance, Minimum, Region};
 use ga_numerics::ransac::SelectedNoise;
 
 /// Distances of corners in the left view up to which their errors may be alike, in pixels: the
@@ -35,7 +35,7 @@ pub(super) fn covariance(
         return Ok(None);
     };
     let variance = variance * correlation(problem, minimum.state, pixels);
-    let covariance = minimum.curved_covariance(problem, variance);
+    let covariance = minimum.curved_covariance(problem, variance, Region::Ellipsoid);
     let covariance = covariance.ok_or(ViewGeometryError::Undetermined)?;
     Ok(Some(of_twist(&covariance, minimum.state)))
 }

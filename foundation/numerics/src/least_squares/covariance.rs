@@ -14,6 +14,14 @@ impl Covariance {
         Self { shared, groups }
     }
 
+    /// The same groups with another covariance of the shared unknowns.
+    pub(super) fn with_shared(&self, shared: DMatrix<f64>) -> Self {
+        Self {
+            shared,
+            groups: self.groups.clone(),
+        }
+    }
+
     /// The covariance of two shared unknowns.
     ///
     /// # Panics

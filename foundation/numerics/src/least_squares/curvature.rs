@@ -4,16 +4,16 @@ use nalgebra_035::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::covariance::Covariance;
-use super::region::LEVEL;
+use super::region::{LEVEL, Region};
 use crate::order_statistics::Sorted;
 
-/// How many errors are drawn.
-const DRAWN: usize = 250;
+/// How many errors are drawn for an ellipsoid, and for intervals.
+const DRAWN: [usize; 2] = [250, 100];
 /// How many of them tell whether the residuals are as good as linear.
 const TRIED: usize = 25;
 
 /// The covariance of unknowns where residuals bend within their deviations, from that to first order
-/// with the residuals at the minimum and after a step; all unknowns are shared. See
+/// with the residuals at the minimum and after a step of the shared unknowns. See
 /// [`Minimum::curved_covariance`](super::Minimum::curved_covariance).
 ///
 /// In coordinates y in which the ellipsoid to first order is the unit ball, errors of the residuals
@@ -31,6 +31,7 @@ const TRIED: usize = 25;
 pub(super) fn curved(
     first: &Covariance,
     variance: f64,
+    region: Region,
     (start, jacobian): (&[f64], &DMatrix<f64>),
     mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
 ) -> Option<Covariance> {
@@ -44,9 +45,9 @@ pub(super) fn curved(
     const SWEEPS: usize = 10_000;
     let count = jacobian.ncols();
     let matrix = DMatrix::from_fn(count, count, |row, column| first.shared(row, column));
-    let Some(factor) = Cholesky::new(matrix.clone()) else {
+    let Some(factor) = Cholesky::new(matrix) else {
         // No variance, as of exact observations.
-        return Some(Covariance::new(matrix, Vec::new()));
+        return Some(first.clone());
     };
     let axes = factor.l();
     let tangents = jacobian * &axes / variance;
@@ -55,7 +56,13 @@ pub(super) fn curved(
         let residuals = residuals((&axes * y).as_slice())?;
         Some(tangents.tr_mul(&(DVector::from_vec(residuals) - &start)))
     };
-    let drawn = normal_draws(count);
+    let drawn = normal_draws(
+        count,
+        match region {
+            Region::Ellipsoid => DRAWN[0],
+            Region::Intervals => DRAWN[1].max(4 * count),
+        },
+    );
     // Errors as small as rounding look bent, but not where they are larger.
     let mut is_linear = |scale: f64| {
         drawn.iter().take(TRIED).all(|draw| {
@@ -65,7 +72,7 @@ pub(super) fn curved(
         })
     };
     if is_linear(1.0) || is_linear(ABOVE_ROUNDING) {
-        return Some(Covariance::new(matrix, Vec::new()));
+        return Some(first.clone());
     }
     let errors: Option<Vec<DVector<f64>>> = drawn
         .iter()
@@ -75,22 +82,43 @@ pub(super) fn curved(
     let square = DMatrix::zeros(count, count);
     let sum = errors.iter().fold(square, |sum, y| sum + y * y.transpose());
     let moments = sum / errors.len() as f64;
-    let inverse = Cholesky::new(moments.clone())?;
-    // The moments are scaled so that as many errors are within their ellipsoid as draws are within
-    // a ball.
-    let distances = errors.iter().map(|y| y.dot(&inverse.solve(y)));
-    let mut distances: Vec<f64> = distances.collect();
-    let mut balls: Vec<f64> = drawn.iter().map(|draw| draw.norm_squared()).collect();
-    let [reached, drawn] =
-        [&mut distances, &mut balls].map(|values| Some(Sorted::new(values)?.quantile(LEVEL)));
-    let scale = reached? / drawn?;
-    let moments = moments * scale;
-    if moments.iter().any(|value| !value.is_finite()) {
-        return None;
-    }
-    let greatest = SymmetricEigen::try_new(moments.clone(), f64::EPSILON, SWEEPS)?;
-    let is_determined = greatest.eigenvalues.max() <= GREATEST;
-    is_determined.then(|| Covariance::new(&axes * moments * axes.transpose(), Vec::new()))
+    let quantile = |values: &mut dyn Iterator<Item = f64>| {
+        let mut values: Vec<f64> = values.collect();
+        Some(Sorted::new(&mut values)?.quantile(LEVEL))
+    };
+    let curved = match region {
+        Region::Ellipsoid => {
+            // As many errors are within their ellipsoid as draws are within a ball.
+            let inverse = Cholesky::new(moments.clone())?;
+            let reached = quantile(&mut errors.iter().map(|y| y.dot(&inverse.solve(y))))?;
+            let drawn = quantile(&mut drawn.iter().map(|draw| draw.norm_squared()))?;
+            let moments = moments * (reached / drawn);
+            if moments.iter().any(|value| !value.is_finite()) {
+                return None;
+            }
+            let greatest = SymmetricEigen::try_new(moments.clone(), f64::EPSILON, SWEEPS)?;
+            if greatest.eigenvalues.max() > GREATEST {
+                return None;
+            }
+            &axes * moments * axes.transpose()
+        }
+        Region::Intervals => {
+            // As many errors of an unknown are within its interval as without a bend.
+            let curved = &axes * moments * axes.transpose();
+            let width = |unknown: usize| {
+                let along = |y: &DVector<f64>| axes.row(unknown).transpose().dot(y).abs();
+                let reached = quantile(&mut errors.iter().map(along))?;
+                let straight = quantile(&mut drawn.iter().map(along))?;
+                let deviation = axes.row(unknown).norm() * reached / straight;
+                Some(deviation / curved[(unknown, unknown)].sqrt())
+            };
+            let widths: Option<Vec<f64>> = (0..count).map(width).collect();
+            let widths = widths?;
+            DMatrix::from_fn(count, count, |i, j| curved[(i, j)] * widths[i] * widths[j])
+        }
+    };
+    let is_finite = curved.iter().all(|value| value.is_finite());
+    is_finite.then(|| first.with_shared(curved))
 }
 
 /// The y with `z(y)` at a place, by C. G. Broyden's method ("A class of methods for solving
@@ -142,7 +170,7 @@ fn followed(
 /// Vectors that are spread as those of independent normal numbers: the multiples of powers of the
 /// root of `φ^(d + 1) = φ + 1`, which fill a cube evenly, as quantiles, brought to the second
 /// moments 1.
-fn normal_draws(count: usize) -> Vec<DVector<f64>> {
+fn normal_draws(count: usize, drawn: usize) -> Vec<DVector<f64>> {
     let mut root: f64 = 1.5;
     for _ in 0..60 {
         root = (1.0 + root).powf((count as f64 + 1.0).recip());
@@ -155,13 +183,13 @@ fn normal_draws(count: usize) -> Vec<DVector<f64>> {
         };
         DVector::from_fn(count, one)
     };
-    let drawn: Vec<DVector<f64>> = (1..=DRAWN).map(draw).collect();
+    let drawn: Vec<DVector<f64>> = (1..=drawn).map(draw).collect();
     let sum = drawn
         .iter()
         .fold(DMatrix::zeros(count, count), |sum, draw| {
             sum + draw * draw.transpose()
         });
-    match Cholesky::new(sum / DRAWN as f64) {
+    match Cholesky::new(sum / drawn.len() as f64) {
         Some(factor) => {
             let lower = factor.l();
             let scaled = |draw: &DVector<f64>| lower.solve_lower_triangular(draw);

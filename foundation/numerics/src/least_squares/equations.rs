@@ -64,34 +64,42 @@ pub struct Equations {
 }
 
 /// All residuals and their derivatives by the unknowns.
-#[derive(Clone, Debug)]
-pub(super) struct Linearised {
-    /// r.
-    pub(super) residuals: Vec<f64>,
-    /// J by rows.
-    derivatives: Vec<f64>,
+#[derive(Clone, Debug, Default)]
+struct Linearised {
+    residuals: Vec<f64>,
+    /// Of a row and a column.
+    derivatives: Vec<(usize, usize, f64)>,
 }
 
 impl Linearised {
-    /// J, for a number of unknowns.
-    pub(super) fn jacobian(&self, unknowns: usize) -> DMatrix<f64> {
-        DMatrix::from_row_slice(self.residuals.len(), unknowns, &self.derivatives)
-    }
-
-    fn add<const N: usize>(
-        &mut self,
-        residual: [f64; N],
-        derivatives: &[(usize, [f64; N])],
-        unknowns: usize,
-    ) {
+    fn add<const N: usize>(&mut self, residual: [f64; N], derivatives: &[(usize, [f64; N])]) {
+        let first = self.residuals.len();
         self.residuals.extend(residual);
-        let first = self.derivatives.len();
-        self.derivatives.resize(first + N * unknowns, 0.0);
         for (column, derivative) in derivatives {
-            for (row, value) in derivative.iter().enumerate() {
-                self.derivatives[first + row * unknowns + column] += value;
-            }
+            let entry = |(row, value): (usize, &f64)| (first + row, *column, *value);
+            self.derivatives
+                .extend(derivative.iter().enumerate().map(entry));
         }
+    }
+}
+
+/// How groups follow the shared unknowns, so that the cost stays the least for these.
+#[derive(Clone, Debug)]
+pub(super) struct Following {
+    /// The derivatives of the residuals by the shared unknowns.
+    pub(super) jacobian: DMatrix<f64>,
+    /// For each group the derivatives of its unknowns by the shared ones.
+    groups: Vec<DMatrix<f64>>,
+}
+
+impl Following {
+    /// The step of all unknowns with one of the shared ones.
+    pub(super) fn step(&self, shared: &[f64]) -> Vec<f64> {
+        let shared = DVector::from_column_slice(shared);
+        let groups = self.groups.iter().map(|group| group * &shared);
+        let groups: Vec<DVector<f64>> = groups.collect();
+        let groups = groups.iter().flat_map(|group| group.iter().copied());
+        shared.iter().copied().chain(groups).collect()
     }
 }
 
@@ -123,19 +131,65 @@ impl Equations {
 
     /// The same for the residuals and derivatives of further states, which it keeps.
     pub(super) fn keeping(&self) -> Self {
-        let linearised = Linearised {
-            residuals: Vec::new(),
-            derivatives: Vec::new(),
-        };
         Self {
-            linearised: Some(linearised),
+            linearised: Some(Linearised::default()),
             ..self.clone()
         }
     }
 
-    /// What was kept.
-    pub(super) fn linearised(&self) -> Option<&Linearised> {
-        self.linearised.as_ref()
+    /// The residuals that were kept.
+    pub(super) fn kept_residuals(&self) -> &[f64] {
+        match &self.linearised {
+            Some(kept) => &kept.residuals,
+            None => &[],
+        }
+    }
+
+    /// How groups follow the shared unknowns, from derivatives that were kept. `None` where a group
+    /// is not determined.
+    pub(super) fn following(&self) -> Option<Following> {
+        let kept = self.linearised.as_ref()?;
+        let groups = self.own.iter().zip(&self.mixed);
+        let groups = groups.map(|(own, mixed)| Some(-Cholesky::new(symmetric(own))?.solve(mixed)));
+        let groups: Vec<DMatrix<f64>> = groups.collect::<Option<_>>()?;
+        let mut jacobian = DMatrix::zeros(kept.residuals.len(), self.columns.shared);
+        for &(row, column, value) in &kept.derivatives {
+            if column < self.columns.shared {
+                jacobian[(row, column)] += value;
+            } else {
+                let (group, place) = self.place(column);
+                let mut row = jacobian.row_mut(row);
+                row += groups[group].row(place) * value;
+            }
+        }
+        Some(Following { jacobian, groups })
+    }
+
+    /// The step of the groups alone, and by how much the sum of squares falls. `None` where a group
+    /// is not determined.
+    pub(super) fn step_of_groups(&self) -> Option<(Vec<f64>, f64)> {
+        let Columns {
+            shared: count,
+            group_size: size,
+            ..
+        } = self.columns;
+        let mut step = vec![0.0; self.columns.count()];
+        let mut fall = 0.0;
+        for (group, own) in self.own.iter().enumerate() {
+            let first = count + group * size;
+            let gradient = self.gradient.rows(first, size);
+            let change = Cholesky::new(symmetric(own))?.solve(&gradient);
+            fall += gradient.dot(&change);
+            for (place, change) in change.iter().enumerate() {
+                step[first + place] = -change;
+            }
+        }
+        Some((step, fall))
+    }
+
+    /// How many unknowns are shared, and how many groups there are.
+    pub(super) fn parts(&self) -> [usize; 2] {
+        [self.columns.shared, self.columns.groups]
     }
 
     pub(super) fn clear(&mut self) {
@@ -159,7 +213,7 @@ impl Equations {
     pub fn add<const N: usize>(&mut self, residual: [f64; N], derivatives: &[(usize, [f64; N])]) {
         let dot = |a: &[f64; N], b: &[f64; N]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         if let Some(kept) = &mut self.linearised {
-            kept.add(residual, derivatives, self.columns.count());
+            kept.add(residual, derivatives);
         }
         let (loss, weight) = self.loss.of(dot(&residual, &residual));
         self.cost += loss;

@@ -21,7 +21,7 @@ pub use covariance::Covariance;
 pub use descent::{Attempt, Damping, Descended, Descent, Outcome, Search};
 pub use equations::{Columns, Equations};
 pub use loss::Loss;
-pub use region::region_factor;
+pub use region::{Region, region_factor};
 
 /// A sum of squares to make least.
 pub trait Problem {
@@ -106,34 +106,54 @@ impl<State> Minimum<State> {
         self.equations.covariance(variance).ok()
     }
 
-    /// The covariance of the unknowns for a problem without groups whose loss is squares, where the
-    /// valley of the cost bends within a standard deviation: that of the normal distribution with an
-    /// ellipsoid for 95 % of all errors. Errors of the residuals, drawn in their tangent space, are
-    /// followed to the unknowns that bring the residuals there; the second moments of these about
-    /// the minimum are scaled so that 95 % are within their ellipsoid. It is
-    /// [`covariance`](Self::covariance) where the residuals are as good as linear.
+    /// The covariance of the shared unknowns for a problem whose loss is squares, where the valley of
+    /// the cost bends within a standard deviation: that of the normal distribution with a
+    /// [`Region`] for 95 % of all errors. Errors of the residuals, drawn in their tangent space, are
+    /// followed to the unknowns that bring the residuals there, with the groups that make the cost
+    /// the least; the second moments of these about the minimum are scaled so that 95 % are within
+    /// the region. It is [`covariance`](Self::covariance) where the residuals are as good as linear,
+    /// and for the groups.
     ///
     /// The draws are the same at every call. `None` where the residuals do not determine the
-    /// unknowns, do not exist about the minimum, or let errors reach more than five times as far as
-    /// those to first order: the minimum then is a hollow in a wide valley.
+    /// unknowns, do not exist about the minimum, or let errors leave an ellipsoid by more than five
+    /// times its size to first order: the minimum then is a hollow in a wide valley.
     #[must_use]
     pub fn curved_covariance<P: Problem<State = State>>(
         &self,
         problem: &P,
         variance: f64,
+        region: Region,
     ) -> Option<Covariance>
     where
         State: Clone,
     {
+        /// Steps of the groups after one of the shared unknowns.
+        const RELAXATIONS: usize = 4;
+        /// What is left of the sum of squares after these, in variances.
+        const REST: f64 = 1e-3;
         let first = self.covariance(variance)?;
         let mut equations = self.equations.keeping();
         evaluate(problem, &self.state, &mut equations)?;
-        let minimum = equations.linearised()?.clone();
-        let jacobian = minimum.jacobian(self.unknowns);
-        curvature::curved(&first, variance, (&minimum.residuals, &jacobian), |step| {
-            let state = problem.stepped(&self.state, step)?;
+        let [shared, groups] = equations.parts();
+        if shared == 0 {
+            return Some(first);
+        }
+        let relaxations = if groups > 0 { RELAXATIONS } else { 0 };
+        let start = equations.kept_residuals().to_vec();
+        let following = equations.following()?;
+        let linear = (start.as_slice(), &following.jacobian);
+        curvature::curved(&first, variance, region, linear, |step| {
+            let mut state = problem.stepped(&self.state, &following.step(step))?;
             evaluate(problem, &state, &mut equations)?;
-            Some(equations.linearised()?.residuals.clone())
+            for _ in 0..relaxations {
+                let (step, fall) = equations.step_of_groups()?;
+                if fall <= REST * variance {
+                    break;
+                }
+                state = problem.stepped(&state, &step)?;
+                evaluate(problem, &state, &mut equations)?;
+            }
+            Some(equations.kept_residuals().to_vec())
         })
     }
 

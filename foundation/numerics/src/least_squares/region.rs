@@ -5,6 +5,15 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 /// The part of all errors that a region is for.
 pub(super) const LEVEL: f64 = 0.95;
 
+/// Which regions hold 95 % of all errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Region {
+    /// The ellipsoid of all unknowns together.
+    Ellipsoid,
+    /// The interval of each unknown by itself, 1.96 standard deviations to either side.
+    Intervals,
+}
+
 /// By how much a covariance of p unknowns with an estimated variance, `C = σ̂² (JᵀJ)⁻¹`, is to be
 /// multiplied so that an ellipsoid of the normal distribution is one in which the true values lie
 /// with the probability 95 %:

@@ -103,7 +103,7 @@ impl SelectedNoise {
     #[must_use]
     pub fn of_region(&self, unknowns: usize) -> Option<f64> {
         let factor = region_factor(unknowns, self.redundancy)?;
-        (self.redundancy > 2.0).then(|| self.of_estimates * factor)
+        (self.redundancy > 2.0).then_some(self.of_estimates * factor)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Least squares against certified values, and the elimination of groups against the whole matrix.
 
 use ga_numerics::least_squares::{
-    Columns, Equations, LeastSquaresError, Loss, Options, Problem, minimise,
+    Columns, Equations, LeastSquaresError, Loss, Options, Problem, Region, minimise,
 };
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
@@ -279,7 +279,9 @@ fn a_valley_that_bends_is_wider_than_it_is_across() {
         let minimum = minimise(&problem, [0.0, 0.0], &Options::default()).unwrap();
         let first = minimum.covariance(1.0).unwrap();
         assert!((first.shared(1, 1) - width * width).abs() < 1e-12);
-        let curved = minimum.curved_covariance(&problem, 1.0).unwrap();
+        let curved = minimum
+            .curved_covariance(&problem, 1.0, Region::Ellipsoid)
+            .unwrap();
         let [x, xy, y] = [(0, 0), (0, 1), (1, 1)].map(|(i, j)| curved.shared(i, j));
         let ratio = (width * width + 3.0) / 1.0;
         assert!((y / x - ratio).abs() < 0.1 * ratio, "{width}: {x} {y}");
@@ -326,8 +328,68 @@ fn a_hollow_in_a_wide_valley_determines_nothing() {
     let minimum = minimise(&Horizon, 0.1, &Options::default()).unwrap();
     let first = minimum.covariance(1.0).unwrap().shared(0, 0);
     assert!((first - 1.0).abs() < 1e-9);
-    assert!(minimum.curved_covariance(&Horizon, 1.0).is_none());
+    assert!(
+        minimum
+            .curved_covariance(&Horizon, 1.0, Region::Ellipsoid)
+            .is_none()
+    );
     // Errors far below the horizon are as to first order.
-    let near = minimum.curved_covariance(&Horizon, 1e-4).unwrap();
+    let near = minimum
+        .curved_covariance(&Horizon, 1e-4, Region::Ellipsoid)
+        .unwrap();
     assert!((near.shared(0, 0) - 1e-4).abs() < 1e-5);
+}
+
+/// Squares of numbers about a level, each with a number of its own: `x` of `e^x`, with groups that
+/// are as free as they can be.
+struct Exponents {
+    levels: Vec<f64>,
+}
+
+impl Problem for Exponents {
+    type State = Vec<f64>;
+
+    fn columns(&self) -> Columns {
+        Columns::grouped(1, self.levels.len(), 1)
+    }
+
+    fn evaluate(&self, state: &Vec<f64>, equations: &mut Equations) -> Option<()> {
+        let scale = state[0].exp();
+        for (k, level) in self.levels.iter().enumerate() {
+            // The scale, with an offset of each group, and the offset.
+            let own = state[1 + k];
+            equations.add([scale + own - level], &[(0, [scale]), (1 + k, [1.0])]);
+            equations.add([own], &[(1 + k, [1.0])]);
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &Vec<f64>, step: &[f64]) -> Option<Vec<f64>> {
+        Some(state.iter().zip(step).map(|(a, b)| a + b).collect())
+    }
+}
+
+/// With the groups at their best, the levels have the variance 2 about `e^x`, and their mean is
+/// normal: x is its logarithm.
+#[test]
+fn intervals_follow_groups_along_a_logarithm() {
+    let problem = Exponents {
+        levels: vec![6.0; 8],
+    };
+    let start = vec![1.0; 9];
+    let minimum = minimise(&problem, start, &Options::default()).unwrap();
+    assert!((minimum.state[0] - 6_f64.ln()).abs() < 1e-9);
+    // A mean with the deviation √(2 · 9/8) = 1.5.
+    let first = minimum.covariance(9.0).unwrap().standard_deviation(0);
+    assert!((first - 0.25).abs() < 1e-9, "{first}");
+    let found = minimum.curved_covariance(&problem, 9.0, Region::Intervals);
+    let found = 1.959_964 * found.unwrap().standard_deviation(0);
+    // 95 % of all x = ln(6 + 1.5 z) are within this of ln 6, by the normal distribution.
+    let normal = Normal::standard();
+    let place = |x: f64| (6.0 * x.exp() - 6.0) / 1.5;
+    let part = normal.cdf(place(found)) - normal.cdf(place(-found));
+    assert!((part - 0.95).abs() < 0.015, "{found}: {part}");
+    // That of the first order is too short.
+    let part = normal.cdf(place(1.96 * first)) - normal.cdf(place(-1.96 * first));
+    assert!(part < 0.942, "{part}");
 }

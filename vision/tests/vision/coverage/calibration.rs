@@ -115,7 +115,8 @@ fn cameras() {
             ..general
         }),
         one_camera(&narrow("narrow", 2000.0, 1.2)),
-        one_camera(&narrow("very narrow", 3000.0, 1.8)),
+        // Boards that are seen almost in parallel do not always show a focal length.
+        one_camera(&narrow("very narrow", 3000.0, 1.8)).with_least_counted(0.75),
         one_camera(&general),
     ]);
 }
