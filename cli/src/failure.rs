@@ -39,8 +39,8 @@ fn one_line(error: &Error) -> String {
 
 /// What the program has for an error of a library, which knows no options.
 fn advice(cause: &(dyn Cause + 'static)) -> Option<&'static str> {
-    const UNDISTORT: &str = "`nullcone stereo undistort` makes pictures without it and writes their \
-                             camera (--new-camera)";
+    const UNDISTORT: &str = "`nullcone stereo undistort` makes pictures without it and writes \
+                             their camera (--new-camera)";
     let of_camera = |error: &CameraFileError| match error {
         CameraFileError::UnclearLens(_) => {
             Some("--lens radial-tangential or --lens fisheye says it")

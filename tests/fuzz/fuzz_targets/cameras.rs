@@ -30,7 +30,9 @@ fuzz_target!(|data: &[u8]| {
     let Some((choice, mut edits)) = data.split_first() else {
         return;
     };
-    let mut bytes = TEXTS[usize::from(*choice) % TEXTS.len()].clone().into_bytes();
+    let mut bytes = TEXTS[usize::from(*choice) % TEXTS.len()]
+        .clone()
+        .into_bytes();
     while let [high, low, cut, count, rest @ ..] = edits {
         let place = usize::from(u16::from_be_bytes([*high, *low])) % (bytes.len() + 1);
         let end = (place + usize::from(*cut)).min(bytes.len());

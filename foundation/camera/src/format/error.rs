@@ -1,7 +1,7 @@
 //! What is wrong with a file of cameras.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ga_files::ReadError;
 
@@ -221,7 +221,10 @@ pub enum CameraFileError {
         from: String,
     },
     /// A file states sizes of pictures that do not belong together.
-    #[error("{place} is {} × {} pixels, which has not the sides of {} × {}", .found[0], .found[1], .whole[0], .whole[1])]
+    #[error(
+        "{place} is {} × {} pixels, whose sides are not in the ratio of {} × {}",
+        .found[0], .found[1], .whole[0], .whole[1]
+    )]
     Sizes {
         /// One of the sizes.
         place: Place,
@@ -231,14 +234,16 @@ pub enum CameraFileError {
         whole: [usize; 2],
     },
     /// The size of a picture is not stated, and the picture cannot be read.
-    #[error("{place} is not given, and the picture {} cannot be read: {problem}", .picture.display())]
+    #[error(
+        "{place} is not given, and the picture {} cannot be read: {problem}", .picture.display()
+    )]
     PictureSize {
         /// The size that is missing.
         place: Place,
         /// The picture.
-        picture: PathBuf,
+        picture: Box<Path>,
         /// What is wrong with it.
-        problem: String,
+        problem: Box<str>,
     },
     /// Numbers are not a rotation.
     #[error("{place} is not a rotation: it differs from the nearest by {deviation:e}")]

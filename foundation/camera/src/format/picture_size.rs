@@ -13,8 +13,8 @@ pub(super) fn picture_size(
 ) -> Result<[usize; 2], CameraFileError> {
     of(path).map_err(|error| CameraFileError::PictureSize {
         place: place(),
-        picture: path.to_owned(),
-        problem: error.to_string().replace(['\n', '\r'], " "),
+        picture: path.into(),
+        problem: error.to_string().replace(['\n', '\r'], " ").into(),
     })
 }
 

@@ -14,8 +14,8 @@
 //! in the file. Blender's data have neither `w` nor `h`, which are then those of the picture, nor
 //! the ending `.png` of its name.
 //!
-//! `camera_model` is one of the models of COLMAP, as nerfstudio writes it, or `is_fisheye` says that
-//! the lens is a fisheye. Other models and coefficients are refused.
+//! `camera_model` is one of the models of COLMAP, as nerfstudio writes it, or `is_fisheye` says
+//! that the lens is a fisheye. Other models and coefficients are refused.
 
 use std::path::{Path, PathBuf};
 

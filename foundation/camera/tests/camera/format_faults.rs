@@ -340,7 +340,7 @@ fn sizes_of_qualisys_that_do_not_fit_are_refused() {
         (
             "right=\"959\" bottom=\"543\"/>\n<int",
             "right=\"959\" bottom=\"959\"/>\n<int",
-            "line 1: `camera.fov_video_max` is 960 × 960 pixels, which has not the sides of",
+            "line 1: `camera.fov_video_max` is 960 × 960 pixels, whose sides are not in the ratio of",
         ),
         (
             "none",

@@ -67,8 +67,8 @@ fn files_of_all_formats_say_what_opencv_sees() {
     }
 }
 
-/// Qualisys' calibration of a film, and where OpenCV's `projectPoints` sees a point with the rows of
-/// its `transform` as right, up and backwards.
+/// Qualisys' calibration of a film, and where OpenCV's `projectPoints` sees a point with the rows
+/// of its `transform` as right, up and backwards.
 #[test]
 fn the_calibration_of_qualisys_is_read() {
     let Some(calibration) = shared("data/people/calibration.qca.txt") else {
