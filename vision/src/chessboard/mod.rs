@@ -2,9 +2,10 @@
 //!
 //! [`find`] takes the saddle points of the brightness, in several sizes of the picture, and lets
 //! grids grow from one to the next along the edges that cross there. A neighbour must lie on the
-//! edge, and its bright and dark quadrants must be exchanged. A grid that is complete is a board,
-//! and its corners are refined in the picture itself, to where the gradients around them meet at
-//! right angles.
+//! edge, and its bright and dark quadrants must be exchanged. The corners of a complete rectangle in
+//! a grid are refined in the picture itself, to where the gradients around them meet at right
+//! angles. They are a board where its squares are bright and dark in turn and no further row or
+//! column of corners follows.
 //!
 //! Grids that grow from corner to corner are those of A. Geiger and others, "Automatic camera and
 //! range sensor calibration using a single shot", 2012, who find corners by templates; the saddle
@@ -14,10 +15,10 @@
 
 mod board_size;
 mod grid;
-mod margin;
 mod picture;
 mod refinement;
 mod saddle;
+mod whole_board;
 
 use std::borrow::Cow;
 
@@ -117,8 +118,9 @@ impl Chessboard {
 ///
 /// # Errors
 ///
-/// [`CalibrationError::NotFound`] where no complete board of this size is seen, or a larger one in
-/// which it could lie in several places.
+/// [`CalibrationError::NotFound`] where no complete board of this size is seen, or a larger one of
+/// which it would be a part. Of a board that goes on outside the picture nothing is known: what is
+/// within the picture is taken for the whole.
 pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
@@ -159,8 +161,8 @@ pub fn find<'a, T: Sample>(
                 let Some(corners) = gradient.refine(&corners, size) else {
                     continue;
                 };
-                let corners: Vec<[f64; 2]> = corners.into_iter().map(Vector::coordinates).collect();
-                if margin::is_whole_board(&picture, &corners, size) {
+                if whole_board::is_whole_board(&picture, &corners, size) {
+                    let corners = corners.into_iter().map(Vector::coordinates).collect();
                     return Ok(Chessboard { size, corners });
                 }
             }
