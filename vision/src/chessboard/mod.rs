@@ -2,10 +2,10 @@
 //!
 //! [`find`] takes the saddle points of the brightness, in several sizes of the picture, and lets
 //! grids grow from one to the next along the edges that cross there. A neighbour must lie on the
-//! edge, and its bright and dark quadrants must be exchanged. The corners of a complete rectangle in
-//! a grid are refined in the picture itself, to where the gradients around them meet at right
-//! angles. They are a board where its squares are bright and dark in turn and no further row or
-//! column of corners follows.
+//! edge, and its bright and dark quadrants must be exchanged. A complete rectangle in a grid is a
+//! board where its squares are bright and dark in turn and no further row or column of corners
+//! follows. Its corners are refined in the picture itself, to where the gradients around them meet
+//! at right angles.
 //!
 //! Grids that grow from corner to corner are those of A. Geiger and others, "Automatic camera and
 //! range sensor calibration using a single shot", 2012, who find corners by templates; the saddle
@@ -16,11 +16,13 @@
 mod board_size;
 mod grid;
 mod picture;
+mod places;
 mod refinement;
 mod saddle;
 mod whole_board;
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::halved;
@@ -96,8 +98,9 @@ impl Chessboard {
     }
 }
 
-/// The inner corners of a chessboard in a grey picture. Other things in the picture do not matter,
-/// nor does its brightness. Squares should be 8 pixels wide or wider.
+/// The inner corners of a chessboard in a grey picture, whatever its brightness. All of them must be
+/// seen, with a part of the outermost squares around them; other things in the picture may be beside
+/// the board but not on it. Squares should be 8 pixels wide or wider.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -145,23 +148,29 @@ pub fn find<'a, T: Sample>(
     let mut largest = (0, [0, 0]);
     for level in order {
         let saddles = saddle::saddles(&levels[level], size.count())?;
+        // Grids that share saddle points have candidates in common.
+        let mut tried = HashSet::new();
         for grid in grid::grids(&saddles) {
             if grid.corner_count() > largest.0 {
                 largest = (grid.corner_count(), grid.extent());
             }
-            // The centre of a pixel of a halved picture is that of a pixel of the picture.
-            let scale = f64::from(1_u32 << level);
-            for corners in grid.boards(size) {
-                let corners: Vec<Vector<f64>> =
-                    corners.iter().map(|&place| place * scale).collect();
+            for indices in grid.boards(size) {
+                if tried.contains(&indices) {
+                    continue;
+                }
+                // The centre of a pixel of a halved picture is that of a pixel of the picture.
+                let scale = f64::from(1_u32 << level);
+                let corners = indices.iter().map(|&index| saddles[index].place * scale);
+                let corners: Vec<Vector<f64>> = corners.collect();
+                tried.insert(indices);
+                if !whole_board::is_whole_board(&picture, &corners, size) {
+                    continue;
+                }
                 let gradient = match &mut gradient {
                     Some(gradient) => gradient,
                     none => none.insert(Gradient::new(&picture)?),
                 };
-                let Some(corners) = gradient.refine(&corners, size) else {
-                    continue;
-                };
-                if whole_board::is_whole_board(&picture, &corners, size) {
+                if let Some(corners) = gradient.refine(&corners, size) {
                     let corners = corners.into_iter().map(Vector::coordinates).collect();
                     return Ok(Chessboard { size, corners });
                 }

@@ -30,16 +30,10 @@ pub(super) fn is_whole_board(
         corners,
         size,
     };
-    let Some(contrast) = candidate.contrast_of_crossings() else {
-        return false;
-    };
-    candidate.contrast_of_squares() > LEAST_OF_SQUARES * contrast
+    candidate.has_crossings()
+        && candidate.has_plain_squares()
         && SIDES.iter().all(|side| !candidate.goes_on(side))
 }
-
-/// The least contrast of whole squares as a part of that near the corners. A grid that leaves out
-/// corners has squares of mixed brightness.
-const LEAST_OF_SQUARES: f64 = 0.5;
 
 /// A side of a board: the line of its outermost corners, and the way outwards.
 struct Side {
@@ -73,9 +67,9 @@ impl Candidate<'_> {
         self.corners[row * self.size.columns() + column]
     }
 
-    /// The mean contrast of the crossings at the corners. `None` where one of them is no crossing,
-    /// is much paler than the others, or has bright squares where its neighbours have dark ones.
-    fn contrast_of_crossings(&self) -> Option<f64> {
+    /// Whether all corners are crossings, of which none is much paler than the others or has bright
+    /// squares where its neighbours have dark ones.
+    fn has_crossings(&self) -> bool {
         /// The least contrast of a crossing as a part of the mean.
         const PALEST: f64 = 0.2;
         let (columns, rows) = (self.size.columns(), self.size.rows());
@@ -90,52 +84,53 @@ impl Candidate<'_> {
             })
         };
         let contrasts = (0..self.corners.len()).map(signed);
-        let contrasts = contrasts.collect::<Option<Vec<f64>>>()?;
+        let Some(contrasts) = contrasts.collect::<Option<Vec<f64>>>() else {
+            return false;
+        };
         let mean = contrasts.iter().sum::<f64>() / contrasts.len() as f64;
         let is_alike = |contrast: &f64| contrast * mean > PALEST * mean * mean;
-        contrasts.iter().all(is_alike).then_some(mean.abs())
+        contrasts.iter().all(is_alike)
     }
 
-    /// The mean difference between squares that share an edge, with the sign that is equal on a
-    /// board.
-    fn contrast_of_squares(&self) -> f64 {
+    /// Whether squares differ more from those beside them than within themselves. Those of a grid
+    /// that leaves out corners contain several squares of the board.
+    fn has_plain_squares(&self) -> bool {
+        /// The greatest standard deviation within squares as a part of the difference.
+        const GREATEST: f64 = 0.5;
         let (columns, rows) = (self.size.columns() - 1, self.size.rows() - 1);
-        let mut sum = 0.0;
-        for row in 0..rows {
-            for column in 0..columns {
-                let Some(brightness) = self.square(column, row) else {
-                    return 0.0;
-                };
-                sum += match (column + row).is_multiple_of(2) {
-                    true => brightness,
-                    false => -brightness,
-                };
-            }
-        }
-        // Where the number of squares is odd, one has no partner.
-        let count = columns * rows;
-        if count % 2 == 1 {
-            let mean: Option<f64> = (0..count)
-                .map(|k| self.square(k % columns, k / columns))
-                .sum();
-            sum -= mean.unwrap_or(f64::INFINITY) / count as f64;
-        }
-        2.0 * sum.abs() / count as f64
+        let squares = (0..columns * rows).map(|k| self.square(k % columns, k / columns));
+        let Some(squares) = squares.collect::<Option<Vec<[f64; 2]>>>() else {
+            return false;
+        };
+        let difference = |a: usize, b: usize| (squares[a][0] - squares[b][0]).abs();
+        let along = (1..squares.len()).filter(|k| k % columns > 0);
+        let down = columns..squares.len();
+        let pairs = along
+            .map(|k| [k - 1, k])
+            .chain(down.map(|k| [k - columns, k]));
+        let differences: Vec<f64> = pairs.map(|[a, b]| difference(a, b)).collect();
+        let mean = differences.iter().sum::<f64>() / differences.len() as f64;
+        let variances = squares.iter().map(|square| square[1]);
+        let variance = variances.sum::<f64>() / squares.len() as f64;
+        variance.sqrt() < GREATEST * mean
     }
 
-    /// The mean brightness of the square between a corner and its diagonal neighbour.
-    fn square(&self, column: usize, row: usize) -> Option<f64> {
+    /// The mean brightness of the square between a corner and its diagonal neighbour, and its
+    /// variance.
+    fn square(&self, column: usize, row: usize) -> Option<[f64; 2]> {
         const PARTS: [f64; 3] = [0.25, 0.5, 0.75];
         let [a, b] = [row, row + 1].map(|row| [column, column + 1].map(|k| self.corner(k, row)));
-        let mut sum = 0.0;
+        let mut sums = [0.0; 2];
         for x in PARTS {
             for y in PARTS {
                 let [upper, lower] = [a, b].map(|[from, to]| from + (to - from) * x);
                 let place = upper + (lower - upper) * y;
-                sum += bilinear(self.picture, place.coordinates())?;
+                let value = bilinear(self.picture, place.coordinates())?;
+                sums = [sums[0] + value, sums[1] + value * value];
             }
         }
-        Some(sum / (PARTS.len() * PARTS.len()) as f64)
+        let [mean, square] = sums.map(|sum| sum / (PARTS.len() * PARTS.len()) as f64);
+        Some([mean, square - mean * mean])
     }
 
     /// Whether there is a further line of corners beyond a side.

@@ -451,3 +451,74 @@ fn a_board_of_thousands_of_corners_is_found() {
         "{u} {v}"
     );
 }
+
+/// Saddle points of the clutter around the board, one of which begins a grid of its own through
+/// corners of the board, do not keep these corners from it.
+#[test]
+fn a_board_among_clutter_is_found() {
+    let Some(path) = shared("cases/vision/board-not-found/left22.png") else {
+        return;
+    };
+    let picture = ga_image::file::read(&path).unwrap();
+    let picture = picture.to_grey::<u8>(Luma::Bt601);
+    let board = find(&picture, "9x6".parse().unwrap()).unwrap();
+    // By OpenCV 5.0.0: `findChessboardCorners`, then `cornerSubPix` in a window of 11 × 11 pixels.
+    for (index, corner) in [
+        (0, [140.7499, 148.0141]),
+        (8, [278.3428, 141.7948]),
+        (22, [223.1983, 176.7996]),
+        (45, [158.3945, 241.2406]),
+        (53, [290.1012, 229.0317]),
+    ] {
+        let apart = distances(&[board.corners()[index]], &[corner])[0];
+        assert!(apart < 0.15, "{index}: {apart} px");
+    }
+    for size in ["4x3", "5x4", "8x5", "8x6", "9x5", "10x6"] {
+        let found = find(&picture, size.parse().unwrap());
+        assert!(found.is_err(), "{size}: {found:?}");
+    }
+}
+
+/// Letters, discs and squares of random places and brightness, up to the margin of the board.
+#[test]
+fn boards_among_random_clutter_are_found() {
+    use rand_chacha::rand_core::RngCore;
+    let size: BoardSize = "7x5".parse().unwrap();
+    let mut found = 0;
+    for seed in 0..30 {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut below = |limit: u32| (random.next_u32() % limit) as usize;
+        let mut picture = Plane::filled(480, 360, 128_u8);
+        for _ in 0..400 {
+            let [left, top, side, value] = [below(480), below(360), 3 + below(30), below(256)];
+            for row in top..(top + side).min(360) {
+                for column in left..(left + side).min(480) {
+                    picture.row_mut(row)[column] = value as u8;
+                }
+            }
+        }
+        let (left, top, square) = (20 + below(150), 20 + below(100), 20 + below(12));
+        let margin = square / 3;
+        for row in top - margin..top + 6 * square + margin {
+            for column in left - margin..left + 8 * square + margin {
+                let inside = (left..left + 8 * square).contains(&column)
+                    && (top..top + 6 * square).contains(&row);
+                let is_dark =
+                    inside && ((column - left) / square + (row - top) / square).is_multiple_of(2);
+                picture.row_mut(row)[column] = if is_dark { 40 } else { 220 };
+            }
+        }
+        if let Ok(board) = find(&picture, size) {
+            found += 1;
+            // Edges are half a pixel before the first pixel of a square.
+            let first = [left, top].map(|k| (k + square) as f64 - 0.5);
+            let apart = distances(&[board.corners()[0]], &[first])[0];
+            assert!(apart < 0.1, "{seed}: {apart} px");
+        }
+        for other in ["6x5", "7x4", "8x5", "5x4"] {
+            let found = find(&picture, other.parse().unwrap());
+            assert!(found.is_err(), "{seed}, {other}: {found:?}");
+        }
+    }
+    assert!(found >= 29, "{found} of 30");
+}
