@@ -3,7 +3,9 @@
 //! cite as "Cui".
 //!
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
-//! - [`calibration`]: cameras and rigs from pictures of chessboards.
+//! - [`circle_grid`]: the centres of grids of circles in pictures.
+//! - [`board`]: boards with either, and where their points are.
+//! - [`calibration`]: cameras and rigs from pictures of boards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rectification`]: views in which the images of a point are in the same row.
 //! - [`diagnosis`]: what is wrong with a pair of views that should be rectified.
@@ -21,13 +23,16 @@
 //! Cameras, rigs and triangulation are in [`ga_camera`], whose conventions hold here: lengths are
 //! in metres, pictures in pixels, and a camera looks along z, with x to the right and y down.
 
+pub mod board;
 pub mod calibration;
 pub mod capture;
 pub mod chessboard;
+pub mod circle_grid;
 pub mod contour;
 pub mod diagnosis;
 pub mod disparity;
 pub mod feature;
+mod found_board;
 mod geometry_error;
 pub mod homography;
 pub mod matcher;
@@ -40,4 +45,5 @@ mod rival;
 pub mod surface;
 pub mod texture;
 
+pub use found_board::FoundBoard;
 pub use geometry_error::ViewGeometryError;

@@ -4,6 +4,7 @@ use ga_camera::{Intrinsics, LensModel};
 use ga_runtime::cga3::Point;
 use serde::Serialize;
 
+use super::board_view::BoardView;
 use super::error::CalibrationError;
 use super::lens_terms::LensTerms;
 use super::one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
@@ -50,7 +51,7 @@ const DECISIVE_PART: f64 = 0.9;
 ///
 /// As [`calibrate_camera`].
 pub fn calibrate_lens(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
     given: Option<LensTerms>,
@@ -110,17 +111,13 @@ struct Fit {
 }
 
 impl Fit {
-    fn new(
-        views: &[Vec<[f64; 2]>],
-        places: &[Point<f64>],
-        size: [usize; 2],
-        terms: LensTerms,
-    ) -> Self {
+    fn new(views: &[BoardView], places: &[Point<f64>], size: [usize; 2], terms: LensTerms) -> Self {
         let parameters = terms.free().len() + 6 * views.len();
+        let points = views.iter().map(|view| view.points().len());
         Self {
             terms,
             camera: calibrate(views, places, size, terms),
-            counts: [2 * views.len() * places.len(), parameters].map(|count| count as f64),
+            counts: [2 * points.sum::<usize>(), parameters].map(|count| count as f64),
         }
     }
 
@@ -163,7 +160,7 @@ impl Fit {
 /// The camera with a lens. That of a fisheye is searched from several focal lengths: the
 /// homographies of its boards are those of no plane.
 fn calibrate(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
     terms: LensTerms,

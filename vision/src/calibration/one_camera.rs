@@ -1,9 +1,10 @@
 //! The calibration of one camera.
 
-use super::error::LEAST_VIEWS;
+use super::error::{LEAST_POINTS, LEAST_VIEWS};
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
+use super::board_view::{BoardView, SeenPoint};
 use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
 use crate::calibration::CalibrationError;
@@ -60,7 +61,7 @@ impl CameraOptions {
     /// The camera at which the search begins, and its parameters that vary.
     fn start(
         &self,
-        views: &[Vec<[f64; 2]>],
+        views: &[BoardView],
         places: &[Point<f64>],
         size: [usize; 2],
     ) -> Result<(Intrinsics, Vec<usize>), CalibrationError> {
@@ -91,16 +92,16 @@ impl CameraOptions {
     }
 }
 
-/// Calibrates a camera from the corners of boards.
+/// Calibrates a camera from the points of boards.
 ///
-/// `views` has the pixels of the corners of each board, `places` their places on it, in the plane
-/// z = 0, and `size` the width and height of the pictures.
+/// `views` has the points that are seen of each board, all or some, `places` the places of all
+/// points on it, in the plane z = 0, and `size` the width and height of the pictures.
 ///
 /// # Errors
 ///
 /// [`CalibrationError`].
 pub fn calibrate_camera(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
     options: &CameraOptions,
@@ -110,7 +111,7 @@ pub fn calibrate_camera(
     let boards = initial_boards(views, places, &intrinsics)?;
     let bundle = Bundle {
         places,
-        pixels: vec![views.iter().map(Vec::as_slice).collect()],
+        views: vec![views.iter().collect()],
         free: vec![free],
     };
     let mut state = BundleState {
@@ -132,12 +133,13 @@ pub fn calibrate_camera(
     let covariance = covariance(&bundle, &minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
     let errors = bundle.squared_errors(&minimum.state);
-    let count = places.len() as f64;
-    let view_rms = errors.iter().flatten().map(|sum| (sum / count).sqrt());
+    let view_rms = errors[0].iter().zip(bundle.counts(0));
+    let view_rms = view_rms.map(|(sum, count)| (sum / count as f64).sqrt());
+    let count = bundle.counts(0).sum::<usize>() as f64;
     Ok(CameraCalibration {
         intrinsics: minimum.state.cameras[0],
         deviations,
-        rms: (minimum.cost / (count * views.len() as f64)).sqrt(),
+        rms: (minimum.cost / count).sqrt(),
         view_rms: view_rms.collect(),
         ambiguous,
         boards: minimum.state.boards.into_iter().map(Pose::new).collect(),
@@ -185,17 +187,16 @@ pub(super) fn deviations(
 /// make the images of the axes of all boards as nearly as possible perpendicular and of equal
 /// length. Where the boards do not show that, they are the longer side of the picture.
 fn initial_pinhole(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
 ) -> Result<Intrinsics, CameraError> {
     let principal = size.map(|side| 0.5 * (side as f64 - 1.0));
     let unit = size[0].max(size[1]) as f64;
-    let flat = in_plane(places);
-    let homographies = views.iter().filter_map(|corners| {
-        let shifted = |[u, v]: &[f64; 2]| [(u - principal[0]) / unit, (v - principal[1]) / unit];
-        let corners: Vec<[f64; 2]> = corners.iter().map(shifted).collect();
-        Homography::from_pairs(&flat, &corners)
+    let homographies = views.iter().filter_map(|view| {
+        let shifted = |[u, v]: [f64; 2]| [(u - principal[0]) / unit, (v - principal[1]) / unit];
+        let pixels: Vec<[f64; 2]> = view.pixels().into_iter().map(shifted).collect();
+        Homography::from_pairs(&in_plane(&view.places(places)?), &pixels)
     });
     // Rows a·X + b·Y = c for X = 1/f_x² and Y = 1/f_y², in units of the picture.
     let mut rows: Vec<[f64; 3]> = Vec::new();
@@ -229,23 +230,24 @@ fn initial_pinhole(
 
 /// The motor of each board, from its homography to directions.
 fn initial_boards(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     intrinsics: &Intrinsics,
 ) -> Result<Vec<Motor<f64>>, CalibrationError> {
-    let flat = in_plane(places);
     let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
-    let motor = |(view, corners): (usize, &Vec<[f64; 2]>)| {
-        let at_focal_length_1 = |(corner, pixel): (usize, &[f64; 2])| {
-            let undistorted = intrinsics.undistort(*pixel);
+    let motor = |(view, board): (usize, &BoardView)| {
+        let at_focal_length_1 = |seen: &SeenPoint| {
+            let undistorted = intrinsics.undistort(seen.pixel);
             let [u, v] = undistorted.map_err(|error| CalibrationError::Pixel {
                 view,
-                corner,
+                point: seen.point,
                 error,
             })?;
             Ok([(u - cx) / fx, (v - cy) / fy])
         };
-        let images = corners.iter().enumerate().map(at_focal_length_1);
+        let places = board.places(places);
+        let flat = in_plane(&places.ok_or(CalibrationError::View { view })?);
+        let images = board.points().iter().map(at_focal_length_1);
         let images = images.collect::<Result<Vec<[f64; 2]>, CalibrationError>>()?;
         let motion = Homography::from_pairs(&flat, &images).and_then(|found| found.motion());
         motion.ok_or(CalibrationError::View { view })
@@ -256,16 +258,20 @@ fn initial_boards(
 /// Takes for each board the better of the two poses in which a plane is seen almost alike, and
 /// returns the views in which both explain the corners.
 fn choose_boards(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     places: &[Point<f64>],
     state: &mut BundleState,
 ) -> Vec<usize> {
     let camera = state.cameras[0];
     let mut ambiguous = Vec::new();
-    for (view, (corners, board)) in views.iter().zip(&mut state.boards).enumerate() {
+    for (view, (seen, board)) in views.iter().zip(&mut state.boards).enumerate() {
         let options = perspective_n_point::Options::default();
+        let Some(places) = seen.places(places) else {
+            continue;
+        };
         // Where no pose is found, the search goes on from that of the homography.
-        if let Ok(found) = perspective_n_point::estimate(places, corners, &camera, &options) {
+        let found = perspective_n_point::estimate(&places, &seen.pixels(), &camera, &options);
+        if let Ok(found) = found {
             *board = found.world_to_camera;
             if found.is_ambiguous() {
                 ambiguous.push(view);
@@ -275,28 +281,24 @@ fn choose_boards(
     ambiguous
 }
 
-/// Checks the corners of views of a board.
-fn check(views: &[Vec<[f64; 2]>], places: &[Point<f64>]) -> Result<(), CalibrationError> {
+/// Checks the points of views of a board.
+fn check(views: &[BoardView], places: &[Point<f64>]) -> Result<(), CalibrationError> {
     if views.len() < LEAST_VIEWS {
         return Err(CalibrationError::TooFewViews { found: views.len() });
     }
-    for (view, corners) in views.iter().enumerate() {
-        let (found, expected) = (corners.len(), places.len());
-        if found != expected {
-            return Err(CalibrationError::Corners {
-                view,
-                found,
-                expected,
-            });
+    for (view, seen) in views.iter().enumerate() {
+        let found = seen.points().len();
+        if found < LEAST_POINTS {
+            return Err(CalibrationError::TooFewPoints { view, found });
         }
-        let is_finite = |index: usize| {
-            let [u, v] = corners[index];
-            u.is_finite()
-                && v.is_finite()
-                && places[index].coordinates().iter().all(|x| x.is_finite())
-        };
-        if let Some(corner) = (0..found).find(|&index| !is_finite(index)) {
-            return Err(CalibrationError::NotFinite { view, corner });
+        for &SeenPoint { point, pixel } in seen.points() {
+            let count = places.len();
+            let place = places.get(point);
+            let place = place.ok_or(CalibrationError::NoSuchPoint { view, point, count })?;
+            let mut numbers = place.coordinates().into_iter().chain(pixel);
+            if numbers.any(|x| !x.is_finite()) {
+                return Err(CalibrationError::NotFinite { view, point });
+            }
         }
     }
     Ok(())

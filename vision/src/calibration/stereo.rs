@@ -5,8 +5,9 @@ use super::outlier::Outlier;
 use ga_numerics::order_statistics::median;
 use ga_runtime::cga3::{Motor, Point};
 
-use super::LEAST_VIEWS;
+use super::board_view::BoardView;
 use super::bundle::{Bundle, BundleState, TWIST};
+use super::error::{LEAST_POINTS, LEAST_VIEWS};
 use super::one_camera::{
     CameraCalibration, CameraOptions, calibrate_camera, covariance, deviations,
 };
@@ -83,8 +84,8 @@ pub struct StereoCalibration {
 
 /// Calibrates a rig from the corners of boards that both cameras see.
 ///
-/// `views` has the corners in the left views and in the right ones, pair by pair; otherwise as
-/// [`calibrate_camera`].
+/// `views` has the left views and the right ones, pair by pair, of which the points count that both
+/// show; otherwise as [`calibrate_camera`].
 ///
 /// # Errors
 ///
@@ -92,7 +93,7 @@ pub struct StereoCalibration {
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
-/// use ga_vision::calibration::{StereoOptions, calibrate_stereo};
+/// use ga_vision::calibration::{BoardView, StereoOptions, calibrate_stereo};
 /// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::chessboard::BoardSize;
 ///
@@ -107,7 +108,8 @@ pub struct StereoCalibration {
 ///     let board: Motor<f64> = Translator::from_displacement([-0.1, -0.06, 0.6]) * rotor;
 ///     for (views, world_to_camera) in views.iter_mut().zip([board, left_to_right * board]) {
 ///         let camera = Camera { intrinsics, world_to_camera };
-///         views.push(camera.project_all(&places).map_err(|(_, error)| error)?);
+///         let pixels = camera.project_all(&places).map_err(|(_, error)| error)?;
+///         views.push(BoardView::complete(&pixels));
 ///     }
 /// }
 /// let views = [&views[0][..], &views[1][..]];
@@ -116,7 +118,7 @@ pub struct StereoCalibration {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn calibrate_stereo(
-    views: [&[Vec<[f64; 2]>]; 2],
+    views: [&[BoardView]; 2],
     places: &[Point<f64>],
     size: [usize; 2],
     options: &StereoOptions,
@@ -125,10 +127,22 @@ pub fn calibrate_stereo(
     if left != right {
         return Err(CalibrationError::Counts { left, right });
     }
+    let mut shared = [Vec::new(), Vec::new()];
+    for (view, (left, right)) in views[0].iter().zip(views[1]).enumerate() {
+        let [left, right] = left.shared(right);
+        let found = left.points().len();
+        if found < LEAST_POINTS {
+            return Err(CalibrationError::TooFewPoints { view, found });
+        }
+        shared[0].push(left);
+        shared[1].push(right);
+    }
     let mut used: Vec<usize> = (0..left).collect();
     let mut outliers = Vec::new();
     loop {
-        let chosen = views.map(|views| used.iter().map(|&k| views[k].clone()).collect());
+        let chosen = shared
+            .each_ref()
+            .map(|views| used.iter().map(|&k| views[k].clone()).collect());
         let rig = Rig::new(&chosen, places, size, options);
         let rig = rig.map_err(|error| error.in_pairs(&used))?;
         // A pair with a board in another place than the rest would keep the rest from converging.
@@ -159,27 +173,19 @@ impl CalibrationError {
     fn in_pairs(self, used: &[usize]) -> Self {
         match self {
             Self::View { view } => Self::View { view: used[view] },
-            Self::Corners {
-                view,
-                found,
-                expected,
-            } => Self::Corners {
+            Self::NoSuchPoint { view, point, count } => Self::NoSuchPoint {
                 view: used[view],
-                found,
-                expected,
+                point,
+                count,
             },
-            Self::Pixel {
-                view,
-                corner,
-                error,
-            } => Self::Pixel {
+            Self::Pixel { view, point, error } => Self::Pixel {
                 view: used[view],
-                corner,
+                point,
                 error,
             },
-            Self::NotFinite { view, corner } => Self::NotFinite {
+            Self::NotFinite { view, point } => Self::NotFinite {
                 view: used[view],
-                corner,
+                point,
             },
             other => other,
         }
@@ -222,7 +228,7 @@ struct Rig<'a> {
 impl<'a> Rig<'a> {
     /// Both cameras calibrated by themselves, and the motor between them that fits most boards.
     fn new(
-        views: &'a [Vec<Vec<[f64; 2]>>; 2],
+        views: &'a [Vec<BoardView>; 2],
         places: &'a [Point<f64>],
         size: [usize; 2],
         options: &StereoOptions,
@@ -235,10 +241,7 @@ impl<'a> Rig<'a> {
         });
         let bundle = Bundle {
             places,
-            pixels: views
-                .iter()
-                .map(|views| views.iter().map(Vec::as_slice).collect())
-                .collect(),
+            views: views.iter().map(|views| views.iter().collect()).collect(),
             free: free.into(),
         };
         let rig = median_motion(&left, &right, places);
@@ -271,10 +274,9 @@ impl<'a> Rig<'a> {
     /// It is infinite where a camera cannot see the board.
     fn pair_rms(&self, state: &BundleState) -> Vec<f64> {
         let errors = self.bundle.squared_errors(state);
-        let count = 2.0 * self.bundle.places.len() as f64;
-        let pairs = errors[0].iter().zip(&errors[1]);
+        let pairs = errors[0].iter().zip(&errors[1]).zip(self.bundle.counts(0));
         pairs
-            .map(|(left, right)| ((left + right) / count).sqrt())
+            .map(|((left, right), count)| ((left + right) / (2 * count) as f64).sqrt())
             .collect()
     }
 
@@ -294,7 +296,7 @@ impl<'a> Rig<'a> {
         let covariance = covariance(&self.bundle, &minimum)?;
         let state = &minimum.state;
         let errors = self.bundle.squared_errors(state);
-        let count = (self.bundle.places.len() * used.len()) as f64;
+        let count = self.bundle.counts(0).sum::<usize>() as f64;
         let camera_rms = |k: usize| (errors[k].iter().sum::<f64>() / count).sqrt();
         let camera = |k: usize, world_to_camera| Camera {
             intrinsics: state.cameras[k],

@@ -30,73 +30,10 @@ use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
 use crate::calibration::CalibrationError;
+use crate::found_board::FoundBoard;
 pub use board_size::BoardSize;
 pub use picture::pair_picture;
 use refinement::Gradient;
-
-/// The inner corners of a chessboard in a picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Chessboard {
-    size: BoardSize,
-    corners: Vec<[f64; 2]>,
-}
-
-impl Chessboard {
-    /// The number of inner corners.
-    #[must_use]
-    pub fn size(&self) -> BoardSize {
-        self.size
-    }
-
-    /// The pixels of the inner corners, row by row.
-    ///
-    /// Rows follow columns clockwise in the picture, and the square between the first corner and
-    /// its diagonal neighbour is dark, as OpenCV orders them. Where several corners of the board
-    /// may be the first in this sense, it is the one nearest to the top left.
-    #[must_use]
-    pub fn corners(&self) -> &[[f64; 2]] {
-        &self.corners
-    }
-
-    /// The same board in the one of its possible orders that is most like that of another view from
-    /// about the same direction.
-    ///
-    /// A board with an odd number of columns + rows begins at one corner only. Others look the same
-    /// after a rotation by 180°, or by 90°, and two views of them may begin at different corners.
-    #[must_use]
-    pub fn ordered_like(&self, other: &Self) -> Self {
-        let BoardSize { columns, rows } = self.size;
-        let index = |column: usize, row: usize| row * columns + column;
-        let (right, bottom) = (columns - 1, rows - 1);
-        let rotated = |from: &dyn Fn(usize, usize) -> usize| -> Vec<[f64; 2]> {
-            let places = (0..self.corners.len()).map(|k| from(k % columns, k / columns));
-            places.map(|k| self.corners[k]).collect()
-        };
-        let mut orders = vec![self.corners.clone()];
-        if (columns + rows).is_multiple_of(2) {
-            orders.push(rotated(&|column, row| index(right - column, bottom - row)));
-        }
-        if columns == rows && columns.is_multiple_of(2) {
-            orders.push(rotated(&|column, row| index(right - row, column)));
-            orders.push(rotated(&|column, row| index(row, bottom - column)));
-        }
-        let difference = |order: &Vec<[f64; 2]>| -> f64 {
-            let pairs = || order.iter().zip(&other.corners);
-            let count = order.len() as f64;
-            let between = |k: usize| pairs().map(move |(a, b)| a[k] - b[k]);
-            let mean = [0, 1].map(|k| between(k).sum::<f64>() / count);
-            let squares = |k: usize| between(k).map(|d| (d - mean[k]).powi(2)).sum::<f64>();
-            squares(0) + squares(1)
-        };
-        let best = orders
-            .into_iter()
-            .min_by(|a, b| difference(a).total_cmp(&difference(b)));
-        Self {
-            size: self.size,
-            corners: best.unwrap_or_default(),
-        }
-    }
-}
 
 /// The inner corners of a chessboard in a grey picture, whatever its brightness. All of them must be
 /// seen, with a part of the outermost squares around them; other things in the picture may be beside
@@ -113,7 +50,7 @@ impl Chessboard {
 ///     if dark { 20u8 } else { 230 }
 /// });
 /// let board = find(&picture, BoardSize::new(6, 4)?)?;
-/// let [u, v] = board.corners()[0];
+/// let [u, v] = board.pixels()[0];
 /// assert!((u - 59.5).abs() < 1e-3 && (v - 49.5).abs() < 1e-3);
 /// assert!(find(&picture, BoardSize::new(7, 4)?).is_err());
 /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
@@ -127,7 +64,7 @@ impl Chessboard {
 pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
-) -> Result<Chessboard, CalibrationError> {
+) -> Result<FoundBoard, CalibrationError> {
     /// Where the longer side of a picture is within this, it is not made smaller at first.
     const FIRST_SIDE: usize = 1000;
     /// The least of the shorter side of a picture that is made smaller.
@@ -172,7 +109,7 @@ pub fn find<'a, T: Sample>(
                 };
                 if let Some(corners) = gradient.refine(&corners, size) {
                     let corners = corners.into_iter().map(Vector::coordinates).collect();
-                    return Ok(Chessboard { size, corners });
+                    return Ok(FoundBoard::new(size.columns(), corners, other_orders(size)));
                 }
             }
         }
@@ -183,4 +120,24 @@ pub fn find<'a, T: Sample>(
         corners,
         extent,
     })
+}
+
+/// The orders other than the first in which a board looks the same, as indices of its corners.
+fn other_orders(size: BoardSize) -> Vec<Vec<usize>> {
+    let BoardSize { columns, rows } = size;
+    let index = |column: usize, row: usize| row * columns + column;
+    let (right, bottom) = (columns - 1, rows - 1);
+    let rotated = |from: &dyn Fn(usize, usize) -> usize| -> Vec<usize> {
+        let corners = 0..size.count();
+        corners.map(|k| from(k % columns, k / columns)).collect()
+    };
+    let mut orders = Vec::new();
+    if (columns + rows).is_multiple_of(2) {
+        orders.push(rotated(&|column, row| index(right - column, bottom - row)));
+    }
+    if columns == rows && columns.is_multiple_of(2) {
+        orders.push(rotated(&|column, row| index(right - row, column)));
+        orders.push(rotated(&|column, row| index(row, bottom - column)));
+    }
+    orders
 }

@@ -191,7 +191,7 @@ fn distances(a: &[[f64; 2]], b: &[[f64; 2]]) -> Vec<f64> {
 fn is_found_where_it_is(scene: &Scene, seed: u64) -> Result<(), TestCaseError> {
     let board = find(&scene.picture(seed), scene.size);
     let board = board.map_err(|error| TestCaseError::fail(format!("{error}: {scene:?}")))?;
-    let errors = distances(board.corners(), &scene.truth());
+    let errors = distances(board.pixels(), &scene.truth());
     let greatest = errors.iter().fold(0.0_f64, |a, b| a.max(*b));
     let contrast = scene.brightness[1] - scene.brightness[0];
     // Brightness is rounded to 255 steps, which is noise too: uniform within a step.
@@ -304,7 +304,7 @@ pub(crate) fn opencv_boards() -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
             .unwrap()
             .to_grey::<u8>(Luma::Bt601);
         let board = find(&picture, size).unwrap_or_else(|error| panic!("{path:?}: {error}"));
-        board.corners().to_vec()
+        board.pixels().to_vec()
     };
     let names = oracle["names"].as_array().unwrap();
     Some(["left", "right"].map(|side| names.iter().map(|name| board(side, name)).collect()))
@@ -380,7 +380,7 @@ fn boards_of_two_views_get_one_order() {
             let roll = f64::from(quarter) * std::f64::consts::FRAC_PI_2 - 0.8;
             let [left, right] = [roll - 0.08, roll + 0.08].map(board);
             let right = right.ordered_like(&left);
-            let moved = distances(left.corners(), right.corners());
+            let moved = distances(left.pixels(), right.pixels());
             assert!(
                 moved.iter().all(|d| *d < 40.0),
                 "{columns} × {rows}, {quarter}: {moved:?}"
@@ -444,8 +444,8 @@ fn a_board_of_thousands_of_corners_is_found() {
         if dark { 20u8 } else { 230 }
     });
     let board = find(&picture, size).unwrap();
-    assert_eq!(board.corners().len(), 3162);
-    let [u, v] = board.corners()[0];
+    assert_eq!(board.pixels().len(), 3162);
+    let [u, v] = board.pixels()[0];
     assert!(
         (u - 49.5).abs() < 0.01 && (v - 49.5).abs() < 0.01,
         "{u} {v}"
@@ -470,7 +470,7 @@ fn a_board_among_clutter_is_found() {
         (45, [158.3945, 241.2406]),
         (53, [290.1012, 229.0317]),
     ] {
-        let apart = distances(&[board.corners()[index]], &[corner])[0];
+        let apart = distances(&[board.pixels()[index]], &[corner])[0];
         assert!(apart < 0.15, "{index}: {apart} px");
     }
     for size in ["4x3", "5x4", "8x5", "8x6", "9x5", "10x6"] {
@@ -512,7 +512,7 @@ fn boards_among_random_clutter_are_found() {
             found += 1;
             // Edges are half a pixel before the first pixel of a square.
             let first = [left, top].map(|k| (k + square) as f64 - 0.5);
-            let apart = distances(&[board.corners()[0]], &[first])[0];
+            let apart = distances(&[board.pixels()[0]], &[first])[0];
             assert!(apart < 0.1, "{seed}: {apart} px");
         }
         for other in ["6x5", "7x4", "8x5", "5x4"] {
