@@ -27,8 +27,8 @@ impl FoundBoard {
     /// The pixels of its points, row by row.
     ///
     /// Rows follow columns clockwise in the picture. The square between the first corner of a
-    /// chessboard and its diagonal neighbour is dark, as OpenCV orders them. Where several points of
-    /// the board may be the first, it is the one nearest to the top left.
+    /// chessboard and its diagonal neighbour is dark, as OpenCV orders them. Where several points
+    /// of the board may be the first, it is the one nearest to the top left.
     #[must_use]
     pub fn pixels(&self) -> &[[f64; 2]] {
         &self.pixels

@@ -170,9 +170,9 @@ impl<'a> Grid<'a> {
         (!steps.is_empty()).then(|| total * (1.0 / steps.len() as f64))
     }
 
-    /// The saddle points of all complete rectangles of a size, row by row. The likeliest first: a board
-    /// begins at a dark square, and, where several of its corners do, at the one nearest to the top
-    /// left of the picture.
+    /// The saddle points of all complete rectangles of a size, row by row. The likeliest first: a
+    /// board begins at a dark square, and, where several of its corners do, at the one nearest to
+    /// the top left of the picture.
     pub(super) fn boards(&self, size: BoardSize) -> Vec<Vec<usize>> {
         let [lefts, tops] = [self.range(0), self.range(1)];
         let mut boards = Vec::new();

@@ -35,9 +35,9 @@ pub use board_size::BoardSize;
 pub use picture::pair_picture;
 use refinement::Gradient;
 
-/// The inner corners of a chessboard in a grey picture, whatever its brightness. All of them must be
-/// seen, with a part of the outermost squares around them; other things in the picture may be beside
-/// the board but not on it. Squares should be 8 pixels wide or wider.
+/// The inner corners of a chessboard in a grey picture, whatever its brightness. All of them must
+/// be seen, with a part of the outermost squares around them; other things in the picture may be
+/// beside the board but not on it. Squares should be 8 pixels wide or wider.
 ///
 /// ```
 /// use ga_image::plane::Plane;

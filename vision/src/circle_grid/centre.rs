@@ -59,8 +59,8 @@ fn area_of_unit(homography: &Homography, [x, y]: [f64; 2]) -> Option<f64> {
 }
 
 /// The centre of the ellipse that is the image of a circle. The dual conic of a circle with radius
-/// r about c is `r² (e₁ e₁ᵀ + e₂ e₂ᵀ) − c cᵀ`, that of its image `H … Hᵀ`, and the centre of a conic is
-/// the last column of its dual.
+/// r about c is `r² (e₁ e₁ᵀ + e₂ e₂ᵀ) − c cᵀ`, that of its image `H … Hᵀ`, and the centre of a
+/// conic is the last column of its dual.
 fn centre_of_image(homography: &Homography, [x, y]: [f64; 2], radius: f64) -> Option<Vector<f64>> {
     let [first, second, origin] = [0, 1, 2].map(|column| homography.column(column));
     let centre = first * x + second * y + origin;

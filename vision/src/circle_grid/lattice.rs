@@ -124,8 +124,8 @@ impl<'a> Lattice<'a> {
     }
 
     /// All orders of the discs in which the lattice has given cells, no more and no fewer, after a
-    /// change of its steps that keeps their orientation: seen obliquely, the shortest steps need not
-    /// be those of the board.
+    /// change of its steps that keeps their orientation: seen obliquely, the shortest steps need
+    /// not be those of the board.
     pub(super) fn orders(&self, cells: &[Cell]) -> Vec<Vec<usize>> {
         if cells.len() != self.cells.len() {
             return Vec::new();
