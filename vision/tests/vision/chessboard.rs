@@ -482,7 +482,6 @@ fn a_board_among_clutter_is_found() {
 /// Letters, discs and squares of random places and brightness, up to the margin of the board.
 #[test]
 fn boards_among_random_clutter_are_found() {
-    use rand_chacha::rand_core::RngCore;
     let size: BoardSize = "7x5".parse().unwrap();
     let mut found = 0;
     for seed in 0..30 {
