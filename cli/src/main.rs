@@ -1,6 +1,7 @@
 //! The `nullcone` program: animation and stereo vision on conformal geometric algebra, and a look
 //! into its compiler.
 
+mod board;
 mod camera_file;
 mod chosen_animation;
 mod commands;

@@ -4,7 +4,9 @@
 //!
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
 //! - [`tag`]: ArUco markers, AprilTags and boards of them in pictures.
-//! - [`calibration`]: cameras and rigs from pictures of chessboards.
+//! - [`circle_grid`]: the centres of grids of circles in pictures.
+//! - [`board`]: boards with either, and where their points are.
+//! - [`calibration`]: cameras and rigs from pictures of boards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rectification`]: views in which the images of a point are in the same row.
 //! - [`diagnosis`]: what is wrong with a pair of views that should be rectified.
@@ -22,13 +24,16 @@
 //! Cameras, rigs and triangulation are in [`ga_camera`], whose conventions hold here: lengths are
 //! in metres, pictures in pixels, and a camera looks along z, with x to the right and y down.
 
+pub mod board;
 pub mod calibration;
 pub mod capture;
 pub mod chessboard;
+pub mod circle_grid;
 pub mod contour;
 pub mod diagnosis;
 pub mod disparity;
 pub mod feature;
+mod found_board;
 mod geometry_error;
 pub mod homography;
 pub mod matcher;
@@ -42,4 +47,5 @@ pub mod surface;
 pub mod tag;
 pub mod texture;
 
+pub use found_board::FoundBoard;
 pub use geometry_error::ViewGeometryError;

@@ -107,6 +107,17 @@ fn pictures_that_do_not_belong_together_are_refused() {
         &run("a.pgm c.pgm", usual),
         &["in 0 of 2 pictures", "a.pgm: board not found"],
     );
+    for pattern in ["circles", "asymmetric-circles"] {
+        assert_failure(
+            &run("a.pgm c.pgm", &format!("{usual} --pattern {pattern}")),
+            &[
+                "in 0 of 2 pictures",
+                "a.pgm: board not found: no grid of 9 × 6 circles",
+            ],
+        );
+    }
+    let pattern = run("a.pgm", &format!("{usual} --pattern hexagons"));
+    assert_eq!(pattern.status.code(), Some(2));
     assert_failure(
         &run("a.pgm", "--board 9x6 --out camera.png"),
         &["camera.png", ".yml"],

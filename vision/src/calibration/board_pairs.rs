@@ -1,24 +1,26 @@
-//! A rig from pairs of pictures of a chessboard.
+//! A rig from pairs of pictures of a board.
 
 use ga_image::plane::Plane;
 use ga_image::sample::Sample;
 use serde::Serialize;
 
+use super::board_view::BoardView;
 use super::error::{CalibrationError, LEAST_VIEWS};
 use super::pair_names::PairNames;
 use super::square_edges::{SquareEdges, square_edges};
 use super::stereo::{StereoCalibration, StereoOptions, calibrate_stereo};
-use crate::chessboard::{BoardSize, Chessboard, find};
+use crate::board::Board;
+use crate::found_board::FoundBoard;
 
 /// The boards of pairs of pictures of one size, in the order in which they are added.
 #[derive(Clone, Debug)]
 pub struct BoardPairs {
-    board: BoardSize,
+    board: Board,
     size: [usize; 2],
     /// All pairs.
     names: Vec<PairNames>,
     /// The number of each pair in which the board was found, and the boards.
-    found: Vec<(usize, [Chessboard; 2])>,
+    found: Vec<(usize, [FoundBoard; 2])>,
     rejected: Vec<RejectedPair>,
 }
 
@@ -77,9 +79,9 @@ const ENOUGH_PAIRS: usize = 10;
 const MOST_RMS: f64 = 1.0;
 
 impl BoardPairs {
-    /// No pairs yet, of a board with this number of inner corners.
+    /// No pairs yet, of a board.
     #[must_use]
-    pub fn new(board: BoardSize) -> Self {
+    pub fn new(board: Board) -> Self {
         Self {
             board,
             size: [0; 2],
@@ -90,7 +92,7 @@ impl BoardPairs {
     }
 
     /// Looks for the board in the next pair of pictures, and returns the boards where it is in
-    /// both, with their corners in the same order.
+    /// both, with their points in the same order.
     ///
     /// # Errors
     /// [`CalibrationError::PictureSizes`] for pictures of other sizes than the first.
@@ -98,15 +100,15 @@ impl BoardPairs {
         &mut self,
         pictures: &[Plane<T>; 2],
         names: PairNames,
-    ) -> Result<Option<&[Chessboard; 2]>, CalibrationError> {
+    ) -> Result<Option<&[FoundBoard; 2]>, CalibrationError> {
         self.check_sizes(pictures, &names)?;
         let pair = self.names.len();
         let mut reasons = Vec::new();
         let mut boards = Vec::new();
         for (picture, name) in pictures.iter().zip([&names.left, &names.right]) {
-            match find(picture, self.board) {
+            match self.board.find(picture) {
                 Ok(board) => boards.push(board),
-                Err(error @ CalibrationError::NotFound { .. }) => {
+                Err(error) if error.is_not_found() => {
                     reasons.push(format!("{name}: {error}"));
                 }
                 Err(error) => return Err(error),
@@ -145,17 +147,13 @@ impl BoardPairs {
         }
     }
 
-    /// The rig that sees the boards, whose squares have a side in metres.
+    /// The rig that sees the boards.
     ///
     /// # Errors
     /// [`CalibrationError::TooFewBoards`] where the board was found in fewer pairs than are needed,
     /// [`CalibrationError::Pair`] with what is wrong in a pair, [`CalibrationError::Edges`] where
     /// the squares cannot be measured, and as [`calibrate_stereo`].
-    pub fn calibrate(
-        self,
-        square: f64,
-        options: &StereoOptions,
-    ) -> Result<BoardCalibration, CalibrationError> {
+    pub fn calibrate(self, options: &StereoOptions) -> Result<BoardCalibration, CalibrationError> {
         if self.found.len() < LEAST_VIEWS {
             return Err(CalibrationError::TooFewBoards {
                 found: self.found.len(),
@@ -163,11 +161,13 @@ impl BoardPairs {
                 first: self.rejected.first().map(|pair| pair.reason.clone()),
             });
         }
-        let corners = [0, 1].map(|side| -> Vec<Vec<[f64; 2]>> {
+        let corners = [0, 1].map(|side| -> Vec<BoardView> {
             let boards = self.found.iter().map(|(_, boards)| &boards[side]);
-            boards.map(|board| board.corners().to_vec()).collect()
+            boards
+                .map(|board| BoardView::complete(board.pixels()))
+                .collect()
         });
-        let places = self.board.places(square);
+        let places = self.board.places();
         let views = corners.each_ref().map(Vec::as_slice);
         let stereo = calibrate_stereo(views, &places, self.size, options);
         let stereo = stereo.map_err(|error| match error.view() {
@@ -177,11 +177,11 @@ impl BoardPairs {
             },
             None => error,
         })?;
-        let used = views.map(|views| -> Vec<Vec<[f64; 2]>> {
+        let used = views.map(|views| -> Vec<BoardView> {
             stereo.used.iter().map(|&k| views[k].clone()).collect()
         });
         let used = used.each_ref().map(Vec::as_slice);
-        let edges = square_edges(&stereo.rig, used, self.board, square);
+        let edges = square_edges(&stereo.rig, used, &self.board);
         let edges = edges.map_err(|error| CalibrationError::Edges(Box::new(error)))?;
         let mut rejected = self.rejected;
         rejected.extend(stereo.outliers.iter().map(|outlier| RejectedPair {

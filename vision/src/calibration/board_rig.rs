@@ -1,8 +1,9 @@
-//! The cameras of a rig from pictures of a chessboard.
+//! The cameras of a rig from pictures of a board.
 
 use ga_camera::Camera;
 use ga_camera::format::{CameraFile, NamedCamera};
 use ga_image::plane::Plane;
+use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::board_view::BoardView;
@@ -10,15 +11,16 @@ use super::board_views::{ENOUGH_BOARDS, MOST_RMS, RejectedView};
 use super::error::{CalibrationError, LEAST_VIEWS};
 use super::lens_choice::calibrate_lens;
 use super::lens_terms::LensTerms;
-use super::many_cameras::{RigCalibration, RigOptions, calibrate_rig};
+use super::many_cameras::{RigCalibration, RigOptions, calibrate_rig, sees};
 use super::one_camera::{CameraOptions, Start};
 use super::summary::CameraParameters;
-use crate::chessboard::{BoardSize, Chessboard, find};
+use crate::board::Board;
+use crate::found_board::FoundBoard;
 
 /// The boards of the pictures of several cameras, frame by frame.
 #[derive(Clone, Debug)]
 pub struct BoardRig {
-    board: BoardSize,
+    board: Board,
     cameras: Vec<RigCamera>,
     /// The first picture of each frame.
     frames: Vec<String>,
@@ -98,9 +100,9 @@ pub enum RigDoubt {
 }
 
 impl BoardRig {
-    /// No frames yet, of cameras with names and a board with this number of inner corners.
+    /// No frames yet, of cameras with names and a board.
     #[must_use]
-    pub fn new(board: BoardSize, cameras: impl IntoIterator<Item = String>) -> Self {
+    pub fn new(board: Board, cameras: impl IntoIterator<Item = String>) -> Self {
         let camera = |name| RigCamera {
             name,
             first: None,
@@ -117,20 +119,20 @@ impl BoardRig {
     /// Looks for the board in the pictures of the next frame, which have names; a camera may have
     /// none.
     ///
-    /// Boards that look alike upside down, with an even number of columns + rows, begin in each
-    /// picture at the corner that makes it most like the first one.
+    /// Boards that look alike upside down, as those with an even number of columns + rows, begin in
+    /// each picture at the point that makes it most like the first one.
     ///
     /// # Errors
     /// [`CalibrationError::PictureSizes`] for a picture of another size than the first of its
-    /// camera, and those of [`find`] other than that there is no board.
-    pub fn add(
+    /// camera, and those of [`Board::find`] other than that there is no board.
+    pub fn add<T: Sample>(
         &mut self,
-        pictures: Vec<Option<(String, Plane<u8>)>>,
+        pictures: Vec<Option<(String, Plane<T>)>>,
     ) -> Result<(), CalibrationError> {
         let name = pictures.iter().flatten().next();
         self.frames
             .push(name.map(|(name, _)| name.clone()).unwrap_or_default());
-        let mut first: Option<Chessboard> = None;
+        let mut first: Option<FoundBoard> = None;
         let pictures = pictures.into_iter().chain(std::iter::repeat(None));
         for (camera, picture) in self.cameras.iter_mut().zip(pictures) {
             camera.views.push(BoardView::default());
@@ -138,14 +140,14 @@ impl BoardRig {
                 continue;
             };
             camera.check_size(&name, &picture)?;
-            match find(&picture, self.board) {
+            match self.board.find(&picture) {
                 Ok(board) => {
                     let like = first.get_or_insert_with(|| board.clone());
-                    let view = board.ordered_like(like).corners().to_vec().into();
+                    let view = BoardView::complete(board.ordered_like(like).pixels());
                     camera.views.pop();
                     camera.views.push(view);
                 }
-                Err(error @ CalibrationError::NotFound { .. }) => {
+                Err(error) if error.is_not_found() => {
                     self.rejected.push(RejectedView {
                         picture: name,
                         reason: error.to_string(),
@@ -157,22 +159,18 @@ impl BoardRig {
         Ok(())
     }
 
-    /// The cameras that see the boards, whose squares have a side in metres, with a lens that is
-    /// given, or for each camera the likelier one of a radial–tangential lens and a fisheye.
+    /// The cameras that see the boards, with a lens that is given, or for each camera the likelier
+    /// one of a radial–tangential lens and a fisheye.
     ///
     /// # Errors
     /// [`CalibrationError::Picture`] with what is wrong with one camera or frame, by its name, [`CalibrationError::Unjoined`] for cameras that see no board together with the
     /// others, and as [`calibrate_rig`].
-    pub fn calibrate(
-        self,
-        square: f64,
-        lens: Option<LensTerms>,
-    ) -> Result<RigOfBoards, CalibrationError> {
-        let places = self.board.places(square);
+    pub fn calibrate(self, lens: Option<LensTerms>) -> Result<RigOfBoards, CalibrationError> {
+        let places = self.board.places();
         let mut options = RigOptions::new(self.cameras.len());
         let mut sizes = Vec::new();
         for (index, camera) in self.cameras.iter().enumerate() {
-            let views = camera.views.iter().filter(|view| !view.is_empty());
+            let views = camera.views.iter().filter(|view| sees(view));
             let views: Vec<BoardView> = views.cloned().collect();
             let size = camera.first.as_ref().map_or([0; 2], |(_, size)| *size);
             if views.len() < LEAST_VIEWS {
@@ -191,7 +189,7 @@ impl BoardRig {
         let found = calibrate_rig(&views, &places, &sizes, &options);
         let rig = found.map_err(|error| self.named(error))?;
         let common = |a: &RigCamera, b: &RigCamera| {
-            let both = |&&frame: &&usize| ![a, b].iter().any(|c| c.views[frame].is_empty());
+            let both = |&&frame: &&usize| ![a, b].iter().any(|c| !sees(&c.views[frame]));
             rig.used.iter().filter(both).count()
         };
         let row = |a| self.cameras.iter().map(|b| common(a, b)).collect();
@@ -234,7 +232,11 @@ impl BoardRig {
 }
 
 impl RigCamera {
-    fn check_size(&mut self, name: &str, picture: &Plane<u8>) -> Result<(), CalibrationError> {
+    fn check_size<T: Sample>(
+        &mut self,
+        name: &str,
+        picture: &Plane<T>,
+    ) -> Result<(), CalibrationError> {
         let size = [picture.width(), picture.height()];
         let (first, expected) = self.first.get_or_insert_with(|| (name.to_owned(), size));
         match size == *expected {

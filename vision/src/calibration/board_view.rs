@@ -1,108 +1,96 @@
 //! What a picture shows of a board.
 
+use super::error::CalibrationError;
 use ga_runtime::cga3::Point;
 
-use super::error::CalibrationError;
-
-/// A corner of a board in a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoardCorner {
-    /// Its number among the places of the board, from 0.
-    pub place: usize,
-    /// Where it is in the picture.
-    pub pixel: [f64; 2],
-}
-
-/// The corners of a board that a picture shows: all of them, some, or none.
+/// The points of a board that a picture shows: all of them, or some.
 ///
 /// ```
-/// use ga_vision::calibration::{BoardCorner, BoardView};
-/// // Pixels alone are those of all places, in their order.
-/// let complete = BoardView::from(vec![[10.0, 20.0], [30.0, 21.0]]);
-/// let second = BoardCorner { place: 1, pixel: [30.0, 21.0] };
-/// assert_eq!(complete.corners()[1], second);
-/// assert_eq!(BoardView::from(vec![second]).corners(), [second]);
+/// use ga_vision::calibration::{BoardView, SeenPoint};
+///
+/// let seen = |point: usize, pixel: [f64; 2]| SeenPoint { point, pixel };
+/// let left = BoardView::new(vec![seen(7, [90.0, 12.0]), seen(3, [40.0, 11.0])])?;
+/// let right = BoardView::new(vec![seen(7, [81.0, 12.5]), seen(8, [95.0, 12.5])])?;
+/// assert_eq!(left.points()[0].point, 3);
+/// let [left, right] = left.shared(&right);
+/// assert_eq!(left.points(), [seen(7, [90.0, 12.0])]);
+/// assert_eq!(right.points(), [seen(7, [81.0, 12.5])]);
+/// # Ok::<(), ga_vision::calibration::CalibrationError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BoardView {
-    corners: Vec<BoardCorner>,
-    /// Whether it has to have all corners.
-    is_complete: bool,
+    points: Vec<SeenPoint>,
 }
 
-impl From<Vec<[f64; 2]>> for BoardView {
-    fn from(pixels: Vec<[f64; 2]>) -> Self {
-        let corners = pixels.into_iter().enumerate();
-        Self {
-            corners: corners
-                .map(|(place, pixel)| BoardCorner { place, pixel })
-                .collect(),
-            is_complete: true,
-        }
-    }
-}
-
-impl From<Vec<BoardCorner>> for BoardView {
-    fn from(corners: Vec<BoardCorner>) -> Self {
-        Self {
-            corners,
-            is_complete: false,
-        }
-    }
+/// A point of a board in a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenPoint {
+    /// Its index among the points of the board.
+    pub point: usize,
+    /// Where it is.
+    pub pixel: [f64; 2],
 }
 
 impl BoardView {
-    /// The corners.
+    /// A view of some points, which are put in the order of the board.
+    ///
+    /// # Errors
+    /// [`CalibrationError::RepeatedPoint`] where a point is listed twice.
+    pub fn new(mut points: Vec<SeenPoint>) -> Result<Self, CalibrationError> {
+        points.sort_by_key(|seen| seen.point);
+        let mut pairs = points.windows(2);
+        match pairs.find(|pair| pair[0].point == pair[1].point) {
+            Some(pair) => Err(CalibrationError::RepeatedPoint {
+                point: pair[0].point,
+            }),
+            None => Ok(Self { points }),
+        }
+    }
+
+    /// A view of the first points of a board, usually of all.
     #[must_use]
-    pub fn corners(&self) -> &[BoardCorner] {
-        &self.corners
-    }
-
-    /// Whether the picture does not show the board.
-    pub(super) fn is_empty(&self) -> bool {
-        self.corners.is_empty()
-    }
-
-    /// The pixels of the corners.
-    pub(super) fn pixels(&self) -> Vec<[f64; 2]> {
-        self.corners.iter().map(|corner| corner.pixel).collect()
-    }
-
-    /// The places of the corners, of those of the board.
-    pub(super) fn places<T: Copy>(&self, places: &[T]) -> Vec<T> {
-        self.corners
-            .iter()
-            .map(|corner| places[corner.place])
-            .collect()
-    }
-
-    /// Checks that the corners are those of a board with these places.
-    pub(super) fn check(&self, view: usize, places: &[Point<f64>]) -> Result<(), CalibrationError> {
-        let (found, expected) = (self.corners.len(), places.len());
-        if self.is_complete && found != expected {
-            return Err(CalibrationError::Corners {
-                view,
-                found,
-                expected,
-            });
+    pub fn complete(pixels: &[[f64; 2]]) -> Self {
+        let points = pixels.iter().enumerate();
+        let points = points.map(|(point, &pixel)| SeenPoint { point, pixel });
+        Self {
+            points: points.collect(),
         }
-        let mut is_seen = vec![false; expected];
-        for (corner, BoardCorner { place, pixel }) in self.corners.iter().enumerate() {
-            let is_new = is_seen
-                .get_mut(*place)
-                .map(|seen| !std::mem::replace(seen, true));
-            if is_new != Some(true) {
-                return Err(CalibrationError::Place {
-                    view,
-                    corner,
-                    place: *place,
-                });
+    }
+
+    /// The points, in the order of the board.
+    #[must_use]
+    pub fn points(&self) -> &[SeenPoint] {
+        &self.points
+    }
+
+    /// Where they are in the picture.
+    #[must_use]
+    pub fn pixels(&self) -> Vec<[f64; 2]> {
+        self.points.iter().map(|seen| seen.pixel).collect()
+    }
+
+    /// Where they are on a board, of which `places` has all points. `None` where the board does not
+    /// have one of them.
+    #[must_use]
+    pub fn places(&self, places: &[Point<f64>]) -> Option<Vec<Point<f64>>> {
+        let place = |seen: &SeenPoint| places.get(seen.point).copied();
+        self.points.iter().map(place).collect()
+    }
+
+    /// Two views with the points that both show, in the same order.
+    #[must_use]
+    pub fn shared(&self, other: &Self) -> [Self; 2] {
+        let within = |view: &Self, other: &Self| {
+            let is_shared = |seen: &&SeenPoint| {
+                let found = other
+                    .points
+                    .binary_search_by_key(&seen.point, |it| it.point);
+                found.is_ok()
+            };
+            Self {
+                points: view.points.iter().filter(is_shared).copied().collect(),
             }
-            let coordinates = places[*place].coordinates();
-            if !pixel.iter().chain(&coordinates).all(|x| x.is_finite()) {
-                return Err(CalibrationError::NotFinite { view, corner });
-            }
-        }
-        Ok(())
+        };
+        [within(self, other), within(other, self)]
     }
 }

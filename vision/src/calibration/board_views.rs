@@ -1,4 +1,4 @@
-//! One camera from pictures of a chessboard.
+//! One camera from pictures of a board.
 
 use ga_camera::Intrinsics;
 use ga_image::plane::Plane;
@@ -6,20 +6,22 @@ use ga_image::pyramid::halved;
 use ga_image::sample::Sample;
 use serde::Serialize;
 
+use super::board_view::BoardView;
 use super::error::{CalibrationError, LEAST_VIEWS};
 use super::lens_choice::{TriedLens, calibrate_lens};
 use super::lens_terms::{LensTerms, parameter_name};
 use super::one_camera::CameraCalibration;
-use crate::chessboard::{BoardSize, Chessboard, find};
+use crate::board::Board;
+use crate::found_board::FoundBoard;
 
 /// The boards of pictures of one camera, in the order in which they are added.
 #[derive(Clone, Debug)]
 pub struct BoardViews {
-    board: BoardSize,
+    board: Board,
     /// The names and sizes of all pictures.
     pictures: Vec<(String, [usize; 2])>,
     /// The number of each picture in which the board was found, and the board.
-    found: Vec<(usize, Chessboard)>,
+    found: Vec<(usize, FoundBoard)>,
     rejected: Vec<RejectedView>,
     /// A small picture with a board.
     shown: Option<Plane<u8>>,
@@ -105,7 +107,7 @@ pub enum CameraDoubt {
         rms: f64,
     },
     /// A lens of another kind, or with more terms, fits much better.
-    #[error("the lens seems to be another: --lens {lens} leaves {other:.3} px, not {rms:.3} px")]
+    #[error("the lens seems to be another: {lens} leaves {other:.3} px, not {rms:.3} px")]
     OtherLens {
         /// The other lens.
         lens: String,
@@ -146,9 +148,9 @@ const LEAST_COVERAGE: f64 = 50.0;
 const OUTLYING: f64 = 3.0;
 
 impl BoardViews {
-    /// No pictures yet, of a board with this number of inner corners.
+    /// No pictures yet, of a board.
     #[must_use]
-    pub fn new(board: BoardSize) -> Self {
+    pub fn new(board: Board) -> Self {
         Self {
             board,
             pictures: Vec::new(),
@@ -161,7 +163,7 @@ impl BoardViews {
     /// Looks for the board in the next picture.
     ///
     /// # Errors
-    /// Those of [`find`] other than that there is no board.
+    /// Those of [`Board::find`] other than that there is no board.
     pub fn add<T: Sample>(
         &mut self,
         picture: &Plane<T>,
@@ -174,12 +176,12 @@ impl BoardViews {
             // The pictures will be refused, with all names and sizes.
             return Ok(());
         }
-        match find(picture, self.board) {
+        match self.board.find(picture) {
             Ok(board) => {
                 self.shown.get_or_insert_with(|| small(picture));
                 self.found.push((index, board));
             }
-            Err(error @ CalibrationError::NotFound { .. }) => {
+            Err(error) if error.is_not_found() => {
                 self.rejected.push(RejectedView {
                     picture: name,
                     reason: error.to_string(),
@@ -190,19 +192,15 @@ impl BoardViews {
         Ok(())
     }
 
-    /// The camera that sees the boards, whose squares have a side in metres, with a lens that is
-    /// given, or the likelier one of a radial–tangential lens and a fisheye.
+    /// The camera that sees the boards, with a lens that is given, or the likelier one of a
+    /// radial–tangential lens and a fisheye.
     ///
     /// # Errors
     /// [`CalibrationError::MixedSizes`] for pictures of several sizes,
     /// [`CalibrationError::TooFewPictures`] where the board was found in fewer than are needed,
     /// [`CalibrationError::Picture`] with what is wrong in one, and as
     /// [`calibrate_camera`](super::calibrate_camera).
-    pub fn calibrate(
-        self,
-        square: f64,
-        lens: Option<LensTerms>,
-    ) -> Result<CameraOfBoards, CalibrationError> {
+    pub fn calibrate(self, lens: Option<LensTerms>) -> Result<CameraOfBoards, CalibrationError> {
         self.check_sizes()?;
         if self.found.len() < LEAST_VIEWS {
             return Err(CalibrationError::TooFewPictures {
@@ -215,11 +213,13 @@ impl BoardViews {
             });
         }
         let size = self.pictures[0].1;
-        let places = self.board.places(square);
-        let corners = self.found.iter().map(|(_, board)| board.corners().to_vec());
-        let corners: Vec<Vec<[f64; 2]>> = corners.collect();
+        let places = self.board.places();
+        let seen = self.found.iter();
+        let seen: Vec<BoardView> = seen
+            .map(|(_, board)| BoardView::complete(board.pixels()))
+            .collect();
         let name = |view: usize| self.pictures[self.found[view].0].0.clone();
-        let fitted = calibrate_lens(&corners, &places, size, lens);
+        let fitted = calibrate_lens(&seen, &places, size, lens);
         let fitted = fitted.map_err(|error| match error.view() {
             Some(view) => CalibrationError::Picture {
                 name: name(view),
@@ -235,17 +235,14 @@ impl BoardViews {
             })
             .collect();
         views.sort_by(|a, b| b.rms_px.total_cmp(&a.rms_px));
-        let boards = corners.iter().zip(&camera.boards);
-        let residuals = boards.flat_map(|(corners, board)| {
-            let pairs = corners.iter().zip(&places);
-            pairs.filter_map(|(corner, place)| {
-                let seen = camera
-                    .intrinsics
-                    .project(board.motor.transform(*place))
-                    .ok()?;
+        let boards = seen.iter().zip(&camera.boards);
+        let residuals = boards.flat_map(|(seen, board)| {
+            seen.points().iter().filter_map(|seen| {
+                let place = board.motor.transform(places[seen.point]);
+                let projected = camera.intrinsics.project(place).ok()?;
                 Some(CornerResidual {
-                    corner: *corner,
-                    difference: [seen[0] - corner[0], seen[1] - corner[1]],
+                    corner: seen.pixel,
+                    difference: [0, 1].map(|k| projected[k] - seen.pixel[k]),
                 })
             })
         });

@@ -3,7 +3,7 @@
 use ga_runtime::cga3::{Direction, Motor, MotorGenerator, Point};
 use ga_runtime::vga3::Vector;
 
-use super::board_view::BoardCorner;
+use super::board_view::{BoardView, SeenPoint};
 use super::lens_terms::parameter_name;
 use ga_camera::{FrameProjection, Intrinsics, by_twist};
 use ga_numerics::least_squares::{Columns, Equations, Problem};
@@ -18,10 +18,10 @@ pub(super) const TWIST: usize = 6;
 /// camera's frame; those of the other cameras take the first camera's frame into theirs. Motors
 /// vary by twists on the left: `M' = exp(G) M` moves a point x of the frame with `ω × x + u`.
 pub(super) struct Bundle<'a> {
-    /// The places of the corners on a board.
+    /// The places of all points on the board.
     pub(super) places: &'a [Point<f64>],
-    /// For each camera and each board the corners, none where the camera does not see it.
-    pub(super) corners: Vec<Vec<&'a [BoardCorner]>>,
+    /// For each camera and each board the points that it sees, none where it does not see it.
+    pub(super) views: Vec<Vec<&'a BoardView>>,
     /// For each camera, which intrinsic parameters vary.
     pub(super) free: Vec<Vec<usize>>,
 }
@@ -50,11 +50,9 @@ impl Bundle<'_> {
         self.motion_column(self.free.len())
     }
 
-    /// How many corners there are of each board.
-    pub(super) fn corner_counts(&self) -> Vec<usize> {
-        let boards = 0..self.corners.first().map_or(0, Vec::len);
-        let count = |board: usize| self.corners.iter().map(|boards| boards[board].len()).sum();
-        boards.map(count).collect()
+    /// How many points a camera sees on each board.
+    pub(super) fn counts(&self, camera: usize) -> impl Iterator<Item = usize> {
+        self.views[camera].iter().map(|view| view.points().len())
     }
 
     /// The name of the unknown of a column.
@@ -74,22 +72,24 @@ impl Bundle<'_> {
     /// The squared distances between corners and projections, summed for each camera and board;
     /// infinite for a board of which the camera cannot see a corner.
     pub(super) fn squared_errors(&self, state: &BundleState) -> Vec<Vec<f64>> {
-        let cameras = self.corners.iter().enumerate();
+        let cameras = self.views.iter().enumerate();
         cameras
             .map(|(camera, boards)| {
                 let to_camera = self.to_camera(state, camera);
                 let boards = boards.iter().zip(&state.boards);
                 boards
-                    .map(|(corners, board)| {
+                    .map(|(view, board)| {
                         let motor = to_camera * *board;
-                        let squared = |BoardCorner { place, pixel }: &BoardCorner| match state
-                            .cameras[camera]
-                            .project(motor.transform(self.places[*place]))
-                        {
-                            Ok([u, v]) => (u - pixel[0]).powi(2) + (v - pixel[1]).powi(2),
-                            Err(_) => f64::INFINITY,
+                        let squared = |seen: &SeenPoint| {
+                            let place = motor.transform(self.places[seen.point]);
+                            match state.cameras[camera].project(place) {
+                                Ok([u, v]) => {
+                                    (u - seen.pixel[0]).powi(2) + (v - seen.pixel[1]).powi(2)
+                                }
+                                Err(_) => f64::INFINITY,
+                            }
                         };
-                        corners.iter().map(squared).sum()
+                        view.points().iter().map(squared).sum()
                     })
                     .collect()
             })
@@ -109,20 +109,20 @@ impl Problem for Bundle<'_> {
     type State = BundleState;
 
     fn columns(&self) -> Columns {
-        Columns::grouped(self.shared(), self.corners[0].len(), TWIST)
+        Columns::grouped(self.shared(), self.views[0].len(), TWIST)
     }
 
     fn evaluate(&self, state: &BundleState, equations: &mut Equations) -> Option<()> {
         let shared = self.shared();
         let mut derivatives: Vec<(usize, [f64; 2])> = Vec::new();
-        for (camera, boards) in self.corners.iter().enumerate() {
+        for (camera, boards) in self.views.iter().enumerate() {
             let to_camera = self.to_camera(state, camera);
             let to_first = to_camera.reverse();
             let first_column = self.first_column(camera);
-            for (board, corners) in boards.iter().enumerate() {
+            for (board, view) in boards.iter().enumerate() {
                 let board_column = shared + TWIST * board;
-                for BoardCorner { place, pixel } in *corners {
-                    let in_first = state.boards[board].transform(self.places[*place]);
+                for SeenPoint { point, pixel } in view.points() {
+                    let in_first = state.boards[board].transform(self.places[*point]);
                     let in_frame = to_camera.transform(in_first);
                     let FrameProjection {
                         pixel: seen,

@@ -32,35 +32,37 @@ pub enum CalibrationError {
         /// Cameras with sizes or options.
         other: usize,
     },
-    /// A view has another number of corners than the board.
-    #[error("view {view} has {found} corners, not {expected}")]
-    Corners {
+    /// A view shows too little of a board.
+    #[error("view {view} shows {found} points of the board, and {LEAST_POINTS} are needed")]
+    TooFewPoints {
         /// The view, from 0.
         view: usize,
-        /// Its corners.
+        /// How many points it shows; in both views, where there are two.
         found: usize,
-        /// Those of the board.
-        expected: usize,
     },
-    /// A corner has the number of no place on the board, or that of another corner.
-    #[error(
-        "corner {corner} of view {view} has the place {place}, which is not on the board, or twice"
-    )]
-    Place {
+    /// A view shows a point of a board twice.
+    #[error("point {point} of the board is there twice")]
+    RepeatedPoint {
+        /// The point, from 0.
+        point: usize,
+    },
+    /// A view shows a point that the board does not have.
+    #[error("view {view} shows point {point} of a board of {count} points, which count from 0")]
+    NoSuchPoint {
         /// The view, from 0.
         view: usize,
-        /// The corner, from 0.
-        corner: usize,
-        /// The number of the place.
-        place: usize,
+        /// The point, from 0.
+        point: usize,
+        /// How many points the board has.
+        count: usize,
     },
-    /// A corner or a place on the board is not finite.
-    #[error("corner {corner} of view {view} is not finite")]
+    /// A point in a picture or on the board is not finite.
+    #[error("point {point} of view {view} is not finite")]
     NotFinite {
         /// The view, from 0.
         view: usize,
-        /// The corner, from 0.
-        corner: usize,
+        /// The point of the board, from 0.
+        point: usize,
     },
     /// The corners of a view lie on one line, or do not belong to a board in front of the camera.
     #[error("the corners of view {view} are not those of a board in front of the camera")]
@@ -106,13 +108,13 @@ pub enum CalibrationError {
         /// The outlier after which no more than half of the pairs would be left.
         outlier: Outlier,
     },
-    /// A corner lies where the lens that is given sees nothing.
-    #[error("corner {corner} of view {view}: {error}")]
+    /// A point lies where the lens that is given sees nothing.
+    #[error("point {point} of view {view}: {error}")]
     Pixel {
         /// The view, from 0.
         view: usize,
-        /// The corner, from 0.
-        corner: usize,
+        /// The point of the board, from 0.
+        point: usize,
         /// What is wrong with it.
         error: CameraError,
     },
@@ -143,7 +145,7 @@ pub enum CalibrationError {
     )]
     LensTerms(String),
     /// The board is too small to be told from other textures, or larger than any.
-    #[error("a board of {columns} × {rows} inner corners: each count must be from 3 to 100")]
+    #[error("a board of {columns} × {rows} points: each count must be from 3 to 100")]
     BoardSize {
         /// Corners in a row.
         columns: usize,
@@ -151,7 +153,7 @@ pub enum CalibrationError {
         rows: usize,
     },
     /// A text is not a size such as `9x6`.
-    #[error("{0:?} is not a number of inner corners such as 9x6")]
+    #[error("{0:?} is not a size of a board such as 9x6")]
     BoardText(String),
     /// The picture shows no complete board of the size.
     #[error(
@@ -166,6 +168,28 @@ pub enum CalibrationError {
         corners: usize,
         /// Columns and rows of the smallest rectangle that contains this grid.
         extent: [usize; 2],
+    },
+    /// The picture shows no grid of circles of the size.
+    #[error(
+        "board not found: no grid of {} × {} circles alone; of {discs} dark discs {largest} lie in \
+         the largest grid",
+        size[0], size[1]
+    )]
+    CirclesNotFound {
+        /// Circles in a row, and rows, that were wanted.
+        size: [usize; 2],
+        /// How many dark discs there are.
+        discs: usize,
+        /// How many of them lie in the largest grid.
+        largest: usize,
+    },
+    /// A length on a board is not positive and finite.
+    #[error(
+        "a board with squares or distances of {metres} m: the length must be positive and finite"
+    )]
+    Spacing {
+        /// The length in metres.
+        metres: f64,
     },
     /// The blur of a picture failed.
     #[error(transparent)]
@@ -218,7 +242,7 @@ pub enum CalibrationError {
         first: Option<String>,
     },
     /// The calibration fails with the lens that is given, and not with another.
-    #[error("{error}; the lens seems to be another: --lens {lens} leaves {rms:.3} px")]
+    #[error("{error}; the lens seems to be another: {lens} leaves {rms:.3} px")]
     OtherLens {
         /// How it fails.
         error: Box<CalibrationError>,
@@ -264,7 +288,16 @@ fn sizes(groups: &[([usize; 2], Vec<String>)]) -> String {
 /// The least number of boards from which a camera is calibrated.
 pub const LEAST_VIEWS: usize = 3;
 
+/// The least number of points of a board from which it is placed.
+pub const LEAST_POINTS: usize = 4;
+
 impl CalibrationError {
+    /// Whether a picture shows no board.
+    #[must_use]
+    pub fn is_not_found(&self) -> bool {
+        matches!(self, Self::NotFound { .. } | Self::CirclesNotFound { .. })
+    }
+
     /// The error of chosen views with the index that a view has among all.
     pub(super) fn in_frames(mut self, frames: &[usize]) -> Self {
         if let Some(view) = self.own_view() {
@@ -276,8 +309,8 @@ impl CalibrationError {
     /// The view that is to blame, counted among those of one camera.
     fn own_view(&mut self) -> Option<&mut usize> {
         match self {
-            Self::Corners { view, .. }
-            | Self::Place { view, .. }
+            Self::TooFewPoints { view, .. }
+            | Self::NoSuchPoint { view, .. }
             | Self::NotFinite { view, .. }
             | Self::Pixel { view, .. }
             | Self::View { view } => Some(view),
@@ -298,8 +331,8 @@ impl CalibrationError {
     #[must_use]
     pub fn view(&self) -> Option<usize> {
         match *self {
-            Self::Corners { view, .. }
-            | Self::Place { view, .. }
+            Self::TooFewPoints { view, .. }
+            | Self::NoSuchPoint { view, .. }
             | Self::NotFinite { view, .. }
             | Self::Pixel { view, .. }
             | Self::View { view }

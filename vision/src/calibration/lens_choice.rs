@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::board_view::BoardView;
 use super::error::CalibrationError;
 use super::lens_terms::LensTerms;
-use super::one_camera::{CameraCalibration, CameraOptions, Start, calibrate_views};
+use super::one_camera::{CameraCalibration, CameraOptions, Start, calibrate_camera};
 
 /// A lens that was tried.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -45,18 +45,17 @@ const DECISIVE_PART: f64 = 0.9;
 /// Calibrates a camera with a lens that is given, or with the likelier one of a radial–tangential
 /// lens and a fisheye: a fisheye is chosen where Schwarz's criterion is very strong evidence for it
 /// and it leaves less than nine tenths of the distances. Arguments are those of
-/// [`calibrate_camera`](super::calibrate_camera).
+/// [`calibrate_camera`].
 ///
 /// # Errors
 ///
-/// As [`calibrate_camera`](super::calibrate_camera).
-pub fn calibrate_lens<V: Clone + Into<BoardView>>(
-    views: &[V],
+/// As [`calibrate_camera`].
+pub fn calibrate_lens(
+    views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
     given: Option<LensTerms>,
 ) -> Result<LensFit, CalibrationError> {
-    let views: Vec<BoardView> = views.iter().cloned().map(Into::into).collect();
     let usual = LensTerms::radial_tangential();
     let first = given.unwrap_or(usual);
     let mut kinds = vec![first];
@@ -64,10 +63,10 @@ pub fn calibrate_lens<V: Clone + Into<BoardView>>(
     kinds.extend(others.into_iter().filter(|terms| *terms != first));
     let mut found = kinds
         .into_iter()
-        .map(|terms| Fit::new(&views, places, size, terms));
+        .map(|terms| Fit::new(views, places, size, terms));
     let first = found
         .next()
-        .unwrap_or_else(|| Fit::new(&views, places, size, usual));
+        .unwrap_or_else(|| Fit::new(views, places, size, usual));
     let others: Vec<Fit> = found.collect();
     let mut tried = vec![first.tried()];
     tried.extend(others.iter().map(Fit::tried));
@@ -114,11 +113,11 @@ struct Fit {
 impl Fit {
     fn new(views: &[BoardView], places: &[Point<f64>], size: [usize; 2], terms: LensTerms) -> Self {
         let parameters = terms.free().len() + 6 * views.len();
-        let corners: usize = views.iter().map(|view| view.corners().len()).sum();
+        let points = views.iter().map(|view| view.points().len());
         Self {
             terms,
             camera: calibrate(views, places, size, terms),
-            counts: [2 * corners, parameters].map(|count| count as f64),
+            counts: [2 * points.sum::<usize>(), parameters].map(|count| count as f64),
         }
     }
 
@@ -178,7 +177,7 @@ fn calibrate(
     }
     let mut best: Option<Result<CameraCalibration, CalibrationError>> = None;
     for start in starts {
-        let found = calibrate_views(views, places, size, &CameraOptions { start, terms });
+        let found = calibrate_camera(views, places, size, &CameraOptions { start, terms });
         let is_better = match (&found, &best) {
             (_, None) | (Ok(_), Some(Err(_))) => true,
             (Ok(new), Some(Ok(old))) => new.rms < old.rms,

@@ -10,7 +10,7 @@ use super::bundle::{Bundle, BundleState, TWIST};
 use super::camera_graph::motions_from_first;
 use super::error::CalibrationError;
 use super::one_camera::{
-    CameraCalibration, CameraOptions, calibrate_views, covariance, deviations,
+    CameraCalibration, CameraOptions, calibrate_camera, covariance, deviations,
 };
 use super::outlier::Outlier;
 use ga_camera::frame::{Board, LeftCamera, Pose};
@@ -118,7 +118,7 @@ pub struct RigCalibration {
 ///         let seen = Camera { intrinsics, world_to_camera: away * board };
 ///         let sees = camera != if frame < 4 { 2 } else { 0 };
 ///         views.push(match sees {
-///             true => seen.project_all(&places).map_err(|(_, error)| error)?.into(),
+///             true => BoardView::complete(&seen.project_all(&places).map_err(|(_, e)| e)?),
 ///             false => BoardView::default(),
 ///         });
 ///     }
@@ -128,17 +128,14 @@ pub struct RigCalibration {
 /// assert!((last[0] - 0.3).abs() < 1e-6 && found.rms < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn calibrate_rig<V: Clone + Into<BoardView>, C: AsRef<[V]>>(
-    views: &[C],
+pub fn calibrate_rig<V: AsRef<[BoardView]>>(
+    views: &[V],
     places: &[Point<f64>],
     sizes: &[[usize; 2]],
     options: &RigOptions,
 ) -> Result<RigCalibration, CalibrationError> {
-    let views: Vec<Vec<BoardView>> = views
-        .iter()
-        .map(|views| views.as_ref().iter().cloned().map(Into::into).collect())
-        .collect();
-    let frames = views.first().map_or(0, Vec::len);
+    let views: Vec<&[BoardView]> = views.iter().map(AsRef::as_ref).collect();
+    let frames = views.first().map_or(0, |views| views.len());
     let counts = [sizes.len(), options.cameras.len()];
     if let Some(other) = counts.into_iter().find(|count| *count != views.len()) {
         return Err(CalibrationError::CameraCounts {
@@ -152,12 +149,12 @@ pub fn calibrate_rig<V: Clone + Into<BoardView>, C: AsRef<[V]>>(
             right: other.len(),
         });
     }
-    let is_seen = |frame: &usize| views.iter().any(|views| !views[*frame].is_empty());
+    let is_seen = |frame: &usize| views.iter().any(|views| sees(&views[*frame]));
     let mut used: Vec<usize> = (0..frames).filter(is_seen).collect();
     let frames = used.len();
     let mut outliers = Vec::new();
     loop {
-        let chosen = |views: &Vec<BoardView>| used.iter().map(|&k| views[k].clone()).collect();
+        let chosen = |views: &&[BoardView]| used.iter().map(|&k| views[k].clone()).collect();
         let chosen: Vec<Vec<BoardView>> = views.iter().map(chosen).collect();
         let rig = Rig::new(&chosen, places, sizes, options);
         let rig = rig.map_err(|error| error.in_frames(&used))?;
@@ -240,10 +237,7 @@ impl<'a> Rig<'a> {
         });
         let bundle = Bundle {
             places,
-            corners: views
-                .iter()
-                .map(|views| views.iter().map(BoardView::corners).collect())
-                .collect(),
+            views: views.iter().map(|views| views.iter().collect()).collect(),
             free: free.collect(),
         };
         // One camera may see a board almost alike in two poses; the others tell which is right.
@@ -290,10 +284,16 @@ impl<'a> Rig<'a> {
     /// where a camera cannot see the board that its view shows.
     fn frame_rms(&self, state: &BundleState) -> Vec<f64> {
         let errors = self.bundle.squared_errors(state);
-        let counts = self.bundle.corner_counts().into_iter().enumerate();
-        let sum = |frame: usize| errors.iter().map(|errors| errors[frame]).sum::<f64>();
-        let rms = counts.map(|(frame, count)| (sum(frame) / count as f64).sqrt());
-        rms.collect()
+        let mut sums = vec![(0.0, 0); state.boards.len()];
+        for (camera, errors) in errors.iter().enumerate() {
+            let of_frames = sums.iter_mut().zip(errors).zip(self.bundle.counts(camera));
+            for ((sum, error), count) in of_frames {
+                *sum = (sum.0 + error, sum.1 + count);
+            }
+        }
+        let rms = sums.into_iter();
+        rms.map(|(sum, count)| (sum / count as f64).sqrt())
+            .collect()
     }
 
     /// The state where the losses of Huber are least, to which outliers matter less.
@@ -347,8 +347,7 @@ impl<'a> Rig<'a> {
                 let deviation = distance_deviation(&world_to_camera, &covariance, column);
                 found.distance_deviations.push(deviation);
             }
-            let own = &self.bundle.corners[camera];
-            let count: usize = own.iter().map(|corners| corners.len()).sum();
+            let count: usize = self.bundle.counts(camera).sum();
             let sum: f64 = errors[camera].iter().sum();
             found.camera_rms.push((sum / count as f64).sqrt());
             corners += count;
@@ -372,6 +371,11 @@ fn distance_deviation(motion: &Motor<f64>, covariance: &Covariance, column: usiz
     (sum / squared).max(0.0).sqrt()
 }
 
+/// Whether a view shows the board.
+pub(super) fn sees(view: &BoardView) -> bool {
+    !view.points().is_empty()
+}
+
 /// A camera calibrated by itself.
 struct Alone {
     intrinsics: Intrinsics,
@@ -388,14 +392,14 @@ impl Alone {
         size: [usize; 2],
         options: &RigOptions,
     ) -> Result<Self, CalibrationError> {
-        let seen: Vec<usize> = (0..views.len()).filter(|&k| !views[k].is_empty()).collect();
+        let seen: Vec<usize> = (0..views.len()).filter(|&k| sees(&views[k])).collect();
         let own: Vec<BoardView> = seen.iter().map(|&k| views[k].clone()).collect();
         let CameraCalibration {
             intrinsics,
             deviations,
             boards: found,
             ..
-        } = calibrate_views(&own, places, size, &options.cameras[camera])
+        } = calibrate_camera(&own, places, size, &options.cameras[camera])
             .map_err(|error| error.in_frames(&seen).of_camera(camera))?;
         let mut boards = vec![None; views.len()];
         for (frame, board) in seen.into_iter().zip(found) {

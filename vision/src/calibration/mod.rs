@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use ga_runtime::cga3::{Rotor, Translator};
-//! use ga_vision::calibration::{CameraOptions, calibrate_camera};
+//! use ga_vision::calibration::{BoardView, CameraOptions, calibrate_camera};
 //! use ga_camera::{Camera, Intrinsics};
 //! use ga_vision::chessboard::BoardSize;
 //!
@@ -21,7 +21,8 @@
 //!     let rotor = Rotor::from_axis_angle(axis, 0.5).ok_or("no axis")?;
 //!     let world_to_camera = Translator::from_displacement([-0.1, -0.06, 0.6]) * rotor;
 //!     let camera = Camera { intrinsics, world_to_camera };
-//!     views.push(camera.project_all(&places).map_err(|(_, error)| error)?);
+//!     let pixels = camera.project_all(&places).map_err(|(_, error)| error)?;
+//!     views.push(BoardView::complete(&pixels));
 //! }
 //! let found = calibrate_camera(&views, &places, [640, 480], &CameraOptions::default())?;
 //! assert!((found.intrinsics.focal()[0] - 810.0).abs() < 1e-6 && found.rms < 1e-8);
@@ -48,11 +49,11 @@ mod summary;
 
 pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
 pub use board_rig::{BoardRig, RigCameraSummary, RigDoubt, RigOfBoards};
-pub use board_view::{BoardCorner, BoardView};
+pub use board_view::{BoardView, SeenPoint};
 pub use board_views::{
     BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,
 };
-pub use error::{CalibrationError, LEAST_VIEWS};
+pub use error::{CalibrationError, LEAST_POINTS, LEAST_VIEWS};
 pub use lens_choice::{LensFit, TriedLens, calibrate_lens};
 pub use lens_terms::LensTerms;
 pub use many_cameras::{JointIntrinsics, RigCalibration, RigOptions, calibrate_rig};

@@ -1,10 +1,10 @@
 //! The calibration of one camera.
 
-use super::error::LEAST_VIEWS;
+use super::error::{LEAST_POINTS, LEAST_VIEWS};
 use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
-use super::board_view::{BoardCorner, BoardView};
+use super::board_view::{BoardView, SeenPoint};
 use super::bundle::{Bundle, BundleState};
 use super::lens_terms::{LensTerms, parameter_name};
 use crate::calibration::CalibrationError;
@@ -95,27 +95,15 @@ impl CameraOptions {
     }
 }
 
-/// Calibrates a camera from the corners of boards.
+/// Calibrates a camera from the points of boards.
 ///
-/// `views` has the corners of each board, as the pixels of all of them or as [`BoardView`]s of
-/// some, `places` their places on it, in the plane z = 0, and `size` the width and height of the
-/// pictures.
+/// `views` has the points that are seen of each board, all or some, `places` the places of all
+/// points on it, in the plane z = 0, and `size` the width and height of the pictures.
 ///
 /// # Errors
 ///
 /// [`CalibrationError`].
-pub fn calibrate_camera<V: Clone + Into<BoardView>>(
-    views: &[V],
-    places: &[Point<f64>],
-    size: [usize; 2],
-    options: &CameraOptions,
-) -> Result<CameraCalibration, CalibrationError> {
-    let views: Vec<BoardView> = views.iter().cloned().map(Into::into).collect();
-    calibrate_views(&views, places, size, options)
-}
-
-/// The same for views that are not copied.
-pub(super) fn calibrate_views(
+pub fn calibrate_camera(
     views: &[BoardView],
     places: &[Point<f64>],
     size: [usize; 2],
@@ -126,7 +114,7 @@ pub(super) fn calibrate_views(
     let boards = initial_boards(views, places, &intrinsics)?;
     let bundle = Bundle {
         places,
-        corners: vec![views.iter().map(BoardView::corners).collect()],
+        views: vec![views.iter().collect()],
         free: vec![free],
     };
     let mut state = BundleState {
@@ -148,13 +136,13 @@ pub(super) fn calibrate_views(
     let covariance = covariance(&bundle, &minimum)?;
     let deviations = deviations(&bundle, &minimum.state, 0, &covariance)?;
     let errors = bundle.squared_errors(&minimum.state);
-    let counts = bundle.corner_counts();
-    let view_rms = errors.iter().flatten().zip(&counts);
-    let view_rms = view_rms.map(|(sum, count)| (sum / *count as f64).sqrt());
+    let view_rms = errors[0].iter().zip(bundle.counts(0));
+    let view_rms = view_rms.map(|(sum, count)| (sum / count as f64).sqrt());
+    let count = bundle.counts(0).sum::<usize>() as f64;
     Ok(CameraCalibration {
         intrinsics: minimum.state.cameras[0],
         deviations,
-        rms: (minimum.cost / counts.iter().sum::<usize>() as f64).sqrt(),
+        rms: (minimum.cost / count).sqrt(),
         view_rms: view_rms.collect(),
         ambiguous,
         boards: minimum.state.boards.into_iter().map(Pose::new).collect(),
@@ -212,11 +200,10 @@ fn initial_pinhole(
 ) -> Result<Intrinsics, CameraError> {
     let principal = size.map(|side| 0.5 * (side as f64 - 1.0));
     let unit = size[0].max(size[1]) as f64;
-    let flat = in_plane(places);
     let homographies = views.iter().filter_map(|view| {
         let shifted = |[u, v]: [f64; 2]| [(u - principal[0]) / unit, (v - principal[1]) / unit];
-        let corners: Vec<[f64; 2]> = view.pixels().into_iter().map(shifted).collect();
-        Homography::from_pairs(&view.places(&flat), &corners)
+        let pixels: Vec<[f64; 2]> = view.pixels().into_iter().map(shifted).collect();
+        Homography::from_pairs(&in_plane(&view.places(places)?), &pixels)
     });
     // Rows a·X + b·Y = c for X = 1/f_x² and Y = 1/f_y², in units of the picture.
     let mut rows: Vec<[f64; 3]> = Vec::new();
@@ -254,22 +241,22 @@ fn initial_boards(
     places: &[Point<f64>],
     intrinsics: &Intrinsics,
 ) -> Result<Vec<Motor<f64>>, CalibrationError> {
-    let flat = in_plane(places);
     let ([fx, fy], [cx, cy]) = (intrinsics.focal(), intrinsics.principal());
     let motor = |(view, board): (usize, &BoardView)| {
-        let at_focal_length_1 = |(corner, found): (usize, &BoardCorner)| {
-            let undistorted = intrinsics.undistort(found.pixel);
+        let at_focal_length_1 = |seen: &SeenPoint| {
+            let undistorted = intrinsics.undistort(seen.pixel);
             let [u, v] = undistorted.map_err(|error| CalibrationError::Pixel {
                 view,
-                corner,
+                point: seen.point,
                 error,
             })?;
             Ok([(u - cx) / fx, (v - cy) / fy])
         };
-        let images = board.corners().iter().enumerate().map(at_focal_length_1);
+        let places = board.places(places);
+        let flat = in_plane(&places.ok_or(CalibrationError::View { view })?);
+        let images = board.points().iter().map(at_focal_length_1);
         let images = images.collect::<Result<Vec<[f64; 2]>, CalibrationError>>()?;
-        let homography = Homography::from_pairs(&board.places(&flat), &images);
-        let motion = homography.and_then(|found| found.motion());
+        let motion = Homography::from_pairs(&flat, &images).and_then(|found| found.motion());
         motion.ok_or(CalibrationError::View { view })
     };
     views.iter().enumerate().map(motor).collect()
@@ -286,9 +273,12 @@ fn choose_boards(
     let mut ambiguous = Vec::new();
     for (view, (seen, board)) in views.iter().zip(&mut state.boards).enumerate() {
         let options = perspective_n_point::Options::default();
-        let (places, pixels) = (seen.places(places), seen.pixels());
+        let Some(places) = seen.places(places) else {
+            continue;
+        };
         // Where no pose is found, the search goes on from that of the homography.
-        if let Ok(found) = perspective_n_point::estimate(&places, &pixels, &camera, &options) {
+        let found = perspective_n_point::estimate(&places, &seen.pixels(), &camera, &options);
+        if let Ok(found) = found {
             *board = found.world_to_camera;
             if found.is_ambiguous() {
                 ambiguous.push(view);
@@ -298,11 +288,25 @@ fn choose_boards(
     ambiguous
 }
 
-/// Checks the corners of views of a board.
+/// Checks the points of views of a board.
 fn check(views: &[BoardView], places: &[Point<f64>]) -> Result<(), CalibrationError> {
     if views.len() < LEAST_VIEWS {
         return Err(CalibrationError::TooFewViews { found: views.len() });
     }
-    let mut views = views.iter().enumerate();
-    views.try_for_each(|(index, view)| view.check(index, places))
+    for (view, seen) in views.iter().enumerate() {
+        let found = seen.points().len();
+        if found < LEAST_POINTS {
+            return Err(CalibrationError::TooFewPoints { view, found });
+        }
+        for &SeenPoint { point, pixel } in seen.points() {
+            let count = places.len();
+            let place = places.get(point);
+            let place = place.ok_or(CalibrationError::NoSuchPoint { view, point, count })?;
+            let mut numbers = place.coordinates().into_iter().chain(pixel);
+            if numbers.any(|x| !x.is_finite()) {
+                return Err(CalibrationError::NotFinite { view, point });
+            }
+        }
+    }
+    Ok(())
 }

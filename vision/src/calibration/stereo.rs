@@ -1,7 +1,7 @@
 //! The calibration of two cameras of a rig.
 
 use super::board_view::BoardView;
-use super::error::CalibrationError;
+use super::error::{CalibrationError, LEAST_POINTS};
 use super::many_cameras::{JointIntrinsics, RigCalibration, RigOptions, calibrate_rig};
 use super::one_camera::CameraOptions;
 use super::outlier::Outlier;
@@ -66,8 +66,8 @@ pub struct StereoCalibration {
 
 /// Calibrates a rig from the corners of boards that both cameras see.
 ///
-/// `views` has the corners in the left views and in the right ones, pair by pair; otherwise as
-/// [`calibrate_rig`].
+/// `views` has the left views and the right ones, pair by pair, of which the points count that both
+/// show; otherwise as [`calibrate_rig`].
 ///
 /// # Errors
 ///
@@ -75,7 +75,7 @@ pub struct StereoCalibration {
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Rotor, Translator};
-/// use ga_vision::calibration::{StereoOptions, calibrate_stereo};
+/// use ga_vision::calibration::{BoardView, StereoOptions, calibrate_stereo};
 /// use ga_camera::{Camera, Intrinsics};
 /// use ga_vision::chessboard::BoardSize;
 ///
@@ -90,7 +90,8 @@ pub struct StereoCalibration {
 ///     let board: Motor<f64> = Translator::from_displacement([-0.1, -0.06, 0.6]) * rotor;
 ///     for (views, world_to_camera) in views.iter_mut().zip([board, left_to_right * board]) {
 ///         let camera = Camera { intrinsics, world_to_camera };
-///         views.push(camera.project_all(&places).map_err(|(_, error)| error)?);
+///         let pixels = camera.project_all(&places).map_err(|(_, error)| error)?;
+///         views.push(BoardView::complete(&pixels));
 ///     }
 /// }
 /// let views = [&views[0][..], &views[1][..]];
@@ -98,14 +99,28 @@ pub struct StereoCalibration {
 /// assert!((found.rig.baseline() - 0.12).abs() < 1e-6 && found.rms < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn calibrate_stereo<V: Clone + Into<BoardView>>(
-    views: [&[V]; 2],
+pub fn calibrate_stereo(
+    views: [&[BoardView]; 2],
     places: &[Point<f64>],
     size: [usize; 2],
     options: &StereoOptions,
 ) -> Result<StereoCalibration, CalibrationError> {
+    let [left, right] = views.map(<[_]>::len);
+    if left != right {
+        return Err(CalibrationError::Counts { left, right });
+    }
+    let mut shared = [Vec::new(), Vec::new()];
+    for (view, (left, right)) in views[0].iter().zip(views[1]).enumerate() {
+        let [left, right] = left.shared(right);
+        let found = left.points().len();
+        if found < LEAST_POINTS {
+            return Err(CalibrationError::TooFewPoints { view, found });
+        }
+        shared[0].push(left);
+        shared[1].push(right);
+    }
     let found = calibrate_rig(
-        &views,
+        &shared,
         places,
         &[size; 2],
         &RigOptions {

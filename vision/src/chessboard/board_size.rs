@@ -1,11 +1,12 @@
-//! Sizes of chessboards, and why none was found.
+//! Sizes of boards.
 
 use crate::calibration::CalibrationError;
 use ga_runtime::cga3::Point;
 use std::fmt;
 use std::str::FromStr;
 
-/// How many inner corners a chessboard has: 9 × 6 for one of 10 × 7 squares.
+/// How many inner corners a chessboard has, in a row and rows: 9 × 6 for one of 10 × 7 squares. Of
+/// a grid of circles it is the number of circles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BoardSize {
     pub(super) columns: usize,

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, VecDeque};
 use ga_runtime::vga2::Vector;
 
 use super::BoardSize;
+use super::places::Places;
 use super::saddle::Saddle;
 
 /// The greatest distance of a corner from where its neighbours suggest it, in steps of the grid.
@@ -31,15 +32,18 @@ pub(super) struct Grid<'a> {
     cells: BTreeMap<Cell, usize>,
 }
 
-/// All grids that grow from saddle points, each of which belongs to one grid at most.
+/// Grids that grow from saddle points until each point has had its turn or belongs to one. A point
+/// may belong to several: a grid of clutter beside a board must not keep corners from that of the
+/// board.
 pub(super) fn grids(saddles: &[Saddle]) -> Vec<Grid<'_>> {
     /// A few saddle points in a row are found in any texture.
     const LEAST_CORNERS: usize = 6;
+    let places = Places::new(saddles);
     let mut is_free = vec![true; saddles.len()];
     let mut grids = Vec::new();
     for seed in 0..saddles.len() {
         if is_free[seed] {
-            let grid = Grid::grown(saddles, &is_free, seed);
+            let grid = Grid::grown(saddles, &places, seed);
             if grid.corner_count() >= LEAST_CORNERS {
                 grid.cells
                     .values()
@@ -52,10 +56,10 @@ pub(super) fn grids(saddles: &[Saddle]) -> Vec<Grid<'_>> {
 }
 
 impl<'a> Grid<'a> {
-    fn grown(saddles: &'a [Saddle], is_free: &[bool], seed: usize) -> Self {
+    fn grown(saddles: &'a [Saddle], places: &Places, seed: usize) -> Self {
         let cells = BTreeMap::from([([0, 0], seed)]);
         let mut grid = Self { saddles, cells };
-        let mut is_free = is_free.to_vec();
+        let mut is_free = vec![true; saddles.len()];
         is_free[seed] = false;
         let mut waiting = VecDeque::from([[0, 0]]);
         while let Some(cell) = waiting.pop_front() {
@@ -64,7 +68,7 @@ impl<'a> Grid<'a> {
                 if grid.cells.contains_key(&next) {
                     continue;
                 }
-                if let Some(index) = grid.neighbour(cell, direction, &is_free) {
+                if let Some(index) = grid.neighbour(cell, direction, places, &is_free) {
                     is_free[index] = false;
                     grid.cells.insert(next, index);
                     waiting.push_back(next);
@@ -103,7 +107,13 @@ impl<'a> Grid<'a> {
     }
 
     /// The saddle point that is the neighbour of a corner in a direction of the grid.
-    fn neighbour(&self, cell: Cell, direction: Cell, is_free: &[bool]) -> Option<usize> {
+    fn neighbour(
+        &self,
+        cell: Cell,
+        direction: Cell,
+        places: &Places,
+        is_free: &[bool],
+    ) -> Option<usize> {
         let own = self.saddle(cell)?;
         let axis = usize::from(direction[0] == 0);
         // Edges begin with the bright quadrant on one side and end at a corner where it is on the
@@ -121,7 +131,6 @@ impl<'a> Grid<'a> {
                     && (other.edges[1 - kind] ^ line).e12.abs() < greatest
             }
         };
-        let all = 0..self.saddles.len();
         let nearest = |goal: Vector<f64>| {
             move |a: &usize, b: &usize| {
                 let distance = |&index: &usize| (self.saddles[index].place - goal).length();
@@ -133,12 +142,14 @@ impl<'a> Grid<'a> {
             let forwards = forwards * f64::from(direction[0] + direction[1]);
             let edge = edge * (edge | forwards).signum();
             let is_ahead = |&index: &usize| (edge | (self.saddles[index].place - own.place)) > 0.0;
+            let all = 0..self.saddles.len();
             let ahead = all.filter(is_ahead).filter(is_neighbour(FIRST_TOLERANCE));
             return ahead.min_by(nearest(own.place));
         };
         let goal = own.place + step;
         let reach = REACH * step.length();
-        let near = all.filter(|&index| (self.saddles[index].place - goal).length() < reach);
+        let near = places.about(goal, reach);
+        let near = near.filter(|&index| (self.saddles[index].place - goal).length() < reach);
         near.filter(is_neighbour(EDGE_TOLERANCE))
             .min_by(nearest(goal))
     }
@@ -159,10 +170,10 @@ impl<'a> Grid<'a> {
         (!steps.is_empty()).then(|| total * (1.0 / steps.len() as f64))
     }
 
-    /// The corners of all complete rectangles of a size, row by row. The likeliest first: a board
-    /// begins at a dark square, and, where several of its corners do, at the one nearest to the top
-    /// left of the picture.
-    pub(super) fn boards(&self, size: BoardSize) -> Vec<Vec<Vector<f64>>> {
+    /// The saddle points of all complete rectangles of a size, row by row. The likeliest first: a
+    /// board begins at a dark square, and, where several of its corners do, at the one nearest to
+    /// the top left of the picture.
+    pub(super) fn boards(&self, size: BoardSize) -> Vec<Vec<usize>> {
         let [lefts, tops] = [self.range(0), self.range(1)];
         let mut boards = Vec::new();
         for columns in DIRECTIONS {
@@ -170,18 +181,23 @@ impl<'a> Grid<'a> {
                 for top in tops[0]..=tops[1] {
                     let first = [left, top];
                     let rectangle = Rectangle { first, columns };
-                    let corners = rectangle.cells(size).map(|cell| self.place(cell));
-                    if let Some(corners) = corners.collect::<Option<Vec<_>>>()
-                        && is_even(&corners, size)
-                    {
+                    let cells = rectangle
+                        .cells(size)
+                        .map(|cell| self.cells.get(&cell).copied());
+                    let Some(indices) = cells.collect::<Option<Vec<usize>>>() else {
+                        continue;
+                    };
+                    let corners = indices.iter().map(|&index| self.saddles[index].place);
+                    let corners: Vec<Vector<f64>> = corners.collect();
+                    if is_even(&corners, size) {
                         let distance = corners[0].e1 + corners[0].e2;
-                        boards.push((rectangle.begins_bright(), distance, corners));
+                        boards.push((rectangle.begins_bright(), distance, indices));
                     }
                 }
             }
         }
         boards.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        boards.into_iter().map(|(_, _, corners)| corners).collect()
+        boards.into_iter().map(|(_, _, indices)| indices).collect()
     }
 }
 

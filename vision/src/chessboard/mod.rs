@@ -2,9 +2,10 @@
 //!
 //! [`find`] takes the saddle points of the brightness, in several sizes of the picture, and lets
 //! grids grow from one to the next along the edges that cross there. A neighbour must lie on the
-//! edge, and its bright and dark quadrants must be exchanged. A grid that is complete is a board,
-//! and its corners are refined in the picture itself, to where the gradients around them meet at
-//! right angles.
+//! edge, and its bright and dark quadrants must be exchanged. A complete rectangle in a grid is a
+//! board where its squares are bright and dark in turn and no further row or column of corners
+//! follows. Its corners are refined in the picture itself, to where the gradients around them meet
+//! at right angles.
 //!
 //! Grids that grow from corner to corner are those of A. Geiger and others, "Automatic camera and
 //! range sensor calibration using a single shot", 2012, who find corners by templates; the saddle
@@ -14,12 +15,14 @@
 
 mod board_size;
 mod grid;
-mod margin;
 mod picture;
+mod places;
 pub(crate) mod refinement;
 mod saddle;
+mod whole_board;
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use ga_image::plane::{Plane, PlaneView};
 use ga_image::pyramid::halved;
@@ -27,76 +30,14 @@ use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
 use crate::calibration::CalibrationError;
+use crate::found_board::FoundBoard;
 pub use board_size::BoardSize;
 pub use picture::pair_picture;
 use refinement::Gradient;
 
-/// The inner corners of a chessboard in a picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Chessboard {
-    size: BoardSize,
-    corners: Vec<[f64; 2]>,
-}
-
-impl Chessboard {
-    /// The number of inner corners.
-    #[must_use]
-    pub fn size(&self) -> BoardSize {
-        self.size
-    }
-
-    /// The pixels of the inner corners, row by row.
-    ///
-    /// Rows follow columns clockwise in the picture, and the square between the first corner and
-    /// its diagonal neighbour is dark, as OpenCV orders them. Where several corners of the board
-    /// may be the first in this sense, it is the one nearest to the top left.
-    #[must_use]
-    pub fn corners(&self) -> &[[f64; 2]] {
-        &self.corners
-    }
-
-    /// The same board in the one of its possible orders that is most like that of another view from
-    /// about the same direction.
-    ///
-    /// A board with an odd number of columns + rows begins at one corner only. Others look the same
-    /// after a rotation by 180°, or by 90°, and two views of them may begin at different corners.
-    #[must_use]
-    pub fn ordered_like(&self, other: &Self) -> Self {
-        let BoardSize { columns, rows } = self.size;
-        let index = |column: usize, row: usize| row * columns + column;
-        let (right, bottom) = (columns - 1, rows - 1);
-        let rotated = |from: &dyn Fn(usize, usize) -> usize| -> Vec<[f64; 2]> {
-            let places = (0..self.corners.len()).map(|k| from(k % columns, k / columns));
-            places.map(|k| self.corners[k]).collect()
-        };
-        let mut orders = vec![self.corners.clone()];
-        if (columns + rows).is_multiple_of(2) {
-            orders.push(rotated(&|column, row| index(right - column, bottom - row)));
-        }
-        if columns == rows && columns.is_multiple_of(2) {
-            orders.push(rotated(&|column, row| index(right - row, column)));
-            orders.push(rotated(&|column, row| index(row, bottom - column)));
-        }
-        let difference = |order: &Vec<[f64; 2]>| -> f64 {
-            let pairs = || order.iter().zip(&other.corners);
-            let count = order.len() as f64;
-            let between = |k: usize| pairs().map(move |(a, b)| a[k] - b[k]);
-            let mean = [0, 1].map(|k| between(k).sum::<f64>() / count);
-            let squares = |k: usize| between(k).map(|d| (d - mean[k]).powi(2)).sum::<f64>();
-            squares(0) + squares(1)
-        };
-        let best = orders
-            .into_iter()
-            .min_by(|a, b| difference(a).total_cmp(&difference(b)));
-        Self {
-            size: self.size,
-            corners: best.unwrap_or_default(),
-        }
-    }
-}
-
-/// The inner corners of a chessboard in a grey picture. Other things in the picture do not matter,
-/// nor does its brightness. Squares should be 8 pixels wide or wider.
+/// The inner corners of a chessboard in a grey picture, whatever its brightness. All of them must
+/// be seen, with a part of the outermost squares around them; other things in the picture may be
+/// beside the board but not on it. Squares should be 8 pixels wide or wider.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -109,7 +50,7 @@ impl Chessboard {
 ///     if dark { 20u8 } else { 230 }
 /// });
 /// let board = find(&picture, BoardSize::new(6, 4)?)?;
-/// let [u, v] = board.corners()[0];
+/// let [u, v] = board.pixels()[0];
 /// assert!((u - 59.5).abs() < 1e-3 && (v - 49.5).abs() < 1e-3);
 /// assert!(find(&picture, BoardSize::new(7, 4)?).is_err());
 /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
@@ -117,12 +58,13 @@ impl Chessboard {
 ///
 /// # Errors
 ///
-/// [`CalibrationError::NotFound`] where no complete board of this size is seen, or a larger one in
-/// which it could lie in several places.
+/// [`CalibrationError::NotFound`] where no complete board of this size is seen, or a larger one of
+/// which it would be a part. Of a board that goes on outside the picture nothing is known: what is
+/// within the picture is taken for the whole.
 pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
-) -> Result<Chessboard, CalibrationError> {
+) -> Result<FoundBoard, CalibrationError> {
     /// Where the longer side of a picture is within this, it is not made smaller at first.
     const FIRST_SIDE: usize = 1000;
     /// The least of the shorter side of a picture that is made smaller.
@@ -143,25 +85,31 @@ pub fn find<'a, T: Sample>(
     let mut largest = (0, [0, 0]);
     for level in order {
         let saddles = saddle::saddles(&levels[level], size.count())?;
+        // Grids that share saddle points have candidates in common.
+        let mut tried = HashSet::new();
         for grid in grid::grids(&saddles) {
             if grid.corner_count() > largest.0 {
                 largest = (grid.corner_count(), grid.extent());
             }
-            // The centre of a pixel of a halved picture is that of a pixel of the picture.
-            let scale = f64::from(1_u32 << level);
-            for corners in grid.boards(size) {
-                let corners: Vec<Vector<f64>> =
-                    corners.iter().map(|&place| place * scale).collect();
+            for indices in grid.boards(size) {
+                if tried.contains(&indices) {
+                    continue;
+                }
+                // The centre of a pixel of a halved picture is that of a pixel of the picture.
+                let scale = f64::from(1_u32 << level);
+                let corners = indices.iter().map(|&index| saddles[index].place * scale);
+                let corners: Vec<Vector<f64>> = corners.collect();
+                tried.insert(indices);
+                if !whole_board::is_whole_board(&picture, &corners, size) {
+                    continue;
+                }
                 let gradient = match &mut gradient {
                     Some(gradient) => gradient,
                     none => none.insert(Gradient::new(&picture)?),
                 };
-                let Some(corners) = gradient.refine(&corners, size) else {
-                    continue;
-                };
-                let corners: Vec<[f64; 2]> = corners.into_iter().map(Vector::coordinates).collect();
-                if margin::is_whole_board(&picture, &corners, size) {
-                    return Ok(Chessboard { size, corners });
+                if let Some(corners) = gradient.refine(&corners, size) {
+                    let corners = corners.into_iter().map(Vector::coordinates).collect();
+                    return Ok(FoundBoard::new(size.columns(), corners, other_orders(size)));
                 }
             }
         }
@@ -172,4 +120,24 @@ pub fn find<'a, T: Sample>(
         corners,
         extent,
     })
+}
+
+/// The orders other than the first in which a board looks the same, as indices of its corners.
+fn other_orders(size: BoardSize) -> Vec<Vec<usize>> {
+    let BoardSize { columns, rows } = size;
+    let index = |column: usize, row: usize| row * columns + column;
+    let (right, bottom) = (columns - 1, rows - 1);
+    let rotated = |from: &dyn Fn(usize, usize) -> usize| -> Vec<usize> {
+        let corners = 0..size.count();
+        corners.map(|k| from(k % columns, k / columns)).collect()
+    };
+    let mut orders = Vec::new();
+    if (columns + rows).is_multiple_of(2) {
+        orders.push(rotated(&|column, row| index(right - column, bottom - row)));
+    }
+    if columns == rows && columns.is_multiple_of(2) {
+        orders.push(rotated(&|column, row| index(right - row, column)));
+        orders.push(rotated(&|column, row| index(row, bottom - column)));
+    }
+    orders
 }

@@ -1,6 +1,6 @@
-//! Pictures of the corners of chessboards.
+//! Pictures of the points of boards.
 
-use super::Chessboard;
+use crate::found_board::FoundBoard;
 use ga_image::plane::Plane;
 use ga_image::sample::Sample;
 
@@ -13,7 +13,7 @@ const BLUE: [u8; 3] = [90, 150, 255];
 /// Two views beside each other, with a line through the corners in their order and a cross at each:
 /// red at the first corner, green in the first row, and blue in the others. Where one view is
 /// lower, what is below it is black.
-pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[Chessboard; 2]) -> Plane<[u8; 3]> {
+pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[FoundBoard; 2]) -> Plane<[u8; 3]> {
     let width = views[0].width();
     let height = views[0].height().max(views[1].height());
     let mut picture = Plane::from_fn(width + views[1].width(), height, |column, row| {
@@ -25,7 +25,7 @@ pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[Chessboard; 2]) 
     });
     for (left, board) in [0, width].into_iter().zip(boards) {
         let corners: Vec<[f64; 2]> = board
-            .corners()
+            .pixels()
             .iter()
             .map(|[u, v]| [u + left as f64, *v])
             .collect();
@@ -35,7 +35,7 @@ pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[Chessboard; 2]) 
         for (index, corner) in corners.iter().enumerate() {
             let colour = match index {
                 0 => RED,
-                _ if index < board.size().columns() => GREEN,
+                _ if index < board.columns() => GREEN,
                 _ => BLUE,
             };
             cross(&mut picture, *corner, colour);

@@ -191,7 +191,7 @@ fn distances(a: &[[f64; 2]], b: &[[f64; 2]]) -> Vec<f64> {
 fn is_found_where_it_is(scene: &Scene, seed: u64) -> Result<(), TestCaseError> {
     let board = find(&scene.picture(seed), scene.size);
     let board = board.map_err(|error| TestCaseError::fail(format!("{error}: {scene:?}")))?;
-    let errors = distances(board.corners(), &scene.truth());
+    let errors = distances(board.pixels(), &scene.truth());
     let greatest = errors.iter().fold(0.0_f64, |a, b| a.max(*b));
     let contrast = scene.brightness[1] - scene.brightness[0];
     // Brightness is rounded to 255 steps, which is noise too: uniform within a step.
@@ -262,22 +262,21 @@ proptest! {
         let truth = scene.truth();
         prop_assume!(is_inside(&truth, 25.0) && least_step(&truth, scene.size) > 11.0);
         let picture = scene.picture(seed);
-        for (columns, rows) in [(1, 0), (0, 1), (1, 1)] {
-            for sign in [true, false] {
-                let other = |count: usize, change: usize| match sign {
-                    true => count + change,
-                    false => count - change,
-                };
-                let size = BoardSize::new(
-                    other(scene.size.columns(), columns),
-                    other(scene.size.rows(), rows),
-                ).expect("a size");
-                if (size.columns(), size.rows()) == (scene.size.rows(), scene.size.columns()) {
-                    continue;
-                }
-                let found = find(&picture, size);
-                prop_assert!(found.is_err(), "{size}: {found:?} {scene:?}");
+        let changes = [(1, 0), (0, 1), (1, 1), (-1, 0), (0, -1), (-1, -1), (-2, 0), (-1, -2)];
+        for (columns, rows) in changes {
+            let other = |count: usize, change: isize| count.saturating_add_signed(change);
+            let [columns, rows] = [
+                other(scene.size.columns(), columns),
+                other(scene.size.rows(), rows),
+            ];
+            if [columns, rows] == [scene.size.rows(), scene.size.columns()] {
+                continue;
             }
+            let Ok(size) = BoardSize::new(columns, rows) else {
+                continue;
+            };
+            let found = find(&picture, size);
+            prop_assert!(found.is_err(), "{size}: {found:?} {scene:?}");
         }
     }
 }
@@ -305,7 +304,7 @@ pub(crate) fn opencv_boards() -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
             .unwrap()
             .to_grey::<u8>(Luma::Bt601);
         let board = find(&picture, size).unwrap_or_else(|error| panic!("{path:?}: {error}"));
-        board.corners().to_vec()
+        board.pixels().to_vec()
     };
     let names = oracle["names"].as_array().unwrap();
     Some(["left", "right"].map(|side| names.iter().map(|name| board(side, name)).collect()))
@@ -337,6 +336,25 @@ fn the_boards_of_opencv_are_found_in_all_pictures() {
     );
 }
 
+/// A board of 9 × 6 corners contains smaller grids, which are no boards.
+#[test]
+fn parts_of_the_boards_of_opencv_are_not_boards() {
+    let Some(folder) = shared("data/vision/opencv") else {
+        return;
+    };
+    for name in opencv()["names"].as_array().unwrap() {
+        for side in ["left", "right"] {
+            let path = folder.join(format!("{side}{}", name.as_str().unwrap()));
+            let picture = ga_image::file::read(&path).unwrap();
+            let picture = picture.to_grey::<u8>(Luma::Bt601);
+            for size in ["8x6", "9x5", "8x5", "7x6", "6x5", "10x6", "9x7"] {
+                let found = find(&picture, size.parse().unwrap());
+                assert!(found.is_err(), "{path:?}, {size}: {found:?}");
+            }
+        }
+    }
+}
+
 /// A board that looks the same after a rotation by 180°, or by 90°, keeps its order.
 #[test]
 fn boards_of_two_views_get_one_order() {
@@ -362,7 +380,7 @@ fn boards_of_two_views_get_one_order() {
             let roll = f64::from(quarter) * std::f64::consts::FRAC_PI_2 - 0.8;
             let [left, right] = [roll - 0.08, roll + 0.08].map(board);
             let right = right.ordered_like(&left);
-            let moved = distances(left.corners(), right.corners());
+            let moved = distances(left.pixels(), right.pixels());
             assert!(
                 moved.iter().all(|d| *d < 40.0),
                 "{columns} × {rows}, {quarter}: {moved:?}"
@@ -426,10 +444,80 @@ fn a_board_of_thousands_of_corners_is_found() {
         if dark { 20u8 } else { 230 }
     });
     let board = find(&picture, size).unwrap();
-    assert_eq!(board.corners().len(), 3162);
-    let [u, v] = board.corners()[0];
+    assert_eq!(board.pixels().len(), 3162);
+    let [u, v] = board.pixels()[0];
     assert!(
         (u - 49.5).abs() < 0.01 && (v - 49.5).abs() < 0.01,
         "{u} {v}"
     );
+}
+
+/// Saddle points of the clutter around the board, one of which begins a grid of its own through
+/// corners of the board, do not keep these corners from it.
+#[test]
+fn a_board_among_clutter_is_found() {
+    let Some(path) = shared("cases/vision/board-not-found/left22.png") else {
+        return;
+    };
+    let picture = ga_image::file::read(&path).unwrap();
+    let picture = picture.to_grey::<u8>(Luma::Bt601);
+    let board = find(&picture, "9x6".parse().unwrap()).unwrap();
+    // By OpenCV 5.0.0: `findChessboardCorners`, then `cornerSubPix` in a window of 11 × 11 pixels.
+    for (index, corner) in [
+        (0, [140.7499, 148.0141]),
+        (8, [278.3428, 141.7948]),
+        (22, [223.1983, 176.7996]),
+        (45, [158.3945, 241.2406]),
+        (53, [290.1012, 229.0317]),
+    ] {
+        let apart = distances(&[board.pixels()[index]], &[corner])[0];
+        assert!(apart < 0.15, "{index}: {apart} px");
+    }
+    for size in ["4x3", "5x4", "8x5", "8x6", "9x5", "10x6"] {
+        let found = find(&picture, size.parse().unwrap());
+        assert!(found.is_err(), "{size}: {found:?}");
+    }
+}
+
+/// Letters, discs and squares of random places and brightness, up to the margin of the board.
+#[test]
+fn boards_among_random_clutter_are_found() {
+    let size: BoardSize = "7x5".parse().unwrap();
+    let mut found = 0;
+    for seed in 0..30 {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut below = |limit: u32| (random.next_u32() % limit) as usize;
+        let mut picture = Plane::filled(480, 360, 128_u8);
+        for _ in 0..400 {
+            let [left, top, side, value] = [below(480), below(360), 3 + below(30), below(256)];
+            for row in top..(top + side).min(360) {
+                for column in left..(left + side).min(480) {
+                    picture.row_mut(row)[column] = value as u8;
+                }
+            }
+        }
+        let (left, top, square) = (20 + below(150), 20 + below(100), 20 + below(12));
+        let margin = square / 3;
+        for row in top - margin..top + 6 * square + margin {
+            for column in left - margin..left + 8 * square + margin {
+                let inside = (left..left + 8 * square).contains(&column)
+                    && (top..top + 6 * square).contains(&row);
+                let is_dark =
+                    inside && ((column - left) / square + (row - top) / square).is_multiple_of(2);
+                picture.row_mut(row)[column] = if is_dark { 40 } else { 220 };
+            }
+        }
+        if let Ok(board) = find(&picture, size) {
+            found += 1;
+            // Edges are half a pixel before the first pixel of a square.
+            let first = [left, top].map(|k| (k + square) as f64 - 0.5);
+            let apart = distances(&[board.pixels()[0]], &[first])[0];
+            assert!(apart < 0.1, "{seed}: {apart} px");
+        }
+        for other in ["6x5", "7x4", "8x5", "5x4"] {
+            let found = find(&picture, other.parse().unwrap());
+            assert!(found.is_err(), "{seed}, {other}: {found:?}");
+        }
+    }
+    assert!(found >= 29, "{found} of 30");
 }

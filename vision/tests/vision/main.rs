@@ -7,6 +7,7 @@ mod calibration;
 mod capture;
 mod capture_surface;
 mod chessboard;
+mod circle_grid;
 mod contour;
 mod coverage;
 mod deep_views;

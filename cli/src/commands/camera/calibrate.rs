@@ -1,8 +1,8 @@
-//! `nullcone camera calibrate`: one camera from pictures of a chessboard.
+//! `nullcone camera calibrate`: one camera from pictures of a board.
 
 use std::path::PathBuf;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result};
 use ga_camera::format::{CameraFile, Encoded, Format, NamedCamera, encode_files};
 use ga_draw::document::Page;
 use ga_files::natural_order;
@@ -10,16 +10,19 @@ use ga_vision::calibration::{
     BoardViews, CameraOfBoards, CameraParameters, LensTerms, Parameter, RejectedView, TriedLens,
     ViewResidual,
 };
-use ga_vision::chessboard::BoardSize;
 use serde::Serialize;
 
+use crate::board::BoardArguments;
 use crate::commands::stereo::views;
 use crate::files::expanded;
 use crate::format;
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
 use crate::output;
 
-/// Calibrate one camera from pictures of a chessboard.
+/// Calibrate one camera from pictures of a board.
+///
+/// --pattern says what is on the board. All of its points must be in a picture, or the picture is
+/// left out: which part of a plain board a picture shows cannot be told.
 ///
 /// The lens is radial-tangential (k1, k2, p1, p2, k3), or a fisheye where that fits decisively
 /// better, by Schwarz's criterion; --lens chooses it. Deviations are standard deviations of the
@@ -42,12 +45,8 @@ pub(crate) struct Arguments {
     /// The pictures: names, or patterns with `*`, `?` or `[abc]`; `**` stands for any folders.
     #[arg(value_name = "FILE or GLOB", required = true, num_args = 1..)]
     pictures: Vec<String>,
-    /// The number of inner corners: columns x rows.
-    #[arg(long, value_name = "9x6")]
-    board: BoardSize,
-    /// The side of a square in metres.
-    #[arg(long, value_name = "METRES")]
-    square: f64,
+    #[command(flatten)]
+    board: BoardArguments,
     /// Write the camera; the ending says the format, as for nullcone camera convert.
     #[arg(long, value_name = "CAMERA.yml")]
     out: PathBuf,
@@ -86,11 +85,7 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        ensure!(
-            self.square > 0.0 && self.square.is_finite(),
-            "--square {}: the side of a square must be positive and finite",
-            self.square
-        );
+        let board = self.board.board()?;
         let mut pictures = expanded("pictures", &self.pictures)?;
         natural_order(&mut pictures);
         pictures.dedup();
@@ -98,13 +93,13 @@ impl Command for Arguments {
         let mut files = context.files(&pictures)?;
         files.write("--out", &self.out, &[format::Format::Camera(format)])?;
         let progress = context.progress(pictures.len() as u64 + 1);
-        let mut boards = BoardViews::new(self.board);
+        let mut boards = BoardViews::new(board);
         for path in &pictures {
             progress.step("looking for the board");
             boards.add(&views::read::<u16>(path)?, path.display().to_string())?;
         }
         progress.step("calibrating");
-        let found = boards.calibrate(self.square, self.lens)?;
+        let found = boards.calibrate(self.lens)?;
         let camera = NamedCamera::new("camera", found.camera.intrinsics);
         let file = CameraFile::new(vec![camera.with_size(Some(found.size))]);
         let Encoded { files, .. } = encode_files(&self.out, format, &file)

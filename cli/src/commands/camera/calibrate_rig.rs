@@ -1,4 +1,4 @@
-//! `nullcone camera calibrate-rig`: any number of cameras from pictures of a chessboard.
+//! `nullcone camera calibrate-rig`: any number of cameras from pictures of a board.
 
 use std::path::PathBuf;
 
@@ -8,9 +8,9 @@ use ga_files::frames;
 use ga_vision::calibration::{
     BoardRig, CameraParameters, LensTerms, RejectedView, RigCameraSummary,
 };
-use ga_vision::chessboard::BoardSize;
 use serde::Serialize;
 
+use crate::board::BoardArguments;
 use crate::commands::stereo::views;
 use crate::files::expanded;
 use crate::format;
@@ -42,12 +42,8 @@ const FORMATS: [Format; 2] = [Format::Anipose, Format::Json];
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The number of inner corners: columns x rows.
-    #[arg(long, value_name = "9x6")]
-    board: BoardSize,
-    /// The side of a square in metres.
-    #[arg(long, value_name = "METRES")]
-    square: f64,
+    #[command(flatten)]
+    board: BoardArguments,
     /// The pictures of one camera: a name, or a pattern with `*`, `?` or `[abc]`; once for each.
     #[arg(long, value_name = "GLOB", required = true, action = clap::ArgAction::Append)]
     views: Vec<String>,
@@ -87,11 +83,7 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        ensure!(
-            self.square > 0.0 && self.square.is_finite(),
-            "--square {}: the side of a square must be positive and finite",
-            self.square
-        );
+        let board = self.board.board()?;
         let names = self.names()?;
         let lists = self.views.iter().map(|views| expanded("--views", &[views]));
         let lists = lists.collect::<Result<Vec<Vec<PathBuf>>>>()?;
@@ -99,17 +91,20 @@ impl Command for Arguments {
         let format = files.write("--out", &self.out, &FORMATS.map(format::Format::Camera))?;
         let frames = frames(lists).context("--views")?.frames;
         let progress = context.progress(frames.len() as u64 + 1);
-        let mut boards = BoardRig::new(self.board, names);
+        let mut boards = BoardRig::new(board, names);
         for frame in &frames {
             progress.step("looking for the board");
             let read = |path: &Option<PathBuf>| -> Result<Option<_>> {
                 let Some(path) = path else { return Ok(None) };
-                Ok(Some((path.display().to_string(), views::read(path)?)))
+                Ok(Some((
+                    path.display().to_string(),
+                    views::read::<u16>(path)?,
+                )))
             };
             boards.add(frame.iter().map(read).collect::<Result<_>>()?)?;
         }
         progress.step("calibrating");
-        let found = boards.calibrate(self.square, self.lens)?;
+        let found = boards.calibrate(self.lens)?;
         let file = found.file();
         let format = FORMATS
             .into_iter()

@@ -1,4 +1,4 @@
-//! `nullcone stereo calibrate`: a rig from pictures of a chessboard.
+//! `nullcone stereo calibrate`: a rig from pictures of a board.
 
 use std::mem;
 use std::path::PathBuf;
@@ -9,14 +9,16 @@ use ga_camera::Intrinsics;
 use ga_camera::format::rig;
 use ga_files::frames;
 use ga_image::png;
+use ga_vision::board::Board;
 use ga_vision::calibration::{
     BoardPairs, CameraOptions, JointIntrinsics, LensTerms, PairNames, RejectedPair, Residuals,
     RigSummary, Start, StereoOptions,
 };
-use ga_vision::chessboard::{BoardSize, pair_picture};
+use ga_vision::chessboard::pair_picture;
 use serde::Serialize;
 
 use super::views;
+use crate::board::BoardArguments;
 use crate::camera_file::{LensChoice, about};
 use crate::files::expanded;
 use crate::format::Format;
@@ -25,14 +27,15 @@ use crate::frame::{
 };
 use crate::output;
 
-/// Calibrate a stereo rig from pairs of pictures of a chessboard.
+/// Calibrate a stereo rig from pairs of pictures of a board.
 ///
 /// Views whose names have the same numbers are a pair, as left7.jpg and right07.jpg; numbers that
 /// all names of a camera share, such as that of the camera, do not count. Where the numbers have
 /// little in common, as those of times, views are paired in the order of their names. A name of a
 /// file counts before a pattern; the program itself matches patterns, or the shell does. Views
-/// without a partner are named in a warning. Pairs in which the board is not found, or that do not
-/// agree with the others, are left out. For instance
+/// without a partner are named in a warning. --pattern says what is on the board, all of whose
+/// points must be in both views: which part of a plain board a picture shows cannot be told. Pairs
+/// in which it is not found, or that do not agree with the others, are left out. For instance
 ///
 ///   nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg'
 ///     --out rig.yml --json
@@ -47,12 +50,8 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The number of inner corners: columns x rows.
-    #[arg(long, value_name = "9x6")]
-    board: BoardSize,
-    /// The side of a square in metres.
-    #[arg(long, value_name = "METRES")]
-    square: f64,
+    #[command(flatten)]
+    board: BoardArguments,
     /// The left views: names, or patterns with `*`, `?` or `[abc]`; `**` stands for any folders.
     #[arg(long, value_name = "FILE or GLOB", required = true, num_args = 1..)]
     left: Vec<String>,
@@ -122,19 +121,15 @@ impl Command for Arguments {
     }
 
     fn run(&self, context: &Context) -> Result<Report> {
-        ensure!(
-            self.square > 0.0 && self.square.is_finite(),
-            "--square {}: the side of a square must be positive and finite",
-            self.square
-        );
+        let board = self.board.board()?;
         let options = self.options()?;
         let Pairs { files, left_over } = Pairs::of(&self.left, &self.right)?;
         self.check_outputs(context, &files)?;
         keep_for_failure(&left_over);
         let progress = context.progress(files.len() as u64 + 1);
-        let (boards, pictures) = self.find_boards(&files, &progress)?;
+        let (boards, pictures) = self.find_boards(board, &files, &progress)?;
         progress.step("calibrating");
-        let found = boards.calibrate(self.square, &options)?;
+        let found = boards.calibrate(&options)?;
         let contents = rig::encode(&found.stereo.rig, Some(found.size));
         let contents = contents.with_context(|| self.out.display().to_string())?;
         let rig = (self.out.clone(), contents.into_bytes());
@@ -213,8 +208,13 @@ impl Arguments {
 
     /// Looks for the board in all views, and draws the corners where pictures of them are wanted:
     /// their paths and contents.
-    fn find_boards(&self, files: &[[PathBuf; 2]], progress: &Progress) -> Result<Found> {
-        let mut boards = BoardPairs::new(self.board);
+    fn find_boards(
+        &self,
+        board: Board,
+        files: &[[PathBuf; 2]],
+        progress: &Progress,
+    ) -> Result<Found> {
+        let mut boards = BoardPairs::new(board);
         let mut pictures = Vec::new();
         for (index, [left, right]) in files.iter().enumerate() {
             progress.step("looking for the board");

@@ -3,11 +3,11 @@
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::Motor;
 use ga_vision::calibration::{
-    CalibrationError, CameraCalibration, CameraOptions, LensTerms, Start, StereoOptions,
+    BoardView, CalibrationError, CameraCalibration, CameraOptions, LensTerms, Start, StereoOptions,
     calibrate_camera, calibrate_stereo,
 };
 
-use super::{SIZE, TILTS, boards, motor, places, views};
+use super::{SIZE, TILTS, boards, complete, corners, motor, places, views};
 
 fn intrinsics() -> Intrinsics {
     Intrinsics::new([540.0, 536.0], [325.0, 236.0]).unwrap()
@@ -21,7 +21,7 @@ fn camera() -> Camera {
 }
 
 fn calibrated(
-    views: &[Vec<[f64; 2]>],
+    views: &[BoardView],
     options: &CameraOptions,
 ) -> Result<CameraCalibration, CalibrationError> {
     calibrate_camera(views, &places(), SIZE, options)
@@ -29,30 +29,43 @@ fn calibrated(
 
 #[test]
 fn views_that_are_no_boards_are_named() {
-    let good = views(&camera(), &boards(&TILTS), 0.1, 1);
-    let of = |views: &[Vec<[f64; 2]>]| calibrated(views, &CameraOptions::default());
+    let seen = corners(&camera(), &boards(&TILTS), 0.1, 1);
+    let good = complete(&seen);
+    let of = |views: &[BoardView]| calibrated(views, &CameraOptions::default());
     assert_eq!(
         of(&good[..2]),
         Err(CalibrationError::TooFewViews { found: 2 })
     );
-    let mut short = good.clone();
-    short[4].pop();
-    let expected = CalibrationError::Corners {
+    let mut long = seen.clone();
+    long[4].push([100.0, 100.0]);
+    let expected = CalibrationError::NoSuchPoint {
         view: 4,
-        found: 53,
-        expected: 54,
+        point: 54,
+        count: 54,
     };
-    assert_eq!(of(&short), Err(expected));
-    let mut not_finite = good.clone();
+    assert_eq!(of(&complete(&long)), Err(expected));
+    let mut short = seen.clone();
+    short[4].truncate(3);
+    let expected = CalibrationError::TooFewPoints { view: 4, found: 3 };
+    assert_eq!(of(&complete(&short)), Err(expected));
+    // A row of the board.
+    short[4].clone_from_slice(&seen[4][..3]);
+    short[4].extend(&seen[4][3..9]);
+    assert_eq!(
+        of(&complete(&short)),
+        Err(CalibrationError::View { view: 4 })
+    );
+    let mut not_finite = seen.clone();
     not_finite[3][7][1] = f64::NAN;
-    let expected = CalibrationError::NotFinite { view: 3, corner: 7 };
-    assert_eq!(of(&not_finite), Err(expected));
+    let expected = CalibrationError::NotFinite { view: 3, point: 7 };
+    assert_eq!(of(&complete(&not_finite)), Err(expected));
     // All corners on one line.
-    let mut flat = good.clone();
+    let mut flat = seen.clone();
     flat[1]
         .iter_mut()
         .for_each(|corner| corner[1] = 2.0 * corner[0]);
-    assert_eq!(of(&flat), Err(CalibrationError::View { view: 1 }));
+    let expected = CalibrationError::View { view: 1 };
+    assert_eq!(of(&complete(&flat)), Err(expected));
     // A lens whose picture ends before some of the corners.
     let lens = RadialTangential::new(&[-1.5, 0.0, 0.0, 0.0, 0.0]).unwrap();
     let options = CameraOptions {
@@ -125,7 +138,7 @@ fn what_does_not_converge_is_no_calibration() {
 
 #[test]
 fn pairs_without_a_baseline_are_refused() {
-    let stereo = |left: &[Vec<[f64; 2]>], right: &[Vec<[f64; 2]>]| {
+    let stereo = |left: &[BoardView], right: &[BoardView]| {
         calibrate_stereo([left, right], &places(), SIZE, &StereoOptions::default())
     };
     let good = views(&camera(), &boards(&TILTS), 0.1, 1);

@@ -76,7 +76,7 @@ fn a_fisheye_is_found_by_itself() {
     let usual = Some(LensTerms::radial_tangential());
     match calibrate_lens(&seen, &places(), SIZE, usual) {
         Ok(forced) => assert_eq!(forced.better.unwrap().lens, "fisheye"),
-        Err(error) => assert!(error.to_string().contains("--lens fisheye"), "{error}"),
+        Err(error) => assert!(error.to_string().contains("fisheye leaves"), "{error}"),
     }
 }
 

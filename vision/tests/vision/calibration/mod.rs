@@ -5,13 +5,14 @@ mod lens;
 mod opencv;
 mod outliers;
 mod pairs;
+mod partial;
 mod rigs;
 
 use ga_camera::frame::In;
 use ga_camera::{Camera, Fisheye, Intrinsics, Lens, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_vision::calibration::{
-    CameraOptions, LensTerms, Start, StereoOptions, calibrate_camera, calibrate_stereo,
+    BoardView, CameraOptions, LensTerms, Start, StereoOptions, calibrate_camera, calibrate_stereo,
 };
 use ga_vision::chessboard::BoardSize;
 use proptest::prelude::*;
@@ -53,8 +54,19 @@ const TILTS: [[f64; 2]; 8] = [
     [0.0, 0.1],
 ];
 
+/// Views of boards with all corners.
+fn complete(corners: &[Vec<[f64; 2]>]) -> Vec<BoardView> {
+    let views = corners.iter();
+    views.map(|corners| BoardView::complete(corners)).collect()
+}
+
+/// Views of boards, with noise in pixels.
+fn views(camera: &Camera, boards: &[Motor<f64>], noise: f64, seed: u64) -> Vec<BoardView> {
+    complete(&corners(camera, boards, noise, seed))
+}
+
 /// The pixels of the corners of boards, with noise in pixels.
-fn views(camera: &Camera, boards: &[Motor<f64>], noise: f64, seed: u64) -> Vec<Vec<[f64; 2]>> {
+fn corners(camera: &Camera, boards: &[Motor<f64>], noise: f64, seed: u64) -> Vec<Vec<[f64; 2]>> {
     let normal = Normal::new(0.0, noise).expect("a standard deviation");
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut view = |board: &Motor<f64>| {

@@ -1,23 +1,29 @@
 //! Cameras and rigs against those of OpenCV, from its corners and from its pictures.
 
+use ga_vision::board::{Board, Pattern};
 use ga_vision::calibration::{
-    CameraOptions, JointIntrinsics, StereoOptions, calibrate_camera, calibrate_stereo, square_edges,
+    BoardView, CameraOptions, JointIntrinsics, StereoOptions, calibrate_camera, calibrate_stereo,
+    square_edges,
 };
 use ga_vision::chessboard::BoardSize;
 
-use super::SIZE;
+use super::{SIZE, complete};
 use crate::chessboard::{opencv, opencv_boards, pixels};
 use nullcone_shared_data::json::{matrix, numbers, rows};
 
+fn board(square: f64) -> Board {
+    Board::new(Pattern::Chessboard, "9x6".parse().unwrap(), square).unwrap()
+}
+
 /// The oracle's corners, with squares of side 1.
-fn opencv_views() -> [Vec<Vec<[f64; 2]>>; 2] {
+fn opencv_views() -> [Vec<BoardView>; 2] {
     let oracle = opencv();
     ["left", "right"].map(|side| {
         oracle[side]
             .as_array()
             .unwrap()
             .iter()
-            .map(pixels)
+            .map(|view| BoardView::complete(&pixels(view)))
             .collect()
     })
 }
@@ -86,16 +92,17 @@ fn the_rig_is_that_of_opencv() {
     // With free intrinsic parameters OpenCV comes to 0.44468.
     let free = with(JointIntrinsics::Free);
     assert!(free.rms < 0.44469, "{}", free.rms);
-    let edges = square_edges(&free.rig, [&left, &right], "9x6".parse().unwrap(), 1.0).unwrap();
+    let edges = square_edges(&free.rig, [&left, &right], &board(1.0)).unwrap();
     assert!((edges.mean - 1.0).abs() < 0.02, "{edges:?}");
 }
 
 /// The corners of all pairs from the pictures alone, and the rig from these.
 #[test]
 fn the_rig_is_found_from_pictures_alone() {
-    let Some([left, right]) = opencv_boards() else {
+    let Some(boards) = opencv_boards() else {
         return;
     };
+    let [left, right] = boards.each_ref().map(|corners| complete(corners));
     let square = 0.025;
     let size: BoardSize = "9x6".parse().unwrap();
     let options = StereoOptions {
@@ -104,7 +111,7 @@ fn the_rig_is_found_from_pictures_alone() {
     };
     let places = size.places(square);
     let found = calibrate_stereo([&left, &right], &places, SIZE, &options).unwrap();
-    let edges = square_edges(&found.rig, [&left, &right], size, square).unwrap();
+    let edges = square_edges(&found.rig, [&left, &right], &board(square)).unwrap();
     assert_eq!(found.used.len(), 13);
     assert!(found.rms < 0.46, "{}", found.rms);
     assert!((edges.mean / square - 1.0).abs() < 0.02, "{edges:?}");

@@ -6,7 +6,7 @@ use ga_vision::calibration::{
     CalibrationError, CameraOptions, LensTerms, StereoOptions, calibrate_stereo,
 };
 
-use super::{SIZE, TILTS, boards, motor, places, views, with_fixed};
+use super::{SIZE, TILTS, boards, complete, corners, motor, places, views, with_fixed};
 
 #[test]
 fn outliers_are_left_out_and_named() {
@@ -18,13 +18,14 @@ fn outliers_are_left_out_and_named() {
     };
     let boards = boards(&TILTS);
     let left = views(&camera(Motor::default()), &boards, 0.1, 1);
-    let mut right = views(&camera(rig), &boards, 0.1, 2);
+    let mut right = corners(&camera(rig), &boards, 0.1, 2);
     // One board was moved between the two pictures, and one was read the other way round.
     for corner in &mut right[2] {
         corner[0] += 3.0;
         corner[1] -= 5.0;
     }
     right[5].reverse();
+    let right = complete(&right);
     let options = StereoOptions {
         cameras: [CameraOptions {
             terms: LensTerms::none(),

@@ -2,10 +2,10 @@
 
 use ga_camera::{Intrinsics, RadialTangential};
 use ga_image::plane::Plane;
+use ga_vision::board::{Board, Pattern};
 use ga_vision::calibration::{
     BoardPairs, CalibrationError, CameraParameters, PairNames, StereoOptions,
 };
-use ga_vision::chessboard::BoardSize;
 
 fn names(index: usize) -> PairNames {
     PairNames {
@@ -26,7 +26,8 @@ fn board(left: usize) -> Plane<u8> {
 #[test]
 fn pairs_without_boards_are_rejected_with_the_names_of_their_pictures() {
     let blank = Plane::filled(240, 180, 200u8);
-    let mut pairs = BoardPairs::new(BoardSize::new(6, 4).unwrap());
+    let grid = Board::new(Pattern::Chessboard, "6x4".parse().unwrap(), 0.02).unwrap();
+    let mut pairs = BoardPairs::new(grid);
     let both = [blank.clone(), blank.clone()];
     assert_eq!(pairs.add(&both, names(0)), Ok(None));
     assert_eq!(pairs.add(&[board(40), blank.clone()], names(1)), Ok(None));
@@ -34,7 +35,7 @@ fn pairs_without_boards_are_rejected_with_the_names_of_their_pictures() {
         .add(&[board(40), board(52)], names(2))
         .unwrap()
         .unwrap();
-    let [left, right] = found.each_ref().map(|board| board.corners()[0]);
+    let [left, right] = found.each_ref().map(|board| board.pixels()[0]);
     assert!((right[0] - left[0] - 12.0).abs() < 0.01 && (right[1] - left[1]).abs() < 0.01);
 
     let larger = Plane::filled(240, 181, 200u8);
@@ -43,9 +44,7 @@ fn pairs_without_boards_are_rejected_with_the_names_of_their_pictures() {
         error.to_string(),
         "the views differ in size: right3 has 240 × 181 pixels and left0 has 240 × 180"
     );
-    let error = pairs
-        .calibrate(0.02, &StereoOptions::default())
-        .unwrap_err();
+    let error = pairs.calibrate(&StereoOptions::default()).unwrap_err();
     let CalibrationError::TooFewBoards {
         found: 1,
         pairs: 3,

@@ -2,7 +2,7 @@
 
 use ga_camera::{Camera, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_vision::calibration::{BoardCorner, BoardView, CalibrationError, RigOptions, calibrate_rig};
+use ga_vision::calibration::{BoardView, CalibrationError, RigOptions, SeenPoint, calibrate_rig};
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -53,17 +53,17 @@ fn views(
     for (index, camera) in cameras.iter().enumerate() {
         let mut views = Vec::new();
         for (board, seen) in boards {
-            let mut corners = Vec::new();
+            let mut points = Vec::new();
             if seen.contains(&index) {
-                for (place, point) in places().into_iter().enumerate() {
-                    let pixel = camera.project(board.transform(point)).unwrap();
+                for (point, place) in places().into_iter().enumerate() {
+                    let pixel = camera.project(board.transform(place)).unwrap();
                     let pixel = pixel.map(|u| u + normal.sample(&mut random));
-                    if (place + index).is_multiple_of(stride) {
-                        corners.push(BoardCorner { place, pixel });
+                    if (point + index).is_multiple_of(stride) {
+                        points.push(SeenPoint { point, pixel });
                     }
                 }
             }
-            views.push(BoardView::from(corners));
+            views.push(BoardView::new(points).unwrap());
         }
         all.push(views);
     }
@@ -150,12 +150,12 @@ fn frames_that_do_not_agree_are_left_out() {
     let boards = boards(3, 0.3);
     let mut views = views(&cameras, &boards, 1, 0.1, 7);
     // The last camera shows its second board in another place.
-    let shifted = views[2][5].corners().iter();
-    let shifted = shifted.map(|corner| BoardCorner {
-        pixel: [corner.pixel[0] + 25.0, corner.pixel[1]],
-        ..*corner
+    let shifted = views[2][5].points().iter();
+    let shifted = shifted.map(|seen| SeenPoint {
+        pixel: [seen.pixel[0] + 25.0, seen.pixel[1]],
+        ..*seen
     });
-    views[2][5] = shifted.collect::<Vec<_>>().into();
+    views[2][5] = BoardView::new(shifted.collect()).unwrap();
     let found = calibrate_rig(&views, &places(), &[SIZE; 3], &RigOptions::new(3)).unwrap();
     let outliers: Vec<usize> = found.outliers.iter().map(|outlier| outlier.pair).collect();
     assert_eq!(outliers, [5]);
@@ -195,24 +195,21 @@ fn rigs_that_cannot_be_calibrated() {
             error: Box::new(CalibrationError::TooFewViews { found: 2 })
         })
     );
-    let corner = |place: usize| BoardCorner {
-        place,
+    let seen = |point: usize| SeenPoint {
+        point,
         pixel: [10.0, 20.0],
     };
-    for (place, expected) in [(54, 54), (0, 0)] {
-        let mut wrong = all.clone();
-        wrong[0][2] = vec![corner(0), corner(place)].into();
-        let error = CalibrationError::Place {
-            view: 2,
-            corner: 1,
-            place: expected,
-        };
-        let error = Box::new(error);
-        assert_eq!(
-            rig(&wrong, 4),
-            Err(CalibrationError::OfCamera { camera: 0, error })
-        );
-    }
+    let mut wrong = all.clone();
+    wrong[0][2] = BoardView::new([0, 1, 2, 54].map(seen).to_vec()).unwrap();
+    let error = Box::new(CalibrationError::NoSuchPoint {
+        view: 2,
+        point: 54,
+        count: 54,
+    });
+    assert_eq!(
+        rig(&wrong, 4),
+        Err(CalibrationError::OfCamera { camera: 0, error })
+    );
     // The boards of the second and the third camera are seen by one of them at a time.
     for (index, (_, seen)) in boards.iter_mut().enumerate().skip(4).take(4) {
         *seen = [1 + index % 2; 2];

@@ -3,7 +3,9 @@
 use ga_camera::Camera;
 use ga_camera::Intrinsics;
 use ga_runtime::cga3::{Motor, Point, Translator};
-use ga_vision::calibration::{CameraOptions, StereoOptions, calibrate_camera, calibrate_stereo};
+use ga_vision::calibration::{
+    BoardView, CameraOptions, StereoOptions, calibrate_camera, calibrate_stereo,
+};
 use ga_vision::chessboard::BoardSize;
 
 use super::super::motor;
@@ -29,13 +31,11 @@ fn board(random: &mut Random, depth: f64, tilt: f64, aside: f64) -> Motor<f64> {
     roll * tilts * centre
 }
 
-fn seen(camera: &Camera, board: Motor<f64>, random: &mut Random) -> Vec<[f64; 2]> {
+fn seen(camera: &Camera, board: Motor<f64>, random: &mut Random) -> BoardView {
     let corners: Vec<Point<f64>> = places().iter().map(|p| board.transform(*p)).collect();
     let pixels = camera.project_all(&corners).unwrap();
-    pixels
-        .into_iter()
-        .map(|pixel| random.noisy(pixel))
-        .collect()
+    let pixels = pixels.into_iter().map(|pixel| random.noisy(pixel));
+    BoardView::complete(&pixels.collect::<Vec<_>>())
 }
 
 /// A scene: focal length, depth of the boards and how far they are tilted and aside.
