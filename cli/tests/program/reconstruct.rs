@@ -315,10 +315,7 @@ fn bad_input_writes_nothing() {
             "left.png right.png --rig exchanged.yml",
             "the views are exchanged",
         ),
-        (
-            "left.png right.png --rig ahead.yml",
-            "more before or behind",
-        ),
+        ("left.png right.png --rig ahead.yml", "before or behind it"),
         ("left.png right.png --rig behind.yml", "look too far apart"),
         // Without disparities, the rays of all pairs are parallel.
         ("left.png left.png --rig parallel.yml", "none of the 49152"),

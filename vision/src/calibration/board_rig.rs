@@ -163,8 +163,9 @@ impl BoardRig {
     /// one of a radial–tangential lens and a fisheye.
     ///
     /// # Errors
-    /// [`CalibrationError::Picture`] with what is wrong with one camera or frame, by its name, [`CalibrationError::Unjoined`] for cameras that see no board together with the
-    /// others, and as [`calibrate_rig`].
+    /// [`CalibrationError::Picture`] with what is wrong with one camera or frame, by its name,
+    /// [`CalibrationError::Unjoined`] for cameras that see no board together with the others, and
+    /// as [`calibrate_rig`].
     pub fn calibrate(self, lens: Option<LensTerms>) -> Result<RigOfBoards, CalibrationError> {
         let places = self.board.places();
         let mut options = RigOptions::new(self.cameras.len());

@@ -21,17 +21,17 @@ pub(super) fn motions_from_first(
     // The next camera is the one that has the most boards in common with one that is reached, the
     // first one of several.
     loop {
-        let mut best: Option<(usize, Vec<[Motor<f64>; 2]>, Motor<f64>)> = None;
+        let (mut best, mut pairs) = (None, Vec::new());
         for (from, motion) in motions.iter().enumerate() {
             let Some(motion) = motion else { continue };
             for to in (0..boards.len()).filter(|to| motions[*to].is_none()) {
-                let pairs = common(from, to);
-                if pairs.len() > best.as_ref().map_or(0, |(_, best, _)| best.len()) {
-                    best = Some((to, pairs, *motion));
+                let found = common(from, to);
+                if found.len() > pairs.len() {
+                    (best, pairs) = (Some((to, *motion)), found);
                 }
             }
         }
-        let Some((to, pairs, motion)) = best else {
+        let Some((to, motion)) = best else {
             break;
         };
         motions[to] = Some(short(median_motion(&pairs, places) * motion));

@@ -45,8 +45,8 @@ pub struct CameraCalibration {
     pub intrinsics: Intrinsics,
     /// The standard deviations of the intrinsic parameters, in the order of
     /// [`Intrinsics::parameters`], 0 for those that did not vary: 1.96 of them to either side hold
-    /// 95 % of all errors of a parameter, for independent errors of the corners of the size that the
-    /// remaining distances show.
+    /// 95 % of all errors of a parameter, for independent errors of the corners of the size that
+    /// the remaining distances show.
     pub deviations: [f64; Intrinsics::MAX_PARAMETERS],
     /// For each view the motor that takes the board into the camera's frame.
     pub boards: Vec<Pose<Board, CameraFrame>>,

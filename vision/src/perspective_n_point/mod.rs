@@ -36,9 +36,10 @@ pub struct PerspectivePose {
     /// The covariance C of a small motion that follows the pose, `exp(B) M`, with the rotation
     /// vector of B in radians and then its velocity of the origin in the unit of the points; to
     /// second order, from the distances that remain. It is so much larger for few points
-    /// ([`region_factor`](least_squares::region_factor)) that the motion b to the true pose satisfies `bᵀ C⁻¹ b ≤ 12.59`, the 95 %
-    /// quantile of the χ² distribution with 6 degrees of freedom, with the probability 95 %. `None`
-    /// for four points, and where the points that agree do not show their noise.
+    /// ([`region_factor`](least_squares::region_factor)) that the motion b to the true pose
+    /// satisfies `bᵀ C⁻¹ b ≤ 12.59`, the 95 % quantile of the χ² distribution with 6 degrees of
+    /// freedom, with the probability 95 %. `None` for four points, and where the points that agree
+    /// do not show their noise.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other poses that explain the pixels as well, within noise: the best first, and each without
     /// alternatives of its own. A plane that is small against its distance is seen almost alike

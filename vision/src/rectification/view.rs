@@ -43,7 +43,7 @@ impl View<'_> {
     }
 
     fn rolled<T>(&self, [across, down]: [T; 2]) -> [T; 2] {
-        if self.quarter_turns % 2 == 0 {
+        if self.quarter_turns.is_multiple_of(2) {
             [across, down]
         } else {
             [down, across]
@@ -107,7 +107,7 @@ impl View<'_> {
                 let [x, y] = self.place(pixel)?;
                 let side = self.rolled_side(side);
                 let across = if side < 2 { x } else { y };
-                inner[side] = if side % 2 == 0 {
+                inner[side] = if side.is_multiple_of(2) {
                     inner[side].max(across)
                 } else {
                     inner[side].min(across)

@@ -108,8 +108,8 @@ fn add(found: &mut Vec<Settled>, settled: Option<Settled>) {
     }
 }
 
-/// Whether two motions have nearly one epipolar geometry: those with one essential matrix may rotate
-/// in two ways.
+/// Whether two motions have nearly one epipolar geometry: those with one essential matrix may
+/// rotate in two ways.
 fn are_near(a: Motor<f64>, b: Motor<f64>, limit: f64) -> bool {
     match [a, b].map(EssentialMatrix::from_motor) {
         [Some(a), Some(b)] => a.distance(&b) <= limit,

@@ -87,9 +87,9 @@ pub struct RelativePose {
     /// of a motion, three of the rotation and two across the translation, the step b to the true
     /// motion satisfies `bᵀ C⁻¹ b ≤ 11.07`, the 95 % quantile of the χ² distribution with 5 degrees
     /// of freedom, with the probability 95 %. `None` for up to seven pairs, and where the threshold
-    /// is too small against the noise for the pairs to show it. The errors of neighbouring pairs may
-    /// be alike, as those of a corner that [`match_views`](crate::feature::match_views) finds in
-    /// several scales: it is greater by as much as their distances are.
+    /// is too small against the noise for the pairs to show it. The errors of neighbouring pairs
+    /// may be alike, as those of a corner that [`match_views`](crate::feature::match_views) finds
+    /// in several scales: it is greater by as much as their distances are.
     pub covariance: Option<[[f64; 6]; 6]>,
     /// Other motions that explain the pairs as well, within noise, with points in front of both
     /// cameras: the best first, and each without alternatives of its own. Two views of a plane

@@ -7,9 +7,9 @@ use crate::homography::Homography;
 use ga_numerics::ransac::{Consensus, Search};
 
 /// The two motions, with translations of length 1, that explain the pairs of the plane with which
-/// most pairs agree alike. Where a scene is one plane, one of them is that of the cameras; elsewhere
-/// they are starts of a search like others. `None` where fewer than four pairs agree, or the cameras
-/// are in one place.
+/// most pairs agree alike. Where a scene is one plane, one of them is that of the cameras;
+/// elsewhere they are starts of a search like others. `None` where fewer than four pairs agree, or
+/// the cameras are in one place.
 pub(super) fn motions(pairs: &[BearingPair], search: &Search) -> Option<[Motor<f64>; 2]> {
     /// Enough for a plane with 40 % of the pairs. One with fewer leaves no doubt, as the other
     /// pairs tell its motions apart.

@@ -37,8 +37,8 @@ const FORMATS: [Format; 2] = [Format::Anipose, Format::Json];
 /// "frames_used": …, "rejected": [{"picture": …, "reason": …}, …]}. common_boards counts the boards
 /// that two cameras see at once.
 ///
-/// The verdict is good where at least 10 boards of each camera were used and their rms_px is at most
-/// 1; else it is doubtful, and --json has the reasons as "warnings".
+/// The verdict is good where at least 10 boards of each camera were used and their rms_px is at
+/// most 1; else it is doubtful, and --json has the reasons as "warnings".
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {

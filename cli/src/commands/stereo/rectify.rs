@@ -33,8 +33,8 @@ pub(super) const RIG: &str = "rig.yml";
 /// prints {"width_px": …, "height_px": …, "focal_px": …, "left_principal_px": […],
 /// "right_principal_px": […], "disparity_offset_px": …, "baseline_metres": …,
 /// "left_rotation_degrees": …, "right_rotation_degrees": …, "left_roll_degrees": …,
-/// "right_roll_degrees": …, "left_valid_px": {…}, "right_valid_px": {…}}. The depth at a disparity d is
-/// focal_px · baseline_metres/(d + disparity_offset_px).
+/// "right_roll_degrees": …, "left_valid_px": {…}, "right_valid_px": {…}}. The depth at a disparity
+/// d is focal_px · baseline_metres/(d + disparity_offset_px).
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -56,8 +56,8 @@ pub(crate) struct Arguments {
     /// zero.
     #[arg(long)]
     separate_centres: bool,
-    /// The size of the results, such as 800x600; by default that of the left view, on its side where
-    /// it is put so.
+    /// The size of the results, such as 800x600; by default that of the left view, on its side
+    /// where it is put so.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Option<[usize; 2]>,
 }

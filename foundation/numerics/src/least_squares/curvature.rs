@@ -12,8 +12,8 @@ const DRAWN: [usize; 2] = [250, 100];
 /// How many of them tell whether the residuals are as good as linear.
 const TRIED: usize = 25;
 
-/// The covariance of unknowns where residuals bend within their deviations, from that to first order
-/// with the residuals at the minimum and after a step of the shared unknowns. See
+/// The covariance of unknowns where residuals bend within their deviations, from that to first
+/// order with the residuals at the minimum and after a step of the shared unknowns. See
 /// [`Minimum::curved_covariance`](super::Minimum::curved_covariance).
 ///
 /// In coordinates y in which the ellipsoid to first order is the unit ball, errors of the residuals
@@ -25,9 +25,9 @@ const TRIED: usize = 25;
 /// ```
 ///
 /// which is exact for residuals on a surface that is flat, however unevenly the unknowns cover it.
-/// Where z does not come as far, as for a point beyond the horizon, y is where it ends. `None` where
-/// the residuals do not exist about the minimum, and where variances grow so much that the minimum
-/// is a hollow in a wide valley.
+/// Where z does not come as far, as for a point beyond the horizon, y is where it ends. `None`
+/// where the residuals do not exist about the minimum, and where variances grow so much that the
+/// minimum is a hollow in a wide valley.
 pub(super) fn curved(
     first: &Covariance,
     variance: f64,

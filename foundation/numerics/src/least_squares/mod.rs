@@ -106,13 +106,13 @@ impl<State> Minimum<State> {
         self.equations.covariance(variance).ok()
     }
 
-    /// The covariance of the shared unknowns for a problem whose loss is squares, where the valley of
-    /// the cost bends within a standard deviation: that of the normal distribution with a
-    /// [`Region`] for 95 % of all errors. Errors of the residuals, drawn in their tangent space, are
-    /// followed to the unknowns that bring the residuals there, with the groups that make the cost
-    /// the least; the second moments of these about the minimum are scaled so that 95 % are within
-    /// the region. It is [`covariance`](Self::covariance) where the residuals are as good as linear,
-    /// and for the groups.
+    /// The covariance of the shared unknowns for a problem whose loss is squares, where the valley
+    /// of the cost bends within a standard deviation: that of the normal distribution with a
+    /// [`Region`] for 95 % of all errors. Errors of the residuals, drawn in their tangent space,
+    /// are followed to the unknowns that bring the residuals there, with the groups that make the
+    /// cost the least; the second moments of these about the minimum are scaled so that 95 % are
+    /// within the region. It is [`covariance`](Self::covariance) where the residuals are as good as
+    /// linear, and for the groups.
     ///
     /// The draws are the same at every call. `None` where the residuals do not determine the
     /// unknowns, do not exist about the minimum, or let errors leave an ellipsoid by more than five

@@ -22,8 +22,8 @@ pub enum Region {
 /// p F(p, ν; 0.95) / χ²(p; 0.95)
 /// ```
 ///
-/// with the quantiles of the F and the χ² distribution. The error e then satisfies `eᵀ C⁻¹ e ≤ χ²(p;
-/// 0.95)` in 95 % of all cases, as it does for a variance that is known (H. Hotelling, "The
+/// with the quantiles of the F and the χ² distribution. The error e then satisfies `eᵀ C⁻¹ e ≤
+/// χ²(p; 0.95)` in 95 % of all cases, as it does for a variance that is known (H. Hotelling, "The
 /// generalization of Student's ratio", The Annals of Mathematical Statistics 2, 1931). ν is the
 /// redundancy of the variance, the number of residuals less that of the unknowns. `None` for no
 /// unknowns, and for a ν that is not positive and finite.

@@ -139,8 +139,8 @@ impl Coverage {
     }
 
     /// From 93 to 97 % in 1000 runs; fewer runs may miss that by as much as three standard
-    /// deviations of their share are more than those of 1000. Numbers of one run are not independent
-    /// and count as one.
+    /// deviations of their share are more than those of 1000. Numbers of one run are not
+    /// independent and count as one.
     fn is_true(&self) -> bool {
         let deviation = |runs: f64| 3.0 * (0.95 * 0.05 / runs).sqrt();
         let more = (deviation(self.counted.max(1) as f64) - deviation(1000.0)).max(0.0);
