@@ -5,7 +5,7 @@ use ga_image::filter::{Border, Gaussian};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_vision::board::{Board, Pattern};
-use ga_vision::calibration::CalibrationError;
+use ga_vision::calibration::{BoardViews, CalibrationError, LensTerms};
 use ga_vision::circle_grid::{Arrangement, find};
 use proptest::prelude::*;
 
@@ -167,5 +167,35 @@ fn grids_of_two_views_get_one_order() {
         });
         let right = right.ordered_like(&left);
         assert!(greatest_distance(left.pixels(), right.pixels()) < 40.0);
+    }
+}
+
+/// The focal length from rendered pictures of each pattern.
+#[test]
+fn cameras_are_calibrated_with_circles() {
+    for (pattern, size) in PATTERNS {
+        let board = board(pattern, size);
+        let mut views = BoardViews::new(board);
+        let tilts = [
+            [0.5, 0.0, 0.1],
+            [-0.5, 0.1, 0.4],
+            [0.1, 0.5, -0.2],
+            [-0.1, -0.5, 0.3],
+            [0.4, 0.4, 0.0],
+            [-0.4, 0.4, 0.2],
+        ];
+        for (index, tilt) in tilts.into_iter().enumerate() {
+            let camera = camera(&board, tilt, 1.7 + 0.05 * index as f64);
+            let picture = picture(&board, 0.3 * 0.02, &camera);
+            views.add(&picture, index.to_string()).unwrap();
+        }
+        let found = views.calibrate(Some(LensTerms::none())).unwrap();
+        assert_eq!(found.views.len(), tilts.len(), "{:?}", found.rejected);
+        assert!(found.camera.rms < 0.03, "{pattern}: {}", found.camera.rms);
+        let [fx, fy] = found.camera.intrinsics.focal();
+        assert!(
+            (fx - 420.0).abs() < 0.8 && (fy - 420.0).abs() < 0.8,
+            "{pattern}: {fx} {fy}"
+        );
     }
 }
