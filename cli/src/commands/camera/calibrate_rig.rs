@@ -204,7 +204,7 @@ impl frame::Report for Report {
             } = camera.camera;
             table += &format!(
                 "{:<10} {} boards, {:.4} px; focal {fx:.2}, {fy:.2} px; principal point {cx:.2}, \
-                 {cy:.2} px; {}\n           at {x:.4}, {y:.4}, {z:.4} m, {:.4} ± {:.4} m from the \
+                 {cy:.2} px; {}\n           at {x:.4}, {y:.4}, {z:.4} m, {:.6} ± {:.6} m from the \
                  first, rotated by {:.2}°\n",
                 camera.name,
                 camera.boards,

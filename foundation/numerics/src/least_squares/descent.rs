@@ -67,8 +67,8 @@ pub struct Descended {
     pub has_converged: bool,
 }
 
-/// The part of a cost that its rounding errors may reach: residuals of thousandths of a pixel between
-/// pixels of hundreds have 11 digits.
+/// The part of a cost that its rounding errors may reach: residuals of thousandths of a pixel
+/// between pixels of hundreds have 11 digits.
 const ROUNDING: f64 = 1e-10;
 
 /// A search in progress: the cost, and a damping that falls while steps succeed.
