@@ -7,6 +7,9 @@ use ga_runtime::cga3::{Direction, Motor, Rotor};
 use super::view::LARGEST_TANGENT;
 use crate::geometry_error::ViewGeometryError;
 
+/// Cameras whose axes are further apart, by 155°, have no roll between them.
+const LEAST_ROLL: f64 = 0.1;
+
 /// The rotations of the two cameras into their rectified frames.
 pub(super) struct Rotations {
     pub(super) rotors: [Rotor<f64>; 2],
@@ -31,7 +34,12 @@ impl Rotations {
             return Err(ViewGeometryError::Baseline(baseline));
         }
         let [[xx, xy, _], [yx, yy, _], _] = between.rotor().to_matrix();
-        let right = quarter_turns([xx + yy, xy - yx]);
+        // This vector has the length 1 + cos of the angle between the axes.
+        let roll_back = [xx + yy, xy - yx];
+        if roll_back[0].hypot(roll_back[1]) < LEAST_ROLL {
+            return Err(ViewGeometryError::Axis);
+        }
+        let right = quarter_turns(roll_back);
         let right_roll = roll(right)?;
         // The root of the short way.
         let half = (right_roll * between.rotor()).canonical().sqrt();
