@@ -70,7 +70,7 @@ fn a_lens_without_a_file_of_cameras_is_refused() {
         ),
         (
             "render square.obj --camera front --lens fisheye --out a.png",
-            ["--lens fisheye", "--camera front is no file"],
+            ["--lens fisheye", "--camera front is not a file"],
         ),
     ] {
         assert_failure(&nullcone(folder.path(), line.split_whitespace()), &parts);
@@ -213,7 +213,7 @@ fn wrong_files_of_all_formats_are_named_with_key_and_line() {
         assert_failure(&output, &[&format!("{name}: {place}")]);
         assert!(!folder.path().join("out.yml").exists(), "{name}");
     }
-    // A file that is no file of cameras, and one that is cut.
+    // A file that is not one of cameras, and one that is cut.
     for (name, contents) in [
         ("a.png", "\u{89}PNG"),
         ("empty.yml", ""),

@@ -30,7 +30,7 @@ impl Camera {
         };
         let path = arguments.model.display();
         let lens = arguments.lens;
-        lens.refuse(&format!("--camera-node {name} is no file of cameras"))?;
+        lens.refuse(&format!("--camera-node {name} is not a file of cameras"))?;
         let Some(document) = document else {
             bail!("--camera-node {name}: {path} is not a glTF model, which alone has cameras");
         };
@@ -95,7 +95,7 @@ fn viewpoint(
         name.is_none(),
         "--view chooses a camera of a file, and --camera {text} is none"
     );
-    lens.refuse(&format!("--camera {text} is no file of cameras"))?;
+    lens.refuse(&format!("--camera {text} is not a file of cameras"))?;
     match text.parse() {
         Ok(viewpoint) => Ok((viewpoint, None)),
         Err(ViewpointError::Unknown(_)) => bail!(

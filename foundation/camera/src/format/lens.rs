@@ -47,8 +47,8 @@ pub(super) fn lens(
     }
 }
 
-/// The lens of coefficients whose kind is stated. One that is no fisheye and without distortion is
-/// a pinhole.
+/// The lens of coefficients whose kind is stated. One that is not a fisheye and without distortion
+/// is a pinhole.
 pub(super) fn stated_lens(
     values: &[f64],
     model: LensModel,

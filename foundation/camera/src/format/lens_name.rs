@@ -52,7 +52,7 @@ pub(super) fn lens_of_camera_model(
 }
 
 /// As [`lens_of_camera_model`] for a key under which other things stand too, as the name of a
-/// product. What is no projection is none.
+/// product. What is not a projection is none.
 pub(super) fn lens_of_any_name(
     storage: &Storage,
     key: &str,

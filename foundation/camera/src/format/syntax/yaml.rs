@@ -183,7 +183,7 @@ fn merged(entries: Vec<(String, Node)>) -> Result<Vec<(String, Node)>, CameraFil
             let Content::Map(entries) = map.content else {
                 return Err(CameraFileError::Unsupported {
                     line: map.line,
-                    problem: "what a map takes in is no map",
+                    problem: "what a map takes in is not a map",
                 });
             };
             own.extend(
