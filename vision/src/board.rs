@@ -129,6 +129,19 @@ impl Board {
     }
 }
 
+impl Board {
+    /// The same, where a picture may show no board: then the reason.
+    pub(crate) fn look_for<T: Sample>(
+        &self,
+        picture: &Plane<T>,
+    ) -> Result<Result<FoundBoard, String>, CalibrationError> {
+        match self.find(picture) {
+            Err(error) if error.is_not_found() => Ok(Err(error.to_string())),
+            found => found.map(Ok),
+        }
+    }
+}
+
 impl fmt::Display for Pattern {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {

@@ -106,12 +106,9 @@ impl BoardPairs {
         let mut reasons = Vec::new();
         let mut boards = Vec::new();
         for (picture, name) in pictures.iter().zip([&names.left, &names.right]) {
-            match self.board.find(picture) {
+            match self.board.look_for(picture)? {
                 Ok(board) => boards.push(board),
-                Err(error) if error.is_not_found() => {
-                    reasons.push(format!("{name}: {error}"));
-                }
-                Err(error) => return Err(error),
+                Err(reason) => reasons.push(format!("{name}: {reason}")),
             }
         }
         self.names.push(names.clone());

@@ -7,7 +7,7 @@ use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::board_view::BoardView;
-use super::board_views::{ENOUGH_BOARDS, MOST_RMS, RejectedView};
+use super::board_views::{CameraDoubt, RejectedView};
 use super::error::{CalibrationError, LEAST_VIEWS};
 use super::lens_choice::calibrate_lens;
 use super::lens_terms::LensTerms;
@@ -75,30 +75,6 @@ pub struct RigCameraSummary {
     pub rotation_degrees: f64,
 }
 
-/// What makes the calibration of a rig doubtful.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RigDoubt {
-    /// A camera sees few boards.
-    #[error("{used} boards of {camera} were used, and {ENOUGH_BOARDS} are recommended")]
-    FewBoards {
-        /// The camera.
-        camera: String,
-        /// How many.
-        used: usize,
-    },
-    /// The cameras do not explain the corners well.
-    #[error(
-        "the corners of {camera} are {rms:.3} px from their projections (root mean square), more \
-         than {MOST_RMS} px"
-    )]
-    LargeRms {
-        /// The camera.
-        camera: String,
-        /// The root mean square distance in pixels.
-        rms: f64,
-    },
-}
-
 impl BoardRig {
     /// No frames yet, of cameras with names and a board.
     #[must_use]
@@ -135,26 +111,18 @@ impl BoardRig {
         let mut first: Option<FoundBoard> = None;
         let pictures = pictures.into_iter().chain(std::iter::repeat(None));
         for (camera, picture) in self.cameras.iter_mut().zip(pictures) {
-            camera.views.push(BoardView::default());
-            let Some((name, picture)) = picture else {
-                continue;
-            };
-            camera.check_size(&name, &picture)?;
-            match self.board.find(&picture) {
-                Ok(board) => {
-                    let like = first.get_or_insert_with(|| board.clone());
-                    let view = BoardView::complete(board.ordered_like(like).pixels());
-                    camera.views.pop();
-                    camera.views.push(view);
+            let mut view = BoardView::default();
+            if let Some((picture, pixels)) = picture {
+                camera.check_size(&picture, &pixels)?;
+                match self.board.look_for(&pixels)? {
+                    Ok(board) => {
+                        let like = first.get_or_insert_with(|| board.clone());
+                        view = BoardView::complete(board.ordered_like(like).pixels());
+                    }
+                    Err(reason) => self.rejected.push(RejectedView { picture, reason }),
                 }
-                Err(error) if error.is_not_found() => {
-                    self.rejected.push(RejectedView {
-                        picture: name,
-                        reason: error.to_string(),
-                    });
-                }
-                Err(error) => return Err(error),
             }
+            camera.views.push(view);
         }
         Ok(())
     }
@@ -252,17 +220,6 @@ impl RigCamera {
     }
 }
 
-impl RigDoubt {
-    /// One word for programs.
-    #[must_use]
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::FewBoards { .. } => "few_boards",
-            Self::LargeRms { .. } => "large_rms",
-        }
-    }
-}
-
 impl RigOfBoards {
     /// The cameras for a file, with their poses in the frame of the first one.
     #[must_use]
@@ -299,22 +256,14 @@ impl RigOfBoards {
         cameras.map(summary).collect()
     }
 
-    /// What makes the result doubtful.
+    /// What makes the result doubtful, and of which camera.
     #[must_use]
-    pub fn doubts(&self) -> Vec<RigDoubt> {
-        let mut doubts = Vec::new();
-        for (k, (camera, _)) in self.cameras.iter().enumerate() {
-            let (used, rms) = (self.common_boards[k][k], self.rig.camera_rms[k]);
-            let camera = || camera.clone();
-            if used < ENOUGH_BOARDS {
-                let camera = camera();
-                doubts.push(RigDoubt::FewBoards { camera, used });
-            }
-            if rms > MOST_RMS {
-                let camera = camera();
-                doubts.push(RigDoubt::LargeRms { camera, rms });
-            }
-        }
-        doubts
+    pub fn doubts(&self) -> Vec<(&str, CameraDoubt)> {
+        let cameras = self.cameras.iter().enumerate();
+        let doubts = cameras.flat_map(|(k, (name, _))| {
+            let doubts = CameraDoubt::of_boards(self.common_boards[k][k], self.rig.camera_rms[k]);
+            doubts.map(|doubt| (name.as_str(), doubt))
+        });
+        doubts.collect()
     }
 }

@@ -137,9 +137,9 @@ pub enum CameraDoubt {
 }
 
 /// OpenCV's guide to calibration asks for at least this number of views of the board.
-pub(super) const ENOUGH_BOARDS: usize = 10;
+const ENOUGH_BOARDS: usize = 10;
 /// Calibrations of usual cameras are below this, in pixels.
-pub(super) const MOST_RMS: f64 = 1.0;
+const MOST_RMS: f64 = 1.0;
 /// The parts of the picture in which corners are counted: columns and rows.
 pub(super) const PARTS: [usize; 2] = [8, 6];
 /// In less than this, in percent, the lens is a guess at the borders.
@@ -176,18 +176,15 @@ impl BoardViews {
             // The pictures will be refused, with all names and sizes.
             return Ok(());
         }
-        match self.board.find(picture) {
+        match self.board.look_for(picture)? {
             Ok(board) => {
                 self.shown.get_or_insert_with(|| small(picture));
                 self.found.push((index, board));
             }
-            Err(error) if error.is_not_found() => {
-                self.rejected.push(RejectedView {
-                    picture: name,
-                    reason: error.to_string(),
-                });
-            }
-            Err(error) => return Err(error),
+            Err(reason) => self.rejected.push(RejectedView {
+                picture: name,
+                reason,
+            }),
         }
         Ok(())
     }
@@ -284,6 +281,14 @@ fn small<T: Sample>(picture: &Plane<T>) -> Plane<u8> {
 }
 
 impl CameraDoubt {
+    /// What is doubtful of a camera by how many boards were used, and their root mean square
+    /// distance in pixels.
+    pub(super) fn of_boards(used: usize, rms: f64) -> impl Iterator<Item = Self> {
+        let few = (used < ENOUGH_BOARDS).then_some(Self::FewBoards { used });
+        let large = (rms > MOST_RMS).then_some(Self::LargeRms { rms });
+        few.into_iter().chain(large)
+    }
+
     /// One word for programs.
     #[must_use]
     pub fn kind(&self) -> &'static str {
@@ -338,8 +343,6 @@ impl CameraOfBoards {
     #[must_use]
     pub fn doubts(&self) -> Vec<CameraDoubt> {
         let (used, rms, percent) = (self.views.len(), self.camera.rms, self.coverage_percent());
-        let few = (used < ENOUGH_BOARDS).then_some(CameraDoubt::FewBoards { used });
-        let large = (rms > MOST_RMS).then_some(CameraDoubt::LargeRms { rms });
         let other = self.better.as_ref().map(|better| CameraDoubt::OtherLens {
             lens: better.lens.clone(),
             other: better.rms_px.unwrap_or(0.0),
@@ -357,7 +360,7 @@ impl CameraOfBoards {
             rms: view.rms_px,
             median,
         });
-        let all = few.into_iter().chain(large).chain(other).chain(small);
+        let all = CameraDoubt::of_boards(used, rms).chain(other).chain(small);
         all.chain(outlying).collect()
     }
 }

@@ -48,7 +48,7 @@ mod stereo;
 mod summary;
 
 pub use board_pairs::{BoardCalibration, BoardPairs, CalibrationDoubt, RejectedPair};
-pub use board_rig::{BoardRig, RigCameraSummary, RigDoubt, RigOfBoards};
+pub use board_rig::{BoardRig, RigCameraSummary, RigOfBoards};
 pub use board_view::{BoardView, SeenPoint};
 pub use board_views::{
     BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,

@@ -1,9 +1,9 @@
-//! Rectification of cameras that stand one above the other, on their side or on their head.
+//! Rectification of cameras side by side, one above the other, on their side and on their head.
 
 use std::f64::consts::FRAC_PI_2;
 
 use ga_camera::rig::StereoRig;
-use ga_camera::{Camera, Intrinsics};
+use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
 use ga_runtime::cga3::{Motor, Point, Rotor};
 use ga_vision::ViewGeometryError;
 use ga_vision::rectification::{Rectification, RectificationOptions};
@@ -177,9 +177,16 @@ proptest! {
         between in (vector(1.0), -0.15..0.15, -0.3..-0.05, -0.03..0.03, -0.05..0.05),
         place in (-0.3..0.3, -0.3..0.3, 1.5..9.0),
         rolls in (0_u8..4, 0_u8..4, -0.3..0.3),
+        lens in prop::array::uniform4(-0.02..0.02),
         choice in (any::<bool>(), prop::option::of(0.0..=1.0)),
+        is_fisheye in any::<bool>(),
     ) {
-        let intrinsics = Intrinsics::new([520.0, 510.0], [330.0, 235.0]).unwrap();
+        let plain = Intrinsics::new([520.0, 510.0], [330.0, 235.0]).unwrap();
+        let intrinsics = if is_fisheye {
+            plain.with_lens(Fisheye::new(&lens).unwrap())
+        } else {
+            plain.with_lens(RadialTangential::new(&lens.map(|k| k * 0.5)).unwrap())
+        };
         let upright = motor(world.0, world.1, world.2);
         let left = roll(rolls.0) * upright;
         let slanted = Motor::from(Rotor::about_z(rolls.2).unwrap());
@@ -214,21 +221,30 @@ proptest! {
         let (Ok(a), Ok(b)) = (rig.left.project(point), rig.right.project(point)) else {
             return Err(TestCaseError::reject("a camera does not see the point"));
         };
-        let (a, b) = (found.left_pixel(a).unwrap(), found.right_pixel(b).unwrap());
+        let (Ok(a), Ok(b)) = (found.left_pixel(a), found.right_pixel(b)) else {
+            return Err(TestCaseError::reject("the distortion cannot be inverted"));
+        };
         prop_assert!((a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
         let seen = found.rig.point(a, a[0] - b[0]).unwrap();
         let expected = (found.left.motor * rig.left.world_to_camera).transform(point);
         prop_assert!(seen.distance(expected) < 1e-8 * place.2 * place.2, "{seen:?} {expected:?}");
+        // The rig that remains sees the same.
+        let again = found.rig.stereo_rig();
+        prop_assert!((again.left.project(expected).unwrap()[0] - a[0]).abs() < 1e-8);
+        prop_assert!((again.right.project(expected).unwrap()[0] - b[0]).abs() < 1e-7);
+        prop_assert!((again.baseline() - rig.baseline()).abs() < 1e-12);
     }
 
     #[test]
-    fn pictures_on_their_side_are_filled_and_kept(
+    fn with_alpha_zero_every_pixel_was_seen_and_with_one_every_pixel_is_kept(
         rolls in (0_u8..4, 0_u8..4),
         angle in -0.06..0.06,
         axis in vector(1.0),
+        k1 in -0.25..0.1,
     ) {
         prop_assume!(rolls != (2, 2));
-        let camera = Intrinsics::new([300.0, 310.0], [160.0, 118.0]).unwrap();
+        let lens = RadialTangential::new(&[k1, 0.02, 0.0, 0.0]).unwrap();
+        let camera = Intrinsics::new([300.0, 310.0], [160.0, 118.0]).unwrap().with_lens(lens);
         let side = |world_to_camera| Camera { intrinsics: camera, world_to_camera };
         let right = roll(rolls.1) * motor(axis, angle, [-0.2, 0.01, 0.0]);
         let rig = StereoRig { left: side(roll(rolls.0)), right: side(right) };

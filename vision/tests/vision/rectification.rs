@@ -2,15 +2,13 @@
 
 use ga_camera::rig::StereoRig;
 use ga_camera::rig::{RectifiedRig, RigError};
-use ga_camera::{Camera, Fisheye, Intrinsics, RadialTangential};
+use ga_camera::{Intrinsics, RadialTangential};
 use ga_image::plane::Plane;
 use ga_runtime::cga3::Point;
 use ga_vision::ViewGeometryError;
 use ga_vision::rectification::{Rectification, RectificationOptions, Undistortion};
-use proptest::prelude::*;
 use serde_json::Value;
 
-use super::{motor, vector};
 use nullcone_shared_data::json::{matrix, numbers};
 use nullcone_shared_data::shared;
 
@@ -171,84 +169,6 @@ fn undistorted_pictures_are_those_of_opencv() {
     let expected = camera.project(point).unwrap();
     let [x, y] = mapped.get(u.round() as usize, v.round() as usize).unwrap();
     assert!((f64::from(x) - expected[0]).abs() < 1.0 && (f64::from(y) - expected[1]).abs() < 1.0);
-}
-
-proptest! {
-    #[test]
-    fn a_point_is_in_one_row_and_its_disparity_is_its_depth(
-        world in (vector(1.0), -3.0..3.0, vector(2.0)),
-        between in (vector(1.0), -0.15..0.15, -0.3..-0.05, -0.03..0.03, -0.05..0.05),
-        place in (-0.3..0.3, -0.3..0.3, 1.5..9.0),
-        lens in prop::array::uniform4(-0.02..0.02),
-        choice in (any::<bool>(), prop::option::of(0.0..=1.0)),
-        is_fisheye in any::<bool>(),
-    ) {
-        let plain = Intrinsics::new([520.0, 510.0], [330.0, 235.0]).unwrap();
-        let intrinsics = if is_fisheye {
-            plain.with_lens(Fisheye::new(&lens).unwrap())
-        } else {
-            plain.with_lens(RadialTangential::new(&lens.map(|k| k * 0.5)).unwrap())
-        };
-        let left = motor(world.0, world.1, world.2);
-        let right = motor(between.0, between.1, [between.2, between.3, between.4]) * left;
-        let camera = |world_to_camera| Camera { intrinsics, world_to_camera };
-        let rig = StereoRig { left: camera(left), right: camera(right) };
-        let options = RectificationOptions {
-            zero_disparity: choice.0,
-            alpha: choice.1,
-            size: None,
-        };
-        let Ok(found) = Rectification::new(&rig, [640, 480], options) else {
-            return Err(TestCaseError::reject("the views do not overlap"));
-        };
-        let in_left = Point::new(place.0 * place.2, place.1 * place.2, place.2);
-        let point = left.reverse().transform(in_left);
-        let (Ok(a), Ok(b)) = (rig.left.project(point), rig.right.project(point)) else {
-            return Err(TestCaseError::reject("a camera does not see the point"));
-        };
-        let (Ok(a), Ok(b)) = (found.left_pixel(a), found.right_pixel(b)) else {
-            return Err(TestCaseError::reject("the distortion cannot be inverted"));
-        };
-        prop_assert!((a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
-        let seen = found.rig.point(a, a[0] - b[0]).unwrap();
-        let expected = found.left.motor.transform(in_left);
-        prop_assert!(seen.distance(expected) < 1e-8 * place.2 * place.2, "{seen:?} {expected:?}");
-        // The rig that remains sees the same.
-        let again = found.rig.stereo_rig();
-        prop_assert!((again.left.project(expected).unwrap()[0] - a[0]).abs() < 1e-8);
-        prop_assert!((again.right.project(expected).unwrap()[0] - b[0]).abs() < 1e-7);
-        prop_assert!((again.baseline() - rig.baseline()).abs() < 1e-12);
-    }
-
-    #[test]
-    fn with_alpha_zero_every_pixel_was_seen_and_with_one_every_pixel_is_kept(
-        angle in -0.06..0.06,
-        axis in vector(1.0),
-        k1 in -0.25..0.1,
-    ) {
-        let lens = RadialTangential::new(&[k1, 0.02, 0.0, 0.0]).unwrap();
-        let camera = Intrinsics::new([300.0, 300.0], [160.0, 118.0]).unwrap().with_lens(lens);
-        let pose = motor(axis, angle, [-0.2, 0.01, 0.0]);
-        let side = |world_to_camera| Camera { intrinsics: camera, world_to_camera };
-        let at_left = motor([1.0, 0.0, 0.0], 0.0, [0.0; 3]);
-        let rig = StereoRig { left: side(at_left), right: side(pose) };
-        let with = |alpha| RectificationOptions { alpha: Some(alpha), ..Default::default() };
-        let tight = Rectification::new(&rig, [320, 240], with(0.0)).unwrap();
-        for map in [tight.left_map(), tight.right_map()] {
-            let outside = map.inside().values().iter().filter(|inside| !**inside).count();
-            // The border is sampled, so a pixel between two samples may be missed.
-            prop_assert!(outside < 40, "{outside}");
-        }
-        let wide = Rectification::new(&rig, [320, 240], with(1.0)).unwrap();
-        for step in 0..=8 {
-            let part = f64::from(step) / 8.0;
-            for pixel in [[0.0, part * 239.0], [319.0, part * 239.0], [part * 319.0, 0.0]] {
-                let [u, v] = wide.left_pixel(pixel).unwrap();
-                prop_assert!((-1e-6..=319.0 + 1e-6).contains(&u), "{u}");
-                prop_assert!((-1e-6..=239.0 + 1e-6).contains(&v), "{v}");
-            }
-        }
-    }
 }
 
 #[test]

@@ -115,7 +115,8 @@ impl Command for Arguments {
         drop(progress);
 
         let doubts = found.doubts().into_iter();
-        let doubts = doubts.map(|doubt| Warning::new(doubt.kind(), doubt));
+        let doubts =
+            doubts.map(|(camera, doubt)| Warning::new(doubt.kind(), format!("{camera}: {doubt}")));
         Ok(Report {
             next: self.next(&frames, &file),
             warnings: doubts.collect(),
