@@ -52,6 +52,7 @@
 
 mod arms;
 mod cost;
+mod exposure;
 mod features;
 mod flat;
 mod lanes;

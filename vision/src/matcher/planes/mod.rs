@@ -10,8 +10,9 @@ mod grid;
 mod plane;
 mod regions;
 
+use super::exposure::IN_A_LEVEL;
 use super::refine::over_rows;
-use super::view::{IN_A_LEVEL, View};
+use super::view::View;
 use super::winner::{STEPS, UNKNOWN};
 use grid::Grid;
 use plane::DisparityPlane;
