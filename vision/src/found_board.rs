@@ -1,19 +1,22 @@
 //! A board in a picture.
 
-/// Where the points of a board are in a picture.
+use crate::calibration::BoardView;
+
+/// Where the points of a board are in a picture: all of them, or, where they can be told from each
+/// other, those that are seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBoard {
     columns: usize,
-    pixels: Vec<[f64; 2]>,
-    /// The other orders in which the board looks the same, as indices into the pixels.
+    view: BoardView,
+    /// The other orders in which the board looks the same, as indices into its points.
     orders: Vec<Vec<usize>>,
 }
 
 impl FoundBoard {
-    pub(crate) fn new(columns: usize, pixels: Vec<[f64; 2]>, orders: Vec<Vec<usize>>) -> Self {
+    pub(crate) fn new(columns: usize, view: BoardView, orders: Vec<Vec<usize>>) -> Self {
         Self {
             columns,
-            pixels,
+            view,
             orders,
         }
     }
@@ -24,14 +27,14 @@ impl FoundBoard {
         self.columns
     }
 
-    /// The pixels of its points, row by row.
+    /// The points that are seen.
     ///
-    /// Rows follow columns clockwise in the picture. The square between the first corner of a
-    /// chessboard and its diagonal neighbour is dark, as OpenCV orders them. Where several points
-    /// of the board may be the first, it is the one nearest to the top left.
+    /// Of chessboards and circles, rows follow columns clockwise in the picture. The square between
+    /// the first corner of a chessboard and its diagonal neighbour is dark, as OpenCV orders them.
+    /// Where several points of the board may be the first, it is the one nearest to the top left.
     #[must_use]
-    pub fn pixels(&self) -> &[[f64; 2]] {
-        &self.pixels
+    pub fn view(&self) -> &BoardView {
+        &self.view
     }
 
     /// The same board in the one of its possible orders that is most like that of another view from
@@ -39,25 +42,26 @@ impl FoundBoard {
     ///
     /// A chessboard with an odd number of columns + rows begins at one corner only. Others, and
     /// grids of circles, look the same after a rotation by 180°, or by 90°, and two views of them
-    /// may begin at different points.
+    /// may begin at different points. The points of a board with tags have one order.
     #[must_use]
     pub fn ordered_like(&self, other: &Self) -> Self {
-        let difference = |order: &[[f64; 2]]| -> f64 {
-            let pairs = || order.iter().zip(&other.pixels);
-            let count = order.len() as f64;
-            let between = |k: usize| pairs().map(move |(a, b)| a[k] - b[k]);
+        let difference = |view: &BoardView| -> f64 {
+            let [own, other] = view.shared(&other.view);
+            let pairs = || own.points().iter().zip(other.points());
+            let count = own.points().len() as f64;
+            let between = |k: usize| pairs().map(move |(a, b)| a.pixel[k] - b.pixel[k]);
             let mean = [0, 1].map(|k| between(k).sum::<f64>() / count);
             let squares = |k: usize| between(k).map(|d| (d - mean[k]).powi(2)).sum::<f64>();
             squares(0) + squares(1)
         };
         let others = self.orders.iter().map(|order| {
-            let pixels = order.iter().map(|&index| self.pixels[index]);
-            pixels.collect::<Vec<_>>()
+            let pixels = order.iter().map(|&index| self.view.points()[index].pixel);
+            BoardView::complete(&pixels.collect::<Vec<_>>())
         });
-        let all = std::iter::once(self.pixels.clone()).chain(others);
+        let all = std::iter::once(self.view.clone()).chain(others);
         let best = all.min_by(|a, b| difference(a).total_cmp(&difference(b)));
         Self {
-            pixels: best.unwrap_or_default(),
+            view: best.unwrap_or_default(),
             ..self.clone()
         }
     }

@@ -125,3 +125,64 @@ fn pictures_that_do_not_belong_together_are_refused() {
     let lens = run("a.pgm", "--board 9x6 --out camera.yml --lens wide");
     assert_eq!(lens.status.code(), Some(2));
 }
+
+/// Options of one kind of board are refused with another, and what a board with tags needs is asked
+/// for.
+#[test]
+fn options_belong_to_their_boards() {
+    let folder = tempdir().unwrap();
+    let bytes = [b"P5 32 24 255\n".as_slice(), &[128; 32 * 24]].concat();
+    for name in ["a.pgm", "b.pgm", "c.pgm"] {
+        std::fs::write(folder.path().join(name), &bytes).unwrap();
+    }
+    let run = |options: &str| {
+        let line = "camera calibrate *.pgm --board 6x5 --square 0.04 --out camera.yml --pattern";
+        nullcone(
+            folder.path(),
+            format!("{line} {options}").split_whitespace(),
+        )
+    };
+    for (options, reason) in [
+        (
+            "chessboard --marker 0.03",
+            "--marker is not about boards of --pattern chessboard",
+        ),
+        (
+            "april-grid --dictionary 4X4_50",
+            "--dictionary is not about",
+        ),
+        ("circles --legacy-pattern", "--legacy-pattern is not about"),
+        ("charuco --border 1", "--border is not about"),
+        (
+            "charuco --marker 0.03",
+            "--pattern charuco needs --dictionary",
+        ),
+        (
+            "charuco --dictionary 4X4_50",
+            "--pattern charuco needs --marker",
+        ),
+        ("april-grid", "--pattern april-grid needs --marker"),
+        (
+            "charuco --dictionary 4X4_50 --marker 0.05",
+            "tags of 0.05 m do not fit",
+        ),
+        ("april-grid --marker 0.04", "the gap between tags of 0 m"),
+        (
+            "april-grid --marker 0.03 --border 3",
+            "no tag has a border of 3 modules",
+        ),
+        (
+            "charuco --dictionary 4X4_50 --marker 0.03",
+            "a.pgm: board not found: 0 of its 20 points are seen",
+        ),
+        (
+            "aprilgrid --marker 0.03",
+            "a.pgm: board not found: 0 of its 120 points are seen",
+        ),
+    ] {
+        assert_failure(&run(options), &[reason]);
+    }
+    let unknown = run("charuco --marker 0.03 --dictionary 7X7_50");
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&unknown.stderr).contains("6X6_250"));
+}

@@ -9,7 +9,7 @@ use super::error::{CalibrationError, LEAST_VIEWS};
 use super::pair_names::PairNames;
 use super::square_edges::{SquareEdges, square_edges};
 use super::stereo::{StereoCalibration, StereoOptions, calibrate_stereo};
-use crate::board::Board;
+use crate::board::{Board, or_reason};
 use crate::found_board::FoundBoard;
 
 /// The boards of pairs of pictures of one size, in the order in which they are added.
@@ -106,7 +106,7 @@ impl BoardPairs {
         let mut reasons = Vec::new();
         let mut boards = Vec::new();
         for (picture, name) in pictures.iter().zip([&names.left, &names.right]) {
-            match self.board.look_for(picture)? {
+            match or_reason(self.board.find(picture))? {
                 Ok(board) => boards.push(board),
                 Err(reason) => reasons.push(format!("{name}: {reason}")),
             }
@@ -118,6 +118,15 @@ impl BoardPairs {
             return Ok(None);
         };
         let boards = [left.clone(), right.ordered_like(left)];
+        let [shared, _] = boards[0].view().shared(boards[1].view());
+        if !self.board.places_a_board(&shared) {
+            let reason = format!(
+                "both views show the same {} points of the board, which are too few",
+                shared.points().len()
+            );
+            self.rejected.push(RejectedPair { names, reason });
+            return Ok(None);
+        }
         self.found.push((pair, boards));
         Ok(self.found.last().map(|(_, boards)| boards))
     }
@@ -160,9 +169,7 @@ impl BoardPairs {
         }
         let corners = [0, 1].map(|side| -> Vec<BoardView> {
             let boards = self.found.iter().map(|(_, boards)| &boards[side]);
-            boards
-                .map(|board| BoardView::complete(board.pixels()))
-                .collect()
+            boards.map(|board| board.view().clone()).collect()
         });
         let places = self.board.places();
         let views = corners.each_ref().map(Vec::as_slice);

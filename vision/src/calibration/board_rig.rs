@@ -14,7 +14,7 @@ use super::lens_terms::LensTerms;
 use super::many_cameras::{RigCalibration, RigOptions, calibrate_rig, sees};
 use super::one_camera::{CameraOptions, Start};
 use super::summary::CameraParameters;
-use crate::board::Board;
+use crate::board::{Board, or_reason};
 use crate::found_board::FoundBoard;
 
 /// The boards of the pictures of several cameras, frame by frame.
@@ -114,10 +114,10 @@ impl BoardRig {
             let mut view = BoardView::default();
             if let Some((picture, pixels)) = picture {
                 camera.check_size(&picture, &pixels)?;
-                match self.board.look_for(&pixels)? {
+                match or_reason(self.board.find(&pixels))? {
                     Ok(board) => {
                         let like = first.get_or_insert_with(|| board.clone());
-                        view = BoardView::complete(board.ordered_like(like).pixels());
+                        view = board.ordered_like(like).view().clone();
                     }
                     Err(reason) => self.rejected.push(RejectedView { picture, reason }),
                 }

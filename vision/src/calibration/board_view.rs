@@ -36,15 +36,21 @@ impl BoardView {
     ///
     /// # Errors
     /// [`CalibrationError::RepeatedPoint`] where a point is listed twice.
-    pub fn new(mut points: Vec<SeenPoint>) -> Result<Self, CalibrationError> {
-        points.sort_by_key(|seen| seen.point);
-        let mut pairs = points.windows(2);
+    pub fn new(points: Vec<SeenPoint>) -> Result<Self, CalibrationError> {
+        let view = Self::of_different(points);
+        let mut pairs = view.points.windows(2);
         match pairs.find(|pair| pair[0].point == pair[1].point) {
             Some(pair) => Err(CalibrationError::RepeatedPoint {
                 point: pair[0].point,
             }),
-            None => Ok(Self { points }),
+            None => Ok(view),
         }
+    }
+
+    /// A view of points that are known to be different ones.
+    pub(crate) fn of_different(mut points: Vec<SeenPoint>) -> Self {
+        points.sort_by_key(|seen| seen.point);
+        Self { points }
     }
 
     /// A view of the first points of a board, usually of all.
@@ -77,16 +83,19 @@ impl BoardView {
         self.points.iter().map(place).collect()
     }
 
+    /// Whether a point is seen.
+    #[must_use]
+    pub fn shows(&self, point: usize) -> bool {
+        self.points
+            .binary_search_by_key(&point, |seen| seen.point)
+            .is_ok()
+    }
+
     /// Two views with the points that both show, in the same order.
     #[must_use]
     pub fn shared(&self, other: &Self) -> [Self; 2] {
         let within = |view: &Self, other: &Self| {
-            let is_shared = |seen: &&SeenPoint| {
-                let found = other
-                    .points
-                    .binary_search_by_key(&seen.point, |it| it.point);
-                found.is_ok()
-            };
+            let is_shared = |seen: &&SeenPoint| other.shows(seen.point);
             Self {
                 points: view.points.iter().filter(is_shared).copied().collect(),
             }

@@ -11,7 +11,7 @@ use super::error::{CalibrationError, LEAST_VIEWS};
 use super::lens_choice::{TriedLens, calibrate_lens};
 use super::lens_terms::{LensTerms, parameter_name};
 use super::one_camera::CameraCalibration;
-use crate::board::Board;
+use crate::board::{Board, or_reason};
 use crate::found_board::FoundBoard;
 
 /// The boards of pictures of one camera, in the order in which they are added.
@@ -41,6 +41,8 @@ pub struct RejectedView {
 pub struct ViewResidual {
     /// The name of the picture.
     pub picture: String,
+    /// How many of its corners are seen.
+    pub points: usize,
     /// The root mean square distance of its corners from their projections.
     pub rms_px: f64,
 }
@@ -163,7 +165,7 @@ impl BoardViews {
     /// Looks for the board in the next picture.
     ///
     /// # Errors
-    /// Those of [`Board::find`] other than that there is no board.
+    /// Those of [`Board::find_part`] other than that there is no board.
     pub fn add<T: Sample>(
         &mut self,
         picture: &Plane<T>,
@@ -176,7 +178,7 @@ impl BoardViews {
             // The pictures will be refused, with all names and sizes.
             return Ok(());
         }
-        match self.board.look_for(picture)? {
+        match or_reason(self.board.find_part(picture))? {
             Ok(board) => {
                 self.shown.get_or_insert_with(|| small(picture));
                 self.found.push((index, board));
@@ -212,9 +214,7 @@ impl BoardViews {
         let size = self.pictures[0].1;
         let places = self.board.places();
         let seen = self.found.iter();
-        let seen: Vec<BoardView> = seen
-            .map(|(_, board)| BoardView::complete(board.pixels()))
-            .collect();
+        let seen: Vec<BoardView> = seen.map(|(_, board)| board.view().clone()).collect();
         let name = |view: usize| self.pictures[self.found[view].0].0.clone();
         let fitted = calibrate_lens(&seen, &places, size, lens);
         let fitted = fitted.map_err(|error| match error.view() {
@@ -228,6 +228,7 @@ impl BoardViews {
         let mut views: Vec<ViewResidual> = (camera.view_rms.iter().enumerate())
             .map(|(view, rms)| ViewResidual {
                 picture: name(view),
+                points: seen[view].points().len(),
                 rms_px: *rms,
             })
             .collect();

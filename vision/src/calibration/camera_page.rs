@@ -68,8 +68,11 @@ impl CameraOfBoards {
         );
         page.heading("The worst boards");
         let rows = self.views.iter().take(WORST);
-        let rows = rows.map(|view| [view.picture.clone(), format!("{:.4}", view.rms_px)]);
-        page.table(["picture", "rms in px"], rows);
+        let rows = rows.map(|view| {
+            let points = view.points.to_string();
+            [view.picture.clone(), points, format!("{:.4}", view.rms_px)]
+        });
+        page.table(["picture", "corners", "rms in px"], rows);
         if !self.rejected.is_empty() {
             page.heading("Pictures that were left out");
             let rows = self.rejected.iter();

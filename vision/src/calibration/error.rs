@@ -169,16 +169,27 @@ pub enum CalibrationError {
         /// Columns and rows of the smallest rectangle that contains this grid.
         extent: [usize; 2],
     },
+    /// The picture shows too few points of a board with tags.
+    #[error(
+        "board not found: {found} of its {count} points are seen, and {LEAST_FOUND} are needed, \
+         with four around a square or a tag among them"
+    )]
+    TagsNotFound {
+        /// How many points are seen.
+        found: usize,
+        /// How many the board has.
+        count: usize,
+    },
     /// The picture shows no grid of circles of the size.
     #[error(
-        "board not found: no grid of {} × {} circles alone; of {discs} dark discs {largest} lie in \
-         the largest grid",
+        "board not found: no grid of {} × {} circles alone; of {discs} discs {largest} lie in the \
+         largest grid",
         size[0], size[1]
     )]
     CirclesNotFound {
         /// Circles in a row, and rows, that were wanted.
         size: [usize; 2],
-        /// How many dark discs there are.
+        /// How many discs there are.
         discs: usize,
         /// How many of them lie in the largest grid.
         largest: usize,
@@ -288,6 +299,9 @@ fn sizes(groups: &[([usize; 2], Vec<String>)]) -> String {
 /// The least number of boards from which a camera is calibrated.
 pub const LEAST_VIEWS: usize = 3;
 
+/// The least number of points of a board with tags that a picture must show.
+pub(crate) const LEAST_FOUND: usize = 6;
+
 /// The least number of points of a board from which it is placed.
 pub const LEAST_POINTS: usize = 4;
 
@@ -295,7 +309,10 @@ impl CalibrationError {
     /// Whether a picture shows no board.
     #[must_use]
     pub fn is_not_found(&self) -> bool {
-        matches!(self, Self::NotFound { .. } | Self::CirclesNotFound { .. })
+        matches!(
+            self,
+            Self::NotFound { .. } | Self::CirclesNotFound { .. } | Self::TagsNotFound { .. }
+        )
     }
 
     /// The error of chosen views with the index that a view has among all.

@@ -53,6 +53,7 @@ pub use board_view::{BoardView, SeenPoint};
 pub use board_views::{
     BoardViews, CameraDoubt, CameraOfBoards, CornerResidual, Parameter, RejectedView, ViewResidual,
 };
+pub(crate) use error::LEAST_FOUND;
 pub use error::{CalibrationError, LEAST_POINTS, LEAST_VIEWS};
 pub use lens_choice::{LensFit, TriedLens, calibrate_lens};
 pub use lens_terms::LensTerms;

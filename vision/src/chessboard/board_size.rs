@@ -47,6 +47,19 @@ impl BoardSize {
         self.columns * self.rows
     }
 
+    /// The sizes of its parts that have half of the corners or more, the largest first.
+    pub(super) fn parts(self) -> Vec<Self> {
+        let columns = Self::LEAST..=self.columns;
+        let sizes = columns.flat_map(|columns| {
+            let rows = Self::LEAST..=self.rows;
+            rows.map(move |rows| Self { columns, rows })
+        });
+        let is_part = |part: &Self| *part != self && 2 * part.count() >= self.count();
+        let mut parts: Vec<Self> = sizes.filter(is_part).collect();
+        parts.sort_by_key(|part| std::cmp::Reverse(part.count()));
+        parts
+    }
+
     /// The places of the corners on a board with squares of the given side: in the plane z = 0,
     /// from the origin along x, then along y.
     ///

@@ -29,7 +29,7 @@ use ga_image::pyramid::halved;
 use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
-use crate::calibration::CalibrationError;
+use crate::calibration::{BoardView, CalibrationError, SeenPoint};
 use crate::found_board::FoundBoard;
 pub use board_size::BoardSize;
 pub use picture::pair_picture;
@@ -50,7 +50,7 @@ use refinement::Gradient;
 ///     if dark { 20u8 } else { 230 }
 /// });
 /// let board = find(&picture, BoardSize::new(6, 4)?)?;
-/// let [u, v] = board.pixels()[0];
+/// let [u, v] = board.view().pixels()[0];
 /// assert!((u - 59.5).abs() < 1e-3 && (v - 49.5).abs() < 1e-3);
 /// assert!(find(&picture, BoardSize::new(7, 4)?).is_err());
 /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
@@ -65,62 +65,140 @@ pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
 ) -> Result<FoundBoard, CalibrationError> {
-    /// Where the longer side of a picture is within this, it is not made smaller at first.
-    const FIRST_SIDE: usize = 1000;
-    /// The least of the shorter side of a picture that is made smaller.
-    const LEAST_SIDE: usize = 80;
     let picture = picture.into().map(Sample::to_unit);
-    let mut levels = vec![Cow::Borrowed(&picture)];
-    let side = |level: &Plane<f32>| level.width().max(level.height());
-    while let Some(last) = levels.last()
-        && last.width().min(last.height()) >= 2 * LEAST_SIDE
-    {
-        let next = halved(last.as_ref());
-        levels.push(Cow::Owned(next));
+    let mut search = Search::new(&picture, size);
+    match search.board(&[size])? {
+        Some((_, corners)) => {
+            let view = BoardView::complete(&corners);
+            Ok(FoundBoard::new(size.columns(), view, other_orders(size)))
+        }
+        None => Err(search.not_found()),
     }
-    let first = levels.iter().position(|level| side(level) <= FIRST_SIDE);
-    let first = first.unwrap_or(levels.len() - 1);
-    let order = (0..=first).rev().chain(first + 1..levels.len());
-    let mut gradient = None;
-    let mut largest = (0, [0, 0]);
-    for level in order {
-        let saddles = saddle::saddles(&levels[level], size.count())?;
-        // Grids that share saddle points have candidates in common.
-        let mut tried = HashSet::new();
-        for grid in grid::grids(&saddles) {
-            if grid.corner_count() > largest.0 {
-                largest = (grid.corner_count(), grid.extent());
-            }
-            for indices in grid.boards(size) {
-                if tried.contains(&indices) {
-                    continue;
+}
+
+/// The same, or, where there is no complete board, the rows and columns of one that are complete
+/// where the border of the picture cuts it: three or more of each, with half of its corners.
+///
+/// Which rows and columns they are cannot be told. The corners have the numbers that they would have
+/// on a board with the first corner of the part as its own, which is enough for one camera: the
+/// board of each view has a motor of its own.
+///
+/// # Errors
+///
+/// As [`find`].
+pub fn find_part<'a, T: Sample>(
+    picture: impl Into<PlaneView<'a, T>>,
+    size: BoardSize,
+) -> Result<FoundBoard, CalibrationError> {
+    let picture = picture.into();
+    let whole = find(picture, size);
+    if !matches!(whole, Err(CalibrationError::NotFound { .. })) {
+        return whole;
+    }
+    let picture = picture.map(Sample::to_unit);
+    match Search::new(&picture, size).board(&size.parts())? {
+        Some((part, corners)) => {
+            let seen = corners.into_iter().enumerate().map(|(index, pixel)| {
+                let (column, row) = (index % part.columns(), index / part.columns());
+                let point = row * size.columns() + column;
+                SeenPoint { point, pixel }
+            });
+            let view = BoardView::of_different(seen.collect());
+            Ok(FoundBoard::new(size.columns(), view, Vec::new()))
+        }
+        None => whole,
+    }
+}
+
+/// A search for a board in several sizes of a picture.
+struct Search<'a> {
+    picture: &'a Plane<f32>,
+    size: BoardSize,
+    /// How many corners the largest grid has, and its columns and rows.
+    largest: (usize, [usize; 2]),
+}
+
+impl<'a> Search<'a> {
+    fn new(picture: &'a Plane<f32>, size: BoardSize) -> Self {
+        Self {
+            picture,
+            size,
+            largest: (0, [0, 0]),
+        }
+    }
+
+    fn not_found(&self) -> CalibrationError {
+        let (corners, extent) = self.largest;
+        CalibrationError::NotFound {
+            size: [self.size.columns(), self.size.rows()],
+            corners,
+            extent,
+        }
+    }
+
+    /// The first of several sizes, of the whole board or of parts, in which it is found, and the
+    /// pixels of the corners.
+    fn board(&mut self, sizes: &[BoardSize]) -> Result<Option<Found>, CalibrationError> {
+        /// Where the longer side of a picture is within this, it is not made smaller at first.
+        const FIRST_SIDE: usize = 1000;
+        /// The least of the shorter side of a picture that is made smaller.
+        const LEAST_SIDE: usize = 80;
+        let picture = self.picture;
+        let mut levels = vec![Cow::Borrowed(picture)];
+        let side = |level: &Plane<f32>| level.width().max(level.height());
+        while let Some(last) = levels.last()
+            && last.width().min(last.height()) >= 2 * LEAST_SIDE
+        {
+            let next = halved(last.as_ref());
+            levels.push(Cow::Owned(next));
+        }
+        let first = levels.iter().position(|level| side(level) <= FIRST_SIDE);
+        let first = first.unwrap_or(levels.len() - 1);
+        let order = (0..=first).rev().chain(first + 1..levels.len());
+        let mut gradient = None;
+        for level in order {
+            let saddles = saddle::saddles(&levels[level], self.size.count())?;
+            // Grids that share saddle points have candidates in common.
+            let mut tried = HashSet::new();
+            for grid in grid::grids(&saddles) {
+                if grid.corner_count() > self.largest.0 {
+                    self.largest = (grid.corner_count(), grid.extent());
                 }
-                // The centre of a pixel of a halved picture is that of a pixel of the picture.
-                let scale = f64::from(1_u32 << level);
-                let corners = indices.iter().map(|&index| saddles[index].place * scale);
-                let corners: Vec<Vector<f64>> = corners.collect();
-                tried.insert(indices);
-                if !whole_board::is_whole_board(&picture, &corners, size) {
-                    continue;
-                }
-                let gradient = match &mut gradient {
-                    Some(gradient) => gradient,
-                    none => none.insert(Gradient::new(&picture)?),
+                let boards = |size: &BoardSize| {
+                    let size = *size;
+                    grid.boards(size)
+                        .into_iter()
+                        .map(move |board| (size, board))
                 };
-                if let Some(corners) = gradient.refine(&corners, size) {
-                    let corners = corners.into_iter().map(Vector::coordinates).collect();
-                    return Ok(FoundBoard::new(size.columns(), corners, other_orders(size)));
+                for (size, indices) in sizes.iter().flat_map(boards) {
+                    if tried.contains(&indices) {
+                        continue;
+                    }
+                    // The centre of a pixel of a halved picture is that of a pixel of the picture.
+                    let scale = f64::from(1_u32 << level);
+                    let corners = indices.iter().map(|&index| saddles[index].place * scale);
+                    let corners: Vec<Vector<f64>> = corners.collect();
+                    tried.insert(indices);
+                    if !whole_board::is_board(picture, &corners, size, self.size) {
+                        continue;
+                    }
+                    let gradient = match &mut gradient {
+                        Some(gradient) => gradient,
+                        none => none.insert(Gradient::new(picture)?),
+                    };
+                    if let Some(corners) = gradient.refine(&corners, size) {
+                        let corners = corners.into_iter().map(Vector::coordinates);
+                        return Ok(Some((size, corners.collect())));
+                    }
                 }
             }
         }
+        Ok(None)
     }
-    let (corners, extent) = largest;
-    Err(CalibrationError::NotFound {
-        size: [size.columns(), size.rows()],
-        corners,
-        extent,
-    })
 }
+
+/// A size, and the pixels of the corners.
+type Found = (BoardSize, Vec<[f64; 2]>);
 
 /// The orders other than the first in which a board looks the same, as indices of its corners.
 fn other_orders(size: BoardSize) -> Vec<Vec<usize>> {

@@ -1,5 +1,6 @@
 //! Pictures of the points of boards.
 
+use crate::calibration::SeenPoint;
 use crate::found_board::FoundBoard;
 use ga_image::plane::Plane;
 use ga_image::sample::Sample;
@@ -10,8 +11,8 @@ const RED: [u8; 3] = [255, 60, 40];
 const GREEN: [u8; 3] = [60, 220, 60];
 const BLUE: [u8; 3] = [90, 150, 255];
 
-/// Two views beside each other, with a line through the corners in their order and a cross at each:
-/// red at the first corner, green in the first row, and blue in the others. Where one view is
+/// Two views beside each other, with a line between corners that follow each other and a cross at
+/// each: red at the first corner, green in the first row, and blue in the others. Where one view is
 /// lower, what is below it is black.
 pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[FoundBoard; 2]) -> Plane<[u8; 3]> {
     let width = views[0].width();
@@ -24,21 +25,31 @@ pub fn pair_picture<T: Sample>(views: &[Plane<T>; 2], boards: &[FoundBoard; 2]) 
         [value.map_or(0, |value| u8::from_unit(value.to_unit())); 3]
     });
     for (left, board) in [0, width].into_iter().zip(boards) {
-        let corners: Vec<[f64; 2]> = board
-            .pixels()
-            .iter()
-            .map(|[u, v]| [u + left as f64, *v])
+        let points = board.view().points().iter();
+        let points: Vec<SeenPoint> = points
+            .map(
+                |SeenPoint {
+                     point,
+                     pixel: [u, v],
+                 }| SeenPoint {
+                    point: *point,
+                    pixel: [u + left as f64, *v],
+                },
+            )
             .collect();
-        for pair in corners.windows(2) {
-            line(&mut picture, pair[0], pair[1]);
+        for pair in points
+            .windows(2)
+            .filter(|pair| pair[0].point + 1 == pair[1].point)
+        {
+            line(&mut picture, pair[0].pixel, pair[1].pixel);
         }
-        for (index, corner) in corners.iter().enumerate() {
-            let colour = match index {
+        for SeenPoint { point, pixel } in points {
+            let colour = match point {
                 0 => RED,
-                _ if index < board.columns() => GREEN,
+                _ if point < board.columns() => GREEN,
                 _ => BLUE,
             };
-            cross(&mut picture, *corner, colour);
+            cross(&mut picture, pixel, colour);
         }
     }
     picture

@@ -19,20 +19,35 @@ struct Candidate<'a> {
 }
 
 /// Whether the squares between the corners are bright and dark in turn, and do not go on beyond the
-/// outermost squares.
-pub(super) fn is_whole_board(
+/// outermost squares. Where corners of a size are a part of the whole board, the border of the
+/// picture must cut it on a side of each kind that is too short.
+pub(super) fn is_board(
     picture: &Plane<f32>,
     corners: &[Vector<f64>],
     size: BoardSize,
+    whole: BoardSize,
 ) -> bool {
     let candidate = Candidate {
         picture,
         corners,
         size,
     };
+    // Columns are missing beyond the first or the last one, which are no rows.
+    let is_short = |side: &Side| match side.is_row {
+        true => size.rows() < whole.rows(),
+        false => size.columns() < whole.columns(),
+    };
+    let is_cut = |side: &Side| is_short(side) && candidate.is_cut(side);
+    let has_reason = |is_row: bool| {
+        let mut sides = SIDES.iter().filter(|side| side.is_row == is_row);
+        sides.any(|side| !is_short(side) || candidate.is_cut(side))
+    };
     candidate.has_crossings()
         && candidate.has_plain_squares()
-        && SIDES.iter().all(|side| !candidate.goes_on(side))
+        && [false, true].into_iter().all(has_reason)
+        && SIDES
+            .iter()
+            .all(|side| is_cut(side) || !candidate.goes_on(side))
 }
 
 /// A side of a board: the line of its outermost corners, and the way outwards.
@@ -140,12 +155,50 @@ impl Candidate<'_> {
         const LEAST_PART: f64 = 0.4;
         /// The least contrast of a corner as a part of that of the corner before it.
         const LEAST_CONTRAST: f64 = 0.5;
-        let count = match side.is_row {
-            true => self.size.columns(),
-            false => self.size.rows(),
-        };
+        let count = self.count(side);
         let further = (0..count).filter(|&k| self.further_corner(side, k) > LEAST_CONTRAST);
         further.count() as f64 > LEAST_PART * count as f64
+    }
+
+    /// Whether the picture ends before the next line of corners beyond a side does.
+    fn is_cut(&self, side: &Side) -> bool {
+        let mut lines = 0..self.count(side);
+        lines.any(|index| {
+            let [expected, _] = self.beyond(side, index);
+            bilinear(self.picture, expected.coordinates()).is_none()
+        })
+    }
+
+    /// The number of corners along a side.
+    fn count(&self, side: &Side) -> usize {
+        match side.is_row {
+            true => self.size.columns(),
+            false => self.size.rows(),
+        }
+    }
+
+    /// Where the next corner is expected on a line across a side, and the step to it.
+    fn beyond(&self, side: &Side, index: usize) -> [Vector<f64>; 2] {
+        let [last, before, third] = [0, 1, 2].map(|depth| self.inwards(side, index, depth));
+        // Of equal second differences.
+        let expected = (last - before) * 3.0 + third;
+        [expected, expected - last]
+    }
+
+    /// A corner by its index along a side and the number of corners between it and the side.
+    fn inwards(&self, side: &Side, index: usize, depth: usize) -> Vector<f64> {
+        let depths = match side.is_row {
+            true => self.size.rows(),
+            false => self.size.columns(),
+        };
+        let depth = match side.is_last {
+            true => depths - 1 - depth,
+            false => depth,
+        };
+        match side.is_row {
+            true => self.corner(index, depth),
+            false => self.corner(depth, index),
+        }
     }
 
     /// The greatest contrast of a crossing about where a line across a side goes on, as a part of
@@ -153,26 +206,9 @@ impl Candidate<'_> {
     fn further_corner(&self, side: &Side, index: usize) -> f64 {
         /// How far the corner may be from where it is expected, in steps.
         const OFFSETS: [f64; 5] = [-0.2, -0.1, 0.0, 0.1, 0.2];
-        let (columns, rows) = (self.size.columns(), self.size.rows());
-        let (count, depths) = match side.is_row {
-            true => (columns, rows),
-            false => (rows, columns),
-        };
-        let at = |index: usize, depth: usize| {
-            let depth = match side.is_last {
-                true => depths - 1 - depth,
-                false => depth,
-            };
-            match side.is_row {
-                true => self.corner(index, depth),
-                false => self.corner(depth, index),
-            }
-        };
-        let [last, before, third] = [0, 1, 2].map(|depth| at(index, depth));
-        // Of equal second differences.
-        let expected = (last - before) * 3.0 + third;
-        let outwards = expected - last;
-        let along = half_step(count, index, |k| at(k, 0));
+        let [last, before] = [0, 1].map(|depth| self.inwards(side, index, depth));
+        let [expected, outwards] = self.beyond(side, index);
+        let along = half_step(self.count(side), index, |k| self.inwards(side, k, 0));
         let Some(known) = crossing(self.picture, last, [last - before, along]) else {
             return 0.0;
         };

@@ -1,10 +1,11 @@
-//! Grids of circles in pictures: the centres of dark discs in columns and rows.
+//! Grids of circles in pictures: the centres of discs in columns and rows.
 //!
 //! [`find`] takes the dark regions of a picture at several thresholds that are ellipses, lets
-//! lattices grow from one to the next, and takes one that is the board, neither more nor less. The
-//! centre of mass of a disc is that of its ellipse, which under perspective is not the image of the
-//! disc's centre; the difference is computed from the homography of the neighbours and removed.
-//! What remains is the difference by the distortion of the lens within a disc.
+//! lattices grow from one to the next, and takes one that is the board, neither more nor less; where
+//! there is none, it does so with the bright regions. The centre of mass of a disc is that of its
+//! ellipse, which under perspective is not the image of the disc's centre; the difference is
+//! computed from the homography of the neighbours and removed. What remains is the difference by the
+//! distortion of the lens within a disc.
 
 mod centre;
 mod disc;
@@ -13,7 +14,7 @@ mod lattice;
 use ga_image::plane::Plane;
 use ga_runtime::vga2::Vector;
 
-use crate::calibration::CalibrationError;
+use crate::calibration::{BoardView, CalibrationError};
 use crate::chessboard::BoardSize;
 use crate::found_board::FoundBoard;
 use lattice::Cell;
@@ -55,9 +56,9 @@ impl Arrangement {
     }
 }
 
-/// The centres of the circles of a grid in a grey picture. They are darker than what is around
-/// them, and 8 pixels wide or wider. All of them must be seen, and no others of like size that
-/// continue the grid.
+/// The centres of the circles of a grid in a grey picture. All are darker than what is around them,
+/// or all brighter, and 8 pixels wide or wider. All of them must be seen, and no others of like size
+/// that continue the grid.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -73,7 +74,7 @@ impl Arrangement {
 ///     if is_dark { 30u8 } else { 220 }
 /// });
 /// let grid = find(&picture, "6x4".parse()?, Arrangement::Symmetric)?;
-/// let [u, v] = grid.pixels()[7];
+/// let [u, v] = grid.view().pixels()[7];
 /// assert!((u - 60.0).abs() < 0.01 && (v - 50.0).abs() < 0.01);
 /// assert!(find(&picture, "5x4".parse()?, Arrangement::Symmetric).is_err());
 /// # Ok::<(), ga_vision::calibration::CalibrationError>(())
@@ -86,6 +87,32 @@ pub fn find(
     size: BoardSize,
     arrangement: Arrangement,
 ) -> Result<FoundBoard, CalibrationError> {
+    let inverted = picture.map(|level| 255 - level);
+    let dark = find_dark(picture, size, arrangement);
+    let bright = || find_dark(&inverted, size, arrangement);
+    dark.or_else(|dark| bright().map_err(|bright| dark.max(bright)))
+        .map_err(
+            |Largest { discs, largest }| CalibrationError::CirclesNotFound {
+                size: [size.columns(), size.rows()],
+                discs,
+                largest,
+            },
+        )
+}
+
+/// The largest grid where none is the board: how many discs there are, and how many lie in it.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Largest {
+    largest: usize,
+    discs: usize,
+}
+
+/// The board in a picture of dark discs.
+fn find_dark(
+    picture: &Plane<u8>,
+    size: BoardSize,
+    arrangement: Arrangement,
+) -> Result<FoundBoard, Largest> {
     let discs = disc::discs(picture);
     let cells = arrangement.cells(size);
     let mut largest = 0;
@@ -107,12 +134,12 @@ pub fn find(
                 other.iter().filter_map(index).collect()
             });
             let others: Vec<Vec<usize>> = others.collect();
-            return Ok(FoundBoard::new(size.columns(), centres, others));
+            let view = BoardView::complete(&centres);
+            return Ok(FoundBoard::new(size.columns(), view, others));
         }
     }
-    Err(CalibrationError::CirclesNotFound {
-        size: [size.columns(), size.rows()],
-        discs: discs.len(),
+    Err(Largest {
         largest,
+        discs: discs.len(),
     })
 }

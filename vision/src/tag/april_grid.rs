@@ -9,6 +9,7 @@ use super::detect::in_levels;
 use super::dictionary::Dictionary;
 use super::error::{TagError, check_length, check_size};
 use super::marker::TagOptions;
+use crate::calibration::{BoardView, SeenPoint};
 
 /// A grid of AprilTags, as kalibr's target `aprilgrid` (P. Furgale, J. Rehder and R. Siegwart,
 /// "Unified temporal and spatial calibration for multi-sensor systems", 2013): tags of the family
@@ -77,14 +78,10 @@ impl AprilGrid {
         places.map(|[x, y]| Point::new(x, y, 0.0)).collect()
     }
 
-    /// The corners of the tags that are seen in a grey picture: the index of each in
-    /// [`points`](Self::points), in rising order, and its pixel. None, where no tags are found
-    /// that agree on where the grid is.
+    /// The corners of the tags that are seen in a grey picture, as indices in
+    /// [`points`](Self::points). None, where no tags are found that agree on where the grid is.
     #[must_use]
-    pub fn find<'a, T: Sample>(
-        &self,
-        picture: impl Into<PlaneView<'a, T>>,
-    ) -> Vec<(usize, [f64; 2])> {
+    pub fn find<'a, T: Sample>(&self, picture: impl Into<PlaneView<'a, T>>) -> BoardView {
         let levels = picture.into().map(Sample::to_level);
         let options = TagOptions {
             dictionary: Self::DICTIONARY,
@@ -95,16 +92,26 @@ impl AprilGrid {
             Some(corners.map(|corner| self.place(corner)))
         };
         let tags = consistent(in_levels(&levels, options), places);
-        let columns = 2 * self.tags[0];
-        let mut found: Vec<(usize, [f64; 2])> = Vec::new();
+        let columns = self.columns();
+        let mut found = Vec::new();
         for placed in tags {
             if let Some(corners) = self.corners(placed.tag.id) {
-                let indices = corners.map(|[column, row]| row * columns + column);
-                found.extend(indices.into_iter().zip(placed.tag.corners));
+                let points = corners.map(|[column, row]| row * columns + column);
+                let seen = points.into_iter().zip(placed.tag.corners);
+                found.extend(seen.map(|(point, pixel)| SeenPoint { point, pixel }));
             }
         }
-        found.sort_by_key(|(index, _)| *index);
-        found
+        BoardView::of_different(found)
+    }
+
+    /// The side of a tag in metres.
+    pub(crate) fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// The number of corners of tags in a row.
+    pub(crate) fn columns(&self) -> usize {
+        2 * self.tags[0]
     }
 
     /// Column and row of the corners of a tag, in the order of [`Tag::corners`](super::Tag): kalibr

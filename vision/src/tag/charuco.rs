@@ -1,7 +1,7 @@
 //! ChArUco boards: chessboards with tags in their white squares.
 
 use ga_image::interpolation::bilinear;
-use ga_image::plane::{Plane, PlaneView};
+use ga_image::plane::{Plane, PlaneError, PlaneView};
 use ga_image::sample::Sample;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga2::Vector;
@@ -11,6 +11,7 @@ use super::detect::in_levels;
 use super::dictionary::Dictionary;
 use super::error::{TagError, check_length, check_size};
 use super::marker::TagOptions;
+use crate::calibration::{BoardView, SeenPoint};
 use crate::chessboard::refinement::Gradient;
 
 /// The least side of the window around a corner, in pixels.
@@ -94,17 +95,16 @@ impl CharucoBoard {
         places.map(|[x, y]| Point::new(x, y, 0.0)).collect()
     }
 
-    /// The inner corners in a grey picture whose squares are next to a tag that is seen: the index
-    /// of each in [`points`](Self::points), and its pixel. None, where no tags are found that
-    /// agree on where the board is.
+    /// The inner corners in a grey picture whose squares are next to a tag that is seen, as indices
+    /// in [`points`](Self::points). None, where no tags are found that agree on where the board is.
     ///
     /// # Errors
     ///
-    /// [`TagError::Plane`] where the picture is too large to be filtered.
+    /// [`PlaneError`] where the picture cannot be filtered.
     pub fn find<'a, T: Sample>(
         &self,
         picture: impl Into<PlaneView<'a, T>>,
-    ) -> Result<Vec<(usize, [f64; 2])>, TagError> {
+    ) -> Result<BoardView, PlaneError> {
         let levels = picture.into().map(Sample::to_level);
         let options = TagOptions {
             dictionary: self.dictionary,
@@ -114,12 +114,14 @@ impl CharucoBoard {
         let places = |id: usize| squares.get(id).map(|square| self.tag_places(*square));
         let tags = consistent(in_levels(&levels, options), places);
         if tags.is_empty() {
-            return Ok(Vec::new());
+            return Ok(BoardView::default());
         }
         let gradient = Gradient::new(&levels)?;
-        let corners = (0..self.corner_count())
-            .filter_map(|index| Some((index, self.corner(index, &tags, &levels, &gradient)?)));
-        Ok(corners.collect())
+        let corners = (0..self.corner_count()).filter_map(|point| {
+            let pixel = self.corner(point, &tags, &levels, &gradient)?;
+            Some(SeenPoint { point, pixel })
+        });
+        Ok(BoardView::of_different(corners.collect()))
     }
 
     /// The pixel of a corner, from the tags in the squares around it.
@@ -164,7 +166,7 @@ impl CharucoBoard {
         };
         let rising = level(1.0, -1.0)? + level(-1.0, 1.0)?;
         let falling = level(1.0, 1.0)? + level(-1.0, -1.0)?;
-        let columns = self.squares[0] - 1;
+        let columns = self.columns();
         // The square to the lower right.
         let is_dark = self.is_dark([index % columns + 1, index / columns + 1]);
         let contrast = if is_dark {
@@ -175,13 +177,23 @@ impl CharucoBoard {
         (0.5 * contrast >= LEAST_CONTRAST).then(|| found.coordinates())
     }
 
+    /// The side of a square in metres.
+    pub(crate) fn square(&self) -> f64 {
+        self.square
+    }
+
+    /// The number of inner corners in a row.
+    pub(crate) fn columns(&self) -> usize {
+        self.squares[0] - 1
+    }
+
     fn corner_count(&self) -> usize {
         let [columns, rows] = self.squares;
         (columns - 1) * (rows - 1)
     }
 
     fn place(&self, index: usize) -> [f64; 2] {
-        let columns = self.squares[0] - 1;
+        let columns = self.columns();
         [index % columns + 1, index / columns + 1].map(|k| k as f64 * self.square)
     }
 

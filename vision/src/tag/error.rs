@@ -2,7 +2,7 @@
 
 use super::dictionary::Dictionary;
 
-/// A description of tags that is none.
+/// A description of tags that none can have.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TagError {
     /// A board has too few squares or tags, or more than it may have.
@@ -34,7 +34,7 @@ pub enum TagError {
         metres: f64,
     },
     /// The black border of a tag is 1 or 2 modules wide.
-    #[error("a border of {border} modules is none: 1 and 2 are possible")]
+    #[error("no tag has a border of {border} modules: 1 and 2 are possible")]
     Border {
         /// Its width in modules.
         border: u8,
@@ -47,9 +47,6 @@ pub enum TagError {
         /// The side of a square in metres.
         square: f64,
     },
-    /// A picture cannot be filtered.
-    #[error(transparent)]
-    Plane(#[from] ga_image::plane::PlaneError),
 }
 
 /// Fails where a board has too few or too many columns or rows.

@@ -5,7 +5,7 @@ use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_vision::calibration::CalibrationError;
-use ga_vision::chessboard::{BoardSize, find};
+use ga_vision::chessboard::{BoardSize, find, find_part};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
@@ -191,7 +191,7 @@ fn distances(a: &[[f64; 2]], b: &[[f64; 2]]) -> Vec<f64> {
 fn is_found_where_it_is(scene: &Scene, seed: u64) -> Result<(), TestCaseError> {
     let board = find(&scene.picture(seed), scene.size);
     let board = board.map_err(|error| TestCaseError::fail(format!("{error}: {scene:?}")))?;
-    let errors = distances(board.pixels(), &scene.truth());
+    let errors = distances(&board.view().pixels(), &scene.truth());
     let greatest = errors.iter().fold(0.0_f64, |a, b| a.max(*b));
     let contrast = scene.brightness[1] - scene.brightness[0];
     // Brightness is rounded to 255 steps, which is noise too: uniform within a step.
@@ -257,6 +257,43 @@ proptest! {
         );
     }
 
+    /// Where the picture cuts the board, the corners that are found are those of rows and columns
+    /// in their order, and the first one may be any.
+    #[test]
+    fn parts_of_boards_are_found_where_they_are(
+        scene in scenes(),
+        seed in 0_u64..100,
+        corner in any::<prop::sample::Index>(),
+    ) {
+        let truth = scene.truth();
+        prop_assume!(is_inside(&truth, 25.0) && least_step(&truth, scene.size) > 11.0);
+        let picture = scene.picture(seed);
+        let width = corner.get(&truth)[0] as usize;
+        let part = picture.view().part(0, 0, width, HEIGHT).expect("a part");
+        let Ok(found) = find_part(part, scene.size) else {
+            return Ok(());
+        };
+        let (seen, columns) = (found.view().points(), scene.size.columns());
+        prop_assert!(2 * seen.len() >= truth.len() && seen.len() < truth.len());
+        let nearest = |pixel: &[f64; 2]| {
+            let apart = |index: &usize| distances(&[*pixel], &[truth[*index]])[0];
+            (0..truth.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
+        };
+        let cell = |index: usize| [index % columns, index / columns].map(|k| k as f64);
+        let cells = |index: usize| [cell(seen[index].point), cell(nearest(&seen[index].pixel))];
+        for index in 0..seen.len() {
+            let corner = nearest(&seen[index].pixel);
+            let apart = distances(&[seen[index].pixel], &[truth[corner]])[0];
+            prop_assert!(apart < 0.5, "{apart} px: {scene:?}");
+            // Rotated by right angles, and not mirrored, the cells keep their distances.
+            for other in 0..index {
+                let ([a, b], [c, d]) = (cells(index), cells(other));
+                let [from, to] = [[a, c], [b, d]].map(|[a, b]| [0, 1].map(|k| b[k] - a[k]));
+                prop_assert_eq!(from[0].hypot(from[1]), to[0].hypot(to[1]));
+            }
+        }
+    }
+
     #[test]
     fn a_board_of_another_size_is_not_found(scene in scenes(), seed in 0_u64..100) {
         let truth = scene.truth();
@@ -279,6 +316,57 @@ proptest! {
             prop_assert!(found.is_err(), "{size}: {found:?} {scene:?}");
         }
     }
+}
+
+/// What is missing beyond the border of the picture may be up to half of the corners; a smaller
+/// board within the picture is no part of a larger one.
+#[test]
+fn parts_are_cut_by_the_border_alone() {
+    let size = BoardSize::new(9, 6).unwrap();
+    let scene = Scene {
+        size,
+        board_to_camera: Translator::from_displacement([-4.0, -2.5, 14.0]).into(),
+        focal: 420.0,
+        radial: [0.0; 2],
+        brightness: [0.1, 0.9],
+        blur: 0.8,
+        noise: 0.0,
+    };
+    let (truth, picture) = (scene.truth(), scene.picture(0));
+    let step = truth[1][0] - truth[0][0];
+    for columns in 3..9 {
+        let width = (truth[columns - 1][0] + 0.7 * step) as usize;
+        let part = picture.view().part(0, 0, width, HEIGHT).unwrap();
+        assert!(find(part, size).is_err());
+        let found = find_part(part, size);
+        if columns < 5 {
+            assert!(
+                matches!(found, Err(CalibrationError::NotFound { .. })),
+                "{found:?}"
+            );
+            continue;
+        }
+        let found = found.unwrap();
+        let expected: Vec<usize> = (0..54).filter(|point| point % 9 < columns).collect();
+        let points: Vec<usize> = found
+            .view()
+            .points()
+            .iter()
+            .map(|seen| seen.point)
+            .collect();
+        assert_eq!(points, expected);
+        let expected: Vec<[f64; 2]> = expected.iter().map(|point| truth[*point]).collect();
+        let errors = distances(&found.view().pixels(), &expected);
+        assert!(errors.iter().all(|error| *error < 0.05), "{errors:?}");
+    }
+    for other in ["10x6", "9x7", "11x6", "12x9"] {
+        let found = find_part(&picture, other.parse().unwrap());
+        assert!(
+            matches!(found, Err(CalibrationError::NotFound { .. })),
+            "{other}: {found:?}"
+        );
+    }
+    assert_eq!(find_part(&picture, size), find(&picture, size));
 }
 
 /// The corners that OpenCV finds in its own pictures, with the calibration from them.
@@ -304,7 +392,7 @@ pub(crate) fn opencv_boards() -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
             .unwrap()
             .to_grey::<u8>(Luma::Bt601);
         let board = find(&picture, size).unwrap_or_else(|error| panic!("{path:?}: {error}"));
-        board.pixels().to_vec()
+        board.view().pixels()
     };
     let names = oracle["names"].as_array().unwrap();
     Some(["left", "right"].map(|side| names.iter().map(|name| board(side, name)).collect()))
@@ -380,7 +468,7 @@ fn boards_of_two_views_get_one_order() {
             let roll = f64::from(quarter) * std::f64::consts::FRAC_PI_2 - 0.8;
             let [left, right] = [roll - 0.08, roll + 0.08].map(board);
             let right = right.ordered_like(&left);
-            let moved = distances(left.pixels(), right.pixels());
+            let moved = distances(&left.view().pixels(), &right.view().pixels());
             assert!(
                 moved.iter().all(|d| *d < 40.0),
                 "{columns} × {rows}, {quarter}: {moved:?}"
@@ -444,8 +532,8 @@ fn a_board_of_thousands_of_corners_is_found() {
         if dark { 20u8 } else { 230 }
     });
     let board = find(&picture, size).unwrap();
-    assert_eq!(board.pixels().len(), 3162);
-    let [u, v] = board.pixels()[0];
+    assert_eq!(board.view().pixels().len(), 3162);
+    let [u, v] = board.view().pixels()[0];
     assert!(
         (u - 49.5).abs() < 0.01 && (v - 49.5).abs() < 0.01,
         "{u} {v}"
@@ -470,7 +558,7 @@ fn a_board_among_clutter_is_found() {
         (45, [158.3945, 241.2406]),
         (53, [290.1012, 229.0317]),
     ] {
-        let apart = distances(&[board.pixels()[index]], &[corner])[0];
+        let apart = distances(&[board.view().pixels()[index]], &[corner])[0];
         assert!(apart < 0.15, "{index}: {apart} px");
     }
     for size in ["4x3", "5x4", "8x5", "8x6", "9x5", "10x6"] {
@@ -511,7 +599,7 @@ fn boards_among_random_clutter_are_found() {
             found += 1;
             // Edges are half a pixel before the first pixel of a square.
             let first = [left, top].map(|k| (k + square) as f64 - 0.5);
-            let apart = distances(&[board.pixels()[0]], &[first])[0];
+            let apart = distances(&[board.view().pixels()[0]], &[first])[0];
             assert!(apart < 0.1, "{seed}: {apart} px");
         }
         for other in ["6x5", "7x4", "8x5", "5x4"] {

@@ -110,9 +110,9 @@ proptest! {
         let found = found.map_err(|error| TestCaseError::fail(error.to_string()))?;
         let mut turned = truth.clone();
         turned.reverse();
-        let apart = greatest_distance(found.pixels(), &truth)
+        let apart = greatest_distance(&found.view().pixels(), &truth)
             .min(match pattern {
-                Pattern::Circles => greatest_distance(found.pixels(), &turned),
+                Pattern::Circles => greatest_distance(&found.view().pixels(), &turned),
                 // With an odd number of rows it looks the same in no other direction.
                 _ => f64::INFINITY,
             });
@@ -155,6 +155,17 @@ fn other_grids_are_not_found() {
     is_not_found(&Plane::filled(0, 0, 0), "4x3", Arrangement::Asymmetric);
 }
 
+/// Bright circles on a dark board.
+#[test]
+fn brightness_may_be_exchanged() {
+    for (pattern, size) in PATTERNS {
+        let board = board(pattern, size);
+        let dark = picture(&board, 0.3 * 0.02, &camera(&board, [0.3, -0.2, 0.1], 1.6));
+        let bright = dark.map(|level| 255 - level);
+        assert_eq!(board.find(&bright), board.find(&dark));
+    }
+}
+
 /// Two views begin at one circle, on both sides of where the first one changes.
 #[test]
 fn grids_of_two_views_get_one_order() {
@@ -166,7 +177,7 @@ fn grids_of_two_views_get_one_order() {
             board.find(&picture(&board, 0.3 * 0.02, &camera)).unwrap()
         });
         let right = right.ordered_like(&left);
-        assert!(greatest_distance(left.pixels(), right.pixels()) < 40.0);
+        assert!(greatest_distance(&left.view().pixels(), &right.view().pixels()) < 40.0);
     }
 }
 

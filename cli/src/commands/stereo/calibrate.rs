@@ -33,9 +33,10 @@ use crate::output;
 /// all names of a camera share, such as that of the camera, do not count. Where the numbers have
 /// little in common, as those of times, views are paired in the order of their names. A name of a
 /// file counts before a pattern; the program itself matches patterns, or the shell does. Views
-/// without a partner are named in a warning. --pattern says what is on the board, all of whose
-/// points must be in both views: which part of a plain board a picture shows cannot be told. Pairs
-/// in which it is not found, or that do not agree with the others, are left out. For instance
+/// without a partner are named in a warning. --pattern says what is on the board. All of its points
+/// must be in both views, as which part of a plain board a picture shows cannot be told; of boards
+/// with tags, both views must show the same square. Pairs in which it is not found, or that do not
+/// agree with the others, are left out. For instance
 ///
 ///   nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg'
 ///     --out rig.yml --json

@@ -35,7 +35,7 @@ fn pairs_without_boards_are_rejected_with_the_names_of_their_pictures() {
         .add(&[board(40), board(52)], names(2))
         .unwrap()
         .unwrap();
-    let [left, right] = found.each_ref().map(|board| board.pixels()[0]);
+    let [left, right] = found.each_ref().map(|board| board.view().pixels()[0]);
     assert!((right[0] - left[0] - 12.0).abs() < 0.01 && (right[1] - left[1]).abs() < 0.01);
 
     let larger = Plane::filled(240, 181, 200u8);

@@ -1,17 +1,18 @@
 //! Boards of tags in rendered pictures.
 
 use ga_image::plane::Plane;
+use ga_vision::calibration::{BoardView, SeenPoint};
 use ga_vision::tag::{AprilGrid, CharucoBoard, CharucoPattern, Dictionary, TagError};
 
 use super::scene::{View, rms};
 use super::tags::tag_brightness;
 
-const SIZE: [usize; 2] = [640, 480];
+pub(super) const SIZE: [usize; 2] = [640, 480];
 const DICTIONARY: Dictionary = Dictionary::Aruco4x4_100;
 
 /// A board of 7 × 5 squares with sides of 1 and tags of 0.72: the square at the top left is dark,
 /// and tags are numbered along the rows.
-fn charuco_brightness([x, y]: [f64; 2]) -> f64 {
+pub(super) fn charuco_brightness([x, y]: [f64; 2]) -> f64 {
     let (columns, rows) = (7.0, 5.0);
     if !(0.0..columns).contains(&x) || !(0.0..rows).contains(&y) {
         return 1.0;
@@ -27,14 +28,15 @@ fn charuco_brightness([x, y]: [f64; 2]) -> f64 {
     tag_brightness(DICTIONARY, id, 1, inside)
 }
 
-fn charuco() -> CharucoBoard {
+pub(super) fn charuco() -> CharucoBoard {
     CharucoBoard::new([7, 5], [1.0, 0.72], DICTIONARY, CharucoPattern::Current).unwrap()
 }
 
-fn check(found: &[(usize, [f64; 2])], places: &[[f64; 2]], view: &View) -> f64 {
+fn check(found: &BoardView, places: &[[f64; 2]], view: &View) -> f64 {
     let pairs = found
+        .points()
         .iter()
-        .map(|(index, pixel)| (*pixel, view.pixel(places[*index])));
+        .map(|seen| (seen.pixel, view.pixel(places[seen.point])));
     let worst = pairs
         .clone()
         .map(|pair| rms([pair].into_iter()))
@@ -69,7 +71,7 @@ fn corners_of_charuco_boards_are_found_where_they_are() {
         let view = View::new(pose, [3.5, 2.5], (700.0, 10.5), [318.3, 241.6]);
         let picture = view.picture(SIZE, charuco_brightness, (0.7, 1.5), n as u64);
         let found = board.find(&picture).unwrap();
-        assert_eq!(found.len(), 24, "{pose:?}");
+        assert_eq!(found.points().len(), 24, "{pose:?}");
         errors.push(check(&found, &places, &view));
     }
     assert!(errors.iter().all(|error| *error < 0.05), "{errors:?}");
@@ -91,9 +93,14 @@ fn parts_of_charuco_boards_have_the_right_numbers() {
     };
     let picture = view.picture(SIZE, brightness, (0.7, 1.5), 9);
     let found = board.find(&picture).unwrap();
-    assert!((10..22).contains(&found.len()), "{}", found.len());
+    assert!(
+        (10..22).contains(&found.points().len()),
+        "{}",
+        found.points().len()
+    );
     check(&found, &places, &view);
-    assert!(found.iter().all(|(index, _)| !is_paper(places[*index])));
+    let hidden = |seen: &SeenPoint| is_paper(places[seen.point]);
+    assert!(!found.points().iter().any(hidden));
 }
 
 /// Two tags that have been exchanged lead to no wrong corners.
@@ -109,7 +116,7 @@ fn a_tag_that_is_elsewhere_is_left_out() {
     };
     let picture = view.picture(SIZE, moved, (0.7, 1.5), 5);
     let found = board.find(&picture).unwrap();
-    assert!(found.len() >= 18, "{}", found.len());
+    assert!(found.points().len() >= 18, "{}", found.points().len());
     check(&found, &places, &view);
 }
 
@@ -120,13 +127,16 @@ fn another_pattern_is_not_found() {
     let even = CharucoBoard::new([7, 6], [1.0, 0.72], DICTIONARY, legacy).unwrap();
     let view = View::new([10.0, 5.0, 5.0], [3.5, 2.5], (700.0, 9.5), [320.0, 240.0]);
     let picture = view.picture(SIZE, charuco_brightness, (0.7, 1.5), 6);
-    assert_eq!(even.find(&picture).unwrap(), []);
-    assert_eq!(charuco().find(&Plane::filled(100, 80, 7u8)).unwrap(), []);
+    assert_eq!(even.find(&picture).unwrap(), BoardView::default());
+    assert_eq!(
+        charuco().find(&Plane::filled(100, 80, 7u8)).unwrap(),
+        BoardView::default()
+    );
 }
 
 /// kalibr's board: tags as their authors draw them where y is up, borders of two modules, and dark
 /// squares in the corners of the gaps.
-fn grid_brightness([x, y]: [f64; 2]) -> f64 {
+pub(super) fn grid_brightness([x, y]: [f64; 2]) -> f64 {
     const GAP: f64 = 0.3;
     let (columns, rows) = (4.0, 3.0);
     let [right, top] = [columns, rows].map(|count| count + (count - 1.0) * GAP);
@@ -159,8 +169,7 @@ fn corners_of_april_grids_are_found_where_they_are() {
         let view = View::new(pose, [2.45, -1.8], (700.0, 9.5), [322.0, 237.0]).upwards();
         let picture = view.picture(SIZE, grid_brightness, (0.7, 1.5), n as u64);
         let found = grid.find(&picture);
-        assert_eq!(found.len(), 48, "{pose:?}");
-        assert!(found.iter().enumerate().all(|(k, (index, _))| k == *index));
+        assert_eq!(found.points().len(), 48, "{pose:?}");
         errors.push(check(&found, &places, &view));
     }
     assert!(errors.iter().all(|error| *error < 0.06), "{errors:?}");
@@ -168,7 +177,7 @@ fn corners_of_april_grids_are_found_where_they_are() {
     let narrow = AprilGrid::new([4, 3], [1.0, 0.3], 1).unwrap();
     let view = View::new([0.0; 3], [2.45, -1.8], (700.0, 9.5), [322.0, 237.0]).upwards();
     let picture = view.picture(SIZE, grid_brightness, (0.7, 1.5), 1);
-    assert_eq!(narrow.find(&picture), []);
+    assert_eq!(narrow.find(&picture), BoardView::default());
 }
 
 #[test]
