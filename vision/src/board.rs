@@ -185,7 +185,8 @@ impl Board {
         let columns = self.columns();
         let is_square = |seen: &SeenPoint| {
             let others = [1, columns, columns + 1].map(|step| seen.point + step);
-            (seen.point + 1) % columns > 0 && others.into_iter().all(|point| view.shows(point))
+            !(seen.point + 1).is_multiple_of(columns)
+                && others.into_iter().all(|point| view.shows(point))
         };
         view.points().len() >= LEAST_FOUND && view.points().iter().any(is_square)
     }

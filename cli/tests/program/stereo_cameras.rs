@@ -179,7 +179,9 @@ fn a_chessboard_pair_is_rectified() {
 #[test]
 fn a_pinhole_has_no_distortion_to_remove() {
     let folder = views(0);
-    let camera = format!("%YAML:1.0\ncamera_matrix: {K}\nimage_size: [ 240, 180 ]\n");
+    // A pose is kept.
+    let pose = "R: [ 0., -1., 0., 1., 0., 0., 0., 0., 1. ]\nT: [ 0.5, 0.25, -2. ]\n";
+    let camera = format!("%YAML:1.0\ncamera_matrix: {K}\nimage_size: [ 240, 180 ]\n{pose}");
     std::fs::write(folder.path().join("k.yml"), camera).unwrap();
     let arguments = [
         "stereo",
@@ -207,6 +209,7 @@ fn a_pinhole_has_no_distortion_to_remove() {
         format::read(path).unwrap()
     });
     assert_eq!(old, new);
+    assert!(new.cameras[0].pose.is_some());
 
     // A camera in a picture.
     let before = names(folder.path());

@@ -280,16 +280,20 @@ proptest! {
             (0..truth.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap()
         };
         let cell = |index: usize| [index % columns, index / columns].map(|k| k as f64);
-        let cells = |index: usize| [cell(seen[index].point), cell(nearest(&seen[index].pixel))];
-        for index in 0..seen.len() {
-            let corner = nearest(&seen[index].pixel);
-            let apart = distances(&[seen[index].pixel], &[truth[corner]])[0];
+        let mut steps = Vec::new();
+        for corner in seen {
+            let index = nearest(&corner.pixel);
+            let apart = distances(&[corner.pixel], &[truth[index]])[0];
             prop_assert!(apart < 0.5, "{apart} px: {scene:?}");
-            // Rotated by right angles, and not mirrored, the cells keep their distances.
-            for other in 0..index {
-                let ([a, b], [c, d]) = (cells(index), cells(other));
-                let [from, to] = [[a, c], [b, d]].map(|[a, b]| [0, 1].map(|k| b[k] - a[k]));
-                prop_assert_eq!(from[0].hypot(from[1]), to[0].hypot(to[1]));
+            let first = [seen[0].point, nearest(&seen[0].pixel)].map(cell);
+            let here = [corner.point, index].map(cell);
+            steps.push([0, 1].map(|k| [0, 1].map(|axis| here[k][axis] - first[k][axis])));
+        }
+        // Rotated by right angles and not mirrored, steps keep their products.
+        for [a, c] in &steps {
+            for [b, d] in &steps {
+                prop_assert_eq!(a[0] * b[0] + a[1] * b[1], c[0] * d[0] + c[1] * d[1]);
+                prop_assert_eq!(a[0] * b[1] - a[1] * b[0], c[0] * d[1] - c[1] * d[0]);
             }
         }
     }

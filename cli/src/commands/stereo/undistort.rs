@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
-use ga_camera::format::camera;
+use ga_camera::format::{CameraFile, Encoded, Format as CameraFormat, NamedCamera, encode_files};
 use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     /// The result.
     #[arg(long, value_name = "FILE.png")]
     out: PathBuf,
-    /// Write the pinhole camera of the result.
+    /// Write the pinhole camera of the result, at the place of the camera.
     #[arg(long, value_name = "NEW.yml")]
     new_camera: Option<PathBuf>,
     /// From 0, where all pixels of the result were seen, to 1, where it holds all pixels of the
@@ -87,9 +87,18 @@ impl Command for Arguments {
         let unseen = inside.values().iter().filter(|inside| !**inside).count();
 
         progress.step("writing");
-        let mut files = vec![(&self.out, png::encode(&new)?)];
+        let mut files = vec![(self.out.clone(), png::encode(&new)?)];
         if let Some(path) = &self.new_camera {
-            files.push((path, camera::encode(&found.target, Some(size)).into_bytes()));
+            let mut target = NamedCamera::new("camera", found.target).with_size(Some(size));
+            target.pose = camera.pose;
+            let file = CameraFile::new(vec![target]);
+            let Encoded { files: texts, .. } = encode_files(path, CameraFormat::OpenCv, &file)
+                .with_context(|| path.display().to_string())?;
+            files.extend(
+                texts
+                    .into_iter()
+                    .map(|(path, text)| (path, text.into_bytes())),
+            );
         }
         output::write_together(files)?;
         drop(progress);

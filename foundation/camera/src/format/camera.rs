@@ -7,24 +7,18 @@
 use super::storage::{Matrix, Storage};
 use crate::{Intrinsics, Lens, LensModel};
 
-/// The text of a file in YAML.
+/// The values of a file, to which others may be added.
 ///
 /// ```
 /// use std::path::Path;
 /// use ga_camera::{Intrinsics, format};
 /// let intrinsics = Intrinsics::new([500.0, 501.0], [320.0, 240.0])?;
-/// let text = format::camera::encode(&intrinsics, Some([640, 480]));
+/// let text = format::camera::storage(&intrinsics, Some([640, 480])).encode();
 /// let file = format::decode(text.as_bytes(), Path::new(""))?;
 /// assert_eq!(file.cameras[0].intrinsics()?, intrinsics);
 /// assert_eq!(file.cameras[0].size, Some([640, 480]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[must_use]
-pub fn encode(intrinsics: &Intrinsics, size: Option<[usize; 2]>) -> String {
-    storage(intrinsics, size).encode()
-}
-
-/// The values of a file, to which others may be added.
 #[must_use]
 pub fn storage(intrinsics: &Intrinsics, size: Option<[usize; 2]>) -> Storage {
     let mut storage = Storage::default();

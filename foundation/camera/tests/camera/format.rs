@@ -50,7 +50,7 @@ proptest! {
         intrinsics in prop_oneof![intrinsics(lens()), intrinsics(fisheye())],
         size in size(),
     ) {
-        let text = format::camera::encode(&intrinsics, size);
+        let text = format::camera::storage(&intrinsics, size).encode();
         let again = decode(&text).unwrap();
         let expected = NamedCamera::new("camera", intrinsics).with_size(size);
         prop_assert_eq!(again.cameras, [expected], "{}", text);

@@ -7,7 +7,7 @@ use ga_camera::{Fisheye, Intrinsics, Lens, LensModel, RadialTangential};
 
 fn encoded(lens: Lens) -> String {
     let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
-    format::camera::encode(&intrinsics.with_lens(lens), None)
+    format::camera::storage(&intrinsics.with_lens(lens), None).encode()
 }
 
 /// The names in messages of ROS and in files of kalibr.
