@@ -8,8 +8,8 @@ pub enum InstructionSet {
     /// AVX2 and FMA, on x86-64 processors that have them. It needs the feature `std`, which can
     /// detect them.
     Avx2,
-    /// AVX-512 F, VL and DQ besides AVX2, on x86-64 processors that have them. Where a loop has no
-    /// form of its own for them, the one for AVX2 runs. It needs the feature `std`.
+    /// AVX-512 F, BW, CD, DQ and VL besides AVX2, on x86-64 processors that have them: those of
+    /// x86-64-v4. It needs the feature `std`.
     Avx512,
 }
 
@@ -21,6 +21,15 @@ impl InstructionSet {
             Self::Baseline => true,
             Self::Avx2 => has_avx2(),
             Self::Avx512 => has_avx512(),
+        }
+    }
+
+    /// AVX2 in place of AVX-512: for loops over blocks as wide as registers of AVX2, which larger
+    /// registers make slower.
+    pub(crate) fn narrow(self) -> Self {
+        match self {
+            Self::Avx512 => Self::Avx2,
+            other => other,
         }
     }
 
@@ -51,8 +60,10 @@ fn has_avx2() -> bool {
 fn has_avx512() -> bool {
     has_avx2()
         && std::arch::is_x86_feature_detected!("avx512f")
-        && std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("avx512bw")
+        && std::arch::is_x86_feature_detected!("avx512cd")
         && std::arch::is_x86_feature_detected!("avx512dq")
+        && std::arch::is_x86_feature_detected!("avx512vl")
 }
 
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]

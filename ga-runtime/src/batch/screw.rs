@@ -17,7 +17,10 @@ impl Batch {
         generators: &mut [MotorGenerator<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(motors.len(), generators.len())?;
-        run(self.instruction_set, Logarithms { motors, generators });
+        run(
+            self.instruction_set.narrow(),
+            Logarithms { motors, generators },
+        );
         Ok(())
     }
 
@@ -31,7 +34,10 @@ impl Batch {
         motors: &mut [Motor<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(generators.len(), motors.len())?;
-        run(self.instruction_set, Exponentials { generators, motors });
+        run(
+            self.instruction_set.narrow(),
+            Exponentials { generators, motors },
+        );
         Ok(())
     }
 }

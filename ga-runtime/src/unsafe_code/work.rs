@@ -16,13 +16,25 @@ pub trait Work {
 pub(crate) fn run(set: InstructionSet, work: impl Work) {
     match set {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
+        InstructionSet::Avx512 if set.is_available() => {
+            // SAFETY: the only requirement of the function is that the processor has the sets that
+            // it names, which `is_available`, in `instruction_set.rs`, has just checked.
+            unsafe { run_with_avx512(work) }
+        }
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        InstructionSet::Avx2 if set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
             // which `is_available`, in `instruction_set.rs`, has just checked.
             unsafe { run_with_avx2(work) }
         }
         _ => work.run(),
     }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2,fma,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
+fn run_with_avx512(work: impl Work) {
+    work.run();
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
