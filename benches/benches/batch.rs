@@ -13,10 +13,12 @@ ga! { ga_runtime::cga3;
     fn moving(uniform m: Motor, p: Point) -> Point { m * p * rev(m) }
 }
 
-const INSTRUCTION_SETS: [(InstructionSet, &str); 2] = [
-    (InstructionSet::Baseline, "nullcone baseline"),
-    (InstructionSet::Avx2, "nullcone dispatched"),
-];
+fn instruction_sets() -> [(InstructionSet, &'static str); 2] {
+    [
+        (InstructionSet::Baseline, "nullcone baseline"),
+        (InstructionSet::best(), "nullcone dispatched"),
+    ]
+}
 
 fn one_motor_points<S: Precision>(criterion: &mut Criterion) {
     let motor = Numbers::new(1).motor::<S>();
@@ -42,7 +44,7 @@ fn by_instruction_sets<S: Precision, X: Moved<S>>(
     motor: Motor<S>,
     things: &[X],
 ) {
-    for (set, name) in INSTRUCTION_SETS {
+    for (set, name) in instruction_sets() {
         let batch = Batch::on(set);
         group.whole(name, things, things, |things, moved| {
             // The lengths are equal.
@@ -96,7 +98,7 @@ fn each_motor<S: Precision>(criterion: &mut Criterion) {
     let vectors: Vec<_> = points.iter().map(|p| S::vector(p.coordinates())).collect();
     let name = format!("batch/each-motor-point-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    for (set, name) in INSTRUCTION_SETS {
+    for (set, name) in instruction_sets() {
         let batch = Batch::on(set);
         group.whole(name, &motors, &points, |motors, moved| {
             let _ = batch.transform_each(motors, &points, moved);
@@ -108,7 +110,7 @@ fn each_motor<S: Precision>(criterion: &mut Criterion) {
     let affines: Vec<_> = motors.iter().map(|m| S::affine(m.to_matrix())).collect();
     let name = format!("batch/motor-motor-{}", S::NAME);
     let mut group = Comparison::new(criterion, &name);
-    for (set, name) in INSTRUCTION_SETS {
+    for (set, name) in instruction_sets() {
         let batch = Batch::on(set);
         group.whole(name, &motors, &motors, |motors, products| {
             let _ = batch.compose(motors, motors, products);

@@ -9,7 +9,8 @@ pub enum InstructionSet {
     /// detect them.
     Avx2,
     /// AVX-512 F, BW, CD, DQ and VL besides AVX2, on x86-64 processors that have them: those of
-    /// x86-64-v4. It needs the feature `std`.
+    /// x86-64-v4. Loops run with AVX2 where they are not [`WIDE`](crate::batch::Work::WIDE). It
+    /// needs the feature `std`.
     Avx512,
 }
 
@@ -21,15 +22,6 @@ impl InstructionSet {
             Self::Baseline => true,
             Self::Avx2 => has_avx2(),
             Self::Avx512 => has_avx512(),
-        }
-    }
-
-    /// AVX2 in place of AVX-512: for loops over blocks as wide as registers of AVX2, which larger
-    /// registers make slower.
-    pub(crate) fn narrow(self) -> Self {
-        match self {
-            Self::Avx512 => Self::Avx2,
-            other => other,
         }
     }
 

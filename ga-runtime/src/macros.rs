@@ -455,7 +455,8 @@ macro_rules! algebra {
 /// `uniform`, call the functions of `batch`, or convert the motor by `to_matrix` once.
 ///
 /// A loop over records of an odd number of coefficients, such as three points, may be slower if it
-/// is built for a processor with AVX-512: LLVM then reads and writes them by gathers and scatters.
+/// is built for a processor with AVX-512, or is [`WIDE`](crate::batch::Work::WIDE) on one: LLVM
+/// then reads and writes them by gathers and scatters.
 /// The flags `-C target-feature=+prefer-no-gather,+prefer-no-scatter` avoid these (2.6 ns instead
 /// of 7 for the circle through three points in `f32`).
 #[macro_export]

@@ -26,8 +26,8 @@ pub enum Pattern {
 
 /// A flat board with points in columns and rows, at known places.
 ///
-/// A board with tags, [`CharucoBoard`] or [`AprilGrid`], becomes one by `Board::from`. A picture may
-/// show a part of it.
+/// A board with tags, [`CharucoBoard`] or [`AprilGrid`], becomes one by `Board::from`. A picture
+/// may show a part of it.
 ///
 /// ```
 /// use ga_runtime::cga3::Point;

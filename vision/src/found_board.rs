@@ -2,8 +2,10 @@
 
 use crate::calibration::BoardView;
 
-/// Where the points of a board are in a picture: all of them, or, where they can be told from each
-/// other, those that are seen.
+/// Where the points of a board are in a picture: all of them, or those that are seen.
+///
+/// The points of boards with tags have their own numbers. Those of a part of a chessboard count
+/// from the first corner that is seen: they say nothing about the same board in another picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBoard {
     columns: usize,

@@ -5,7 +5,7 @@
 //! - [`chessboard`]: the inner corners of chessboards in pictures.
 //! - [`tag`]: ArUco markers, AprilTags and boards of them in pictures.
 //! - [`circle_grid`]: the centres of grids of circles in pictures.
-//! - [`board`]: boards with either, and where their points are.
+//! - [`board`]: boards of every kind, and where their points are.
 //! - [`calibration`]: cameras and rigs from pictures of boards.
 //! - [`homography`](mod@homography): maps between a plane and its picture.
 //! - [`rectification`]: views in which the images of a point are in the same row.

@@ -186,3 +186,26 @@ fn options_belong_to_their_boards() {
     assert_eq!(unknown.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&unknown.stderr).contains("6X6_250"));
 }
+
+/// A board that OpenCV drew in its older way is that of `--legacy-pattern` alone.
+#[test]
+fn older_charuco_boards_are_told_by_an_option() {
+    let folder = tempdir().unwrap();
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../vision/tests/data");
+    let run = |picture: &str, options: &str| {
+        let line = format!(
+            "camera calibrate {data}/{picture}.png --pattern charuco --board 7x6 --square 0.04 \
+             --marker 0.03 --dictionary 5X5_100 --out camera.yml {options}"
+        );
+        nullcone(folder.path(), line.split_whitespace())
+    };
+    for (picture, options, found) in [
+        ("charuco", "", 1),
+        ("charuco", "--legacy-pattern", 0),
+        ("charuco_legacy", "", 0),
+        ("charuco_legacy", "--legacy-pattern", 1),
+    ] {
+        let message = format!("the board was found in {found} of 1 pictures");
+        assert_failure(&run(picture, options), &[&message]);
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ga_camera::format;
+use ga_camera::format::{self, CameraFile};
 use ga_image::plane::Plane;
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -204,12 +204,15 @@ fn a_pinhole_has_no_distortion_to_remove() {
     let [old, new] =
         ["left.png", "new.png"].map(|name| ga_image::file::read(folder.path().join(name)).unwrap());
     assert_eq!(old, new);
-    let [old, new] = ["k.yml", "new.yml"].map(|name| {
+    let [mut old, mut new] = ["k.yml", "new.yml"].map(|name| {
         let path = folder.path().join(name);
         format::read(path).unwrap()
     });
+    let pose = |file: &mut CameraFile| file.cameras[0].pose.take().unwrap().to_matrix();
+    let poses = [pose(&mut old), pose(&mut new)].map(|rows| rows.into_iter().flatten());
+    let [old_pose, new_pose] = poses;
+    assert!(old_pose.zip(new_pose).all(|(a, b)| (a - b).abs() < 1e-12));
     assert_eq!(old, new);
-    assert!(new.cameras[0].pose.is_some());
 
     // A camera in a picture.
     let before = names(folder.path());

@@ -22,7 +22,7 @@ impl Batch {
         same_length(from.len(), t.len())?;
         same_length(from.len(), between.len())?;
         run(
-            self.instruction_set.narrow(),
+            self.instruction_set,
             AlongScrews(Pairs {
                 from,
                 to,
@@ -48,7 +48,7 @@ impl Batch {
         same_length(from.len(), t.len())?;
         same_length(from.len(), between.len())?;
         run(
-            self.instruction_set.narrow(),
+            self.instruction_set,
             Linear(Pairs {
                 from,
                 to,

@@ -23,9 +23,9 @@
 //! Elements are stored as in any slice, one after the other. The loops over them are compiled for
 //! the target of the build, for AVX2, and for AVX-512 where that is quicker, and [`Batch`] chooses
 //! when the program runs. In each, the compiler translates them into vector instructions, which is
-//! faster than copying the coefficients into [`Lanes`](crate::scalar::Lanes) (0.7 ns a point instead
-//! of 1.3). Multiplications and additions are fused only if the whole program is built for a
-//! processor with that instruction, and then in all versions: their results are equal bit for bit.
+//! faster than copying the coefficients into [`Lanes`](crate::scalar::Lanes) (0.7 ns a point, not
+//! 1.3). Multiplications and additions are fused only if the whole program is built for a processor
+//! with that instruction, and then in all versions: their results are equal bit for bit.
 //! The results of [`transform_each`] and [`compose`] are also equal to those of the methods on
 //! single elements. The loops of [`skin`] are an exception: in `f32` they have forms with fused
 //! instructions of their own for AVX2 and AVX-512, whose results differ by a few ε.

@@ -17,10 +17,7 @@ impl Batch {
         generators: &mut [MotorGenerator<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(motors.len(), generators.len())?;
-        run(
-            self.instruction_set.narrow(),
-            Logarithms { motors, generators },
-        );
+        run(self.instruction_set, Logarithms { motors, generators });
         Ok(())
     }
 
@@ -34,10 +31,7 @@ impl Batch {
         motors: &mut [Motor<S>],
     ) -> Result<(), LengthMismatch> {
         same_length(generators.len(), motors.len())?;
-        run(
-            self.instruction_set.narrow(),
-            Exponentials { generators, motors },
-        );
+        run(self.instruction_set, Exponentials { generators, motors });
         Ok(())
     }
 }

@@ -89,6 +89,8 @@ struct InPlace<'a, S: Real, X: Moved<S>> {
 }
 
 impl<S: Real, X: Moved<S>> Work for InPlace<'_, S, X> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         for element in self.elements {
@@ -104,6 +106,8 @@ struct Into<'a, S: Real, X: Moved<S>> {
 }
 
 impl<S: Real, X: Moved<S>> Work for Into<'_, S, X> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         for (element, moved) in self.elements.iter().zip(self.moved) {
@@ -119,6 +123,8 @@ struct Each<'a, S, X> {
 }
 
 impl<S: Real, X: Moved<S>> Work for Each<'_, S, X> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let pairs = self.motors.iter().zip(self.elements);
@@ -135,6 +141,8 @@ struct Compose<'a, S> {
 }
 
 impl<S: Real> Work for Compose<'_, S> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         for ((left, right), product) in self.left.iter().zip(self.right).zip(self.products) {

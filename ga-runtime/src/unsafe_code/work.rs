@@ -5,6 +5,11 @@ use crate::instruction_set::InstructionSet;
 /// A loop that can be compiled for several sets of instructions, for
 /// [`Batch::run`](crate::batch::Batch::run).
 pub trait Work {
+    /// Whether registers of AVX-512 make it quicker than those of AVX2. Loops over bytes in blocks
+    /// of 32 or more often are; those over records of an odd number of coefficients often are not,
+    /// since the compiler reads and writes them by gathers and scatters.
+    const WIDE: bool = false;
+
     /// The loop. It must be `#[inline(always)]`, as must be what it calls, so that it is compiled
     /// as part of the function that enables the instructions.
     fn run(self);
@@ -13,16 +18,16 @@ pub trait Work {
 /// Runs a loop with a set of instructions, or with those of the target where the processor lacks
 /// it.
 #[inline]
-pub(crate) fn run(set: InstructionSet, work: impl Work) {
+pub(crate) fn run<W: Work>(set: InstructionSet, work: W) {
     match set {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        InstructionSet::Avx512 if set.is_available() => {
+        InstructionSet::Avx512 if W::WIDE && set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has the sets that
             // it names, which `is_available`, in `instruction_set.rs`, has just checked.
             unsafe { run_with_avx512(work) }
         }
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        InstructionSet::Avx2 if set.is_available() => {
+        InstructionSet::Avx2 | InstructionSet::Avx512 if set.is_available() => {
             // SAFETY: the only requirement of the function is that the processor has AVX2 and FMA,
             // which `is_available`, in `instruction_set.rs`, has just checked.
             unsafe { run_with_avx2(work) }

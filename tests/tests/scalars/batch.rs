@@ -13,7 +13,11 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-const INSTRUCTION_SETS: [InstructionSet; 2] = [InstructionSet::Baseline, InstructionSet::Avx2];
+const INSTRUCTION_SETS: [InstructionSet; 3] = [
+    InstructionSet::Baseline,
+    InstructionSet::Avx2,
+    InstructionSet::Avx512,
+];
 
 /// Reproducible members of a type.
 fn members<T>(count: usize) -> Vec<T>

@@ -146,7 +146,7 @@ proptest! {
         let pairs = from.iter().zip(&to).zip(&t);
         let slerps: Vec<_> = pairs.clone().map(|((a, b), t)| a.interpolate(*b, *t)).collect();
         let nlerps: Vec<_> = pairs.map(|((a, b), t)| a.nlerp(*b, *t)).collect();
-        for set in [InstructionSet::Baseline, InstructionSet::Avx2] {
+        for set in [InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
             let mut found = from.clone();
             Batch::on(set).interpolate(&from, &to, &t, &mut found).expect("lengths");
             prop_assert_eq!(&found, &slerps);

@@ -5,7 +5,7 @@ use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::board_view::BoardView;
-use super::error::{CalibrationError, LEAST_VIEWS};
+use super::error::{CalibrationError, LEAST_FOUND, LEAST_VIEWS};
 use super::pair_names::PairNames;
 use super::square_edges::{SquareEdges, square_edges};
 use super::stereo::{StereoCalibration, StereoOptions, calibrate_stereo};
@@ -30,7 +30,8 @@ pub struct RejectedPair {
     /// Its names.
     #[serde(flatten)]
     pub names: PairNames,
-    /// Why: the pictures in which the board was not found, or how far the pair is from the others.
+    /// Why: the pictures in which the board was not found, how few points are in both, or how far
+    /// the pair is from the others.
     pub reason: String,
 }
 
@@ -91,8 +92,8 @@ impl BoardPairs {
         }
     }
 
-    /// Looks for the board in the next pair of pictures, and returns the boards where it is in
-    /// both, with their points in the same order.
+    /// Looks for the board in the next pair of pictures, and returns the boards where both show
+    /// enough of the same points, with these in the same order.
     ///
     /// # Errors
     /// [`CalibrationError::PictureSizes`] for pictures of other sizes than the first.
@@ -121,7 +122,8 @@ impl BoardPairs {
         let [shared, _] = boards[0].view().shared(boards[1].view());
         if !self.board.places_a_board(&shared) {
             let reason = format!(
-                "both views show the same {} points of the board, which are too few",
+                "the views have {} points in common, and {LEAST_FOUND} are needed, with four around \
+                 a square or a tag among them",
                 shared.points().len()
             );
             self.rejected.push(RejectedPair { names, reason });

@@ -79,9 +79,9 @@ pub fn find<'a, T: Sample>(
 /// The same, or, where there is no complete board, the rows and columns of one that are complete
 /// where the border of the picture cuts it: three or more of each, with half of its corners.
 ///
-/// Which rows and columns they are cannot be told. The corners have the numbers that they would have
-/// on a board with the first corner of the part as its own, which is enough for one camera: the
-/// board of each view has a motor of its own.
+/// Which rows and columns they are cannot be told. The corners have the numbers that they would
+/// have on a board with the first corner of the part as its own, which is enough for one camera:
+/// the board of each view has a motor of its own.
 ///
 /// # Errors
 ///
@@ -178,6 +178,9 @@ impl<'a> Search<'a> {
                     let scale = f64::from(1_u32 << level);
                     let corners = indices.iter().map(|&index| saddles[index].place * scale);
                     let corners: Vec<Vector<f64>> = corners.collect();
+                    if !whole_board::is_cut_where_short(picture, &corners, size, self.size) {
+                        continue;
+                    }
                     tried.insert(indices);
                     if !whole_board::is_board(picture, &corners, size, self.size) {
                         continue;

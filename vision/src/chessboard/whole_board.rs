@@ -1,4 +1,5 @@
-//! Whether a grid of corners is a whole board, and not a part of a larger one or of clutter.
+//! Whether a grid of corners is a whole board, or all that the picture shows of one, and not a part
+//! of a larger board or of clutter.
 //!
 //! What tells is the picture itself, not the grid: squares are bright and dark in turn around each
 //! corner and over the whole board, and where the next row or column of corners would be there are
@@ -18,9 +19,27 @@ struct Candidate<'a> {
     size: BoardSize,
 }
 
+/// Whether corners of a size are those of the whole board, or the border of the picture cuts it on
+/// a side of each kind that is too short.
+pub(super) fn is_cut_where_short(
+    picture: &Plane<f32>,
+    corners: &[Vector<f64>],
+    size: BoardSize,
+    whole: BoardSize,
+) -> bool {
+    let candidate = Candidate {
+        picture,
+        corners,
+        size,
+    };
+    [false, true].into_iter().all(|is_row| {
+        let mut sides = SIDES.iter().filter(|side| side.is_row == is_row);
+        sides.any(|side| !side.is_short(size, whole) || candidate.is_cut(side))
+    })
+}
+
 /// Whether the squares between the corners are bright and dark in turn, and do not go on beyond the
-/// outermost squares. Where corners of a size are a part of the whole board, the border of the
-/// picture must cut it on a side of each kind that is too short.
+/// outermost squares but where the border of the picture cuts the whole board.
 pub(super) fn is_board(
     picture: &Plane<f32>,
     corners: &[Vector<f64>],
@@ -32,19 +51,9 @@ pub(super) fn is_board(
         corners,
         size,
     };
-    // Columns are missing beyond the first or the last one, which are no rows.
-    let is_short = |side: &Side| match side.is_row {
-        true => size.rows() < whole.rows(),
-        false => size.columns() < whole.columns(),
-    };
-    let is_cut = |side: &Side| is_short(side) && candidate.is_cut(side);
-    let has_reason = |is_row: bool| {
-        let mut sides = SIDES.iter().filter(|side| side.is_row == is_row);
-        sides.any(|side| !is_short(side) || candidate.is_cut(side))
-    };
+    let is_cut = |side: &Side| side.is_short(size, whole) && candidate.is_cut(side);
     candidate.has_crossings()
         && candidate.has_plain_squares()
-        && [false, true].into_iter().all(has_reason)
         && SIDES
             .iter()
             .all(|side| is_cut(side) || !candidate.goes_on(side))
@@ -76,6 +85,16 @@ const SIDES: [Side; 4] = [
         is_last: true,
     },
 ];
+
+impl Side {
+    /// Whether corners of a size lack some of the whole board beyond this side or the opposite one.
+    fn is_short(&self, size: BoardSize, whole: BoardSize) -> bool {
+        match self.is_row {
+            true => size.rows() < whole.rows(),
+            false => size.columns() < whole.columns(),
+        }
+    }
+}
 
 impl Candidate<'_> {
     fn corner(&self, column: usize, row: usize) -> Vector<f64> {

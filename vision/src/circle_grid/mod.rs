@@ -1,11 +1,11 @@
 //! Grids of circles in pictures: the centres of discs in columns and rows.
 //!
 //! [`find`] takes the dark regions of a picture at several thresholds that are ellipses, lets
-//! lattices grow from one to the next, and takes one that is the board, neither more nor less; where
-//! there is none, it does so with the bright regions. The centre of mass of a disc is that of its
-//! ellipse, which under perspective is not the image of the disc's centre; the difference is
-//! computed from the homography of the neighbours and removed. What remains is the difference by the
-//! distortion of the lens within a disc.
+//! lattices grow from one to the next, and takes one that is the board, neither more nor less;
+//! where there is none, it does so with the bright regions. The centre of mass of a disc is that of
+//! its ellipse, which under perspective is not the image of the disc's centre; the difference is
+//! computed from the homography of the neighbours and removed. What remains is the difference by
+//! the distortion of the lens within a disc.
 
 mod centre;
 mod disc;
@@ -56,9 +56,9 @@ impl Arrangement {
     }
 }
 
-/// The centres of the circles of a grid in a grey picture. All are darker than what is around them,
-/// or all brighter, and 8 pixels wide or wider. All of them must be seen, and no others of like size
-/// that continue the grid.
+/// The centres of the circles of a grid in a grey picture. All are darker than what is around
+/// them, or all brighter, and 8 pixels wide or wider. All of them must be seen, and no others of
+/// like size that continue the grid.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -87,9 +87,8 @@ pub fn find(
     size: BoardSize,
     arrangement: Arrangement,
 ) -> Result<FoundBoard, CalibrationError> {
-    let inverted = picture.map(|level| 255 - level);
     let dark = find_dark(picture, size, arrangement);
-    let bright = || find_dark(&inverted, size, arrangement);
+    let bright = || find_dark(&picture.map(|level| 255 - level), size, arrangement);
     dark.or_else(|dark| bright().map_err(|bright| dark.max(bright)))
         .map_err(
             |Largest { discs, largest }| CalibrationError::CirclesNotFound {

@@ -40,6 +40,8 @@ struct Doubt<'a> {
 }
 
 impl Work for Doubt<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let width = self.view.width();

@@ -131,6 +131,8 @@ struct Sample<'a> {
 }
 
 impl Work for Sample<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let width = self.reference.width();

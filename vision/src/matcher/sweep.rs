@@ -118,6 +118,8 @@ pub(super) struct Sweep<'a> {
 }
 
 impl Work for Sweep<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(mut self) {
         let width = self.task.reference.width();

@@ -56,7 +56,7 @@ impl CharucoBoard {
         dictionary: Dictionary,
         pattern: CharucoPattern,
     ) -> Result<Self, TagError> {
-        check_size(squares, "squares", 2)?;
+        check_size(squares, "squares", 3)?;
         check_length("a square", square)?;
         check_length("a tag", marker)?;
         if marker >= square {

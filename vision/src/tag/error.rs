@@ -2,7 +2,7 @@
 
 use super::dictionary::Dictionary;
 
-/// A description of tags that none can have.
+/// Why a tag or a board of tags cannot be as described.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TagError {
     /// A board has too few squares or tags, or more than it may have.

@@ -4,7 +4,8 @@ use ga_image::filter::{Border, Gaussian};
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
-use ga_vision::calibration::CalibrationError;
+use ga_vision::board::{Board, Pattern};
+use ga_vision::calibration::{BoardViews, CalibrationError, LensTerms};
 use ga_vision::chessboard::{BoardSize, find, find_part};
 use nullcone_shared_data::shared;
 use proptest::prelude::*;
@@ -371,6 +372,50 @@ fn parts_are_cut_by_the_border_alone() {
         );
     }
     assert_eq!(find_part(&picture, size), find(&picture, size));
+}
+
+/// A camera from boards of which the border of the picture cuts every side.
+#[test]
+fn cameras_are_calibrated_with_parts_of_boards() {
+    let size = BoardSize::new(9, 6).unwrap();
+    let board = Board::new(Pattern::Chessboard, size, 1.0).unwrap();
+    let mut views = BoardViews::new(board);
+    let poses = [
+        (0.4, 0.0, 4.2, 0.0),
+        (-0.4, 0.0, -4.2, 0.0),
+        (0.0, 0.4, 0.0, 3.6),
+        (0.0, -0.4, 0.0, -3.6),
+        (0.35, 0.3, 0.0, 0.0),
+        (-0.35, 0.3, 0.5, 0.0),
+        (0.2, -0.4, 0.0, 0.5),
+    ];
+    for (index, (yaw, pitch, right, down)) in poses.into_iter().enumerate() {
+        let about = |axis, angle| Rotor::from_axis_angle(axis, angle).unwrap();
+        let rotor = about([0.0, 1.0, 0.0], yaw) * about([1.0, 0.0, 0.0], pitch);
+        let to_centre = Translator::from_displacement([-4.0, -2.5, 0.0]);
+        let scene = Scene {
+            size,
+            board_to_camera: Translator::from_displacement([right, down, 12.0])
+                * (rotor * to_centre),
+            focal: 420.0,
+            radial: [0.0; 2],
+            brightness: [0.1, 0.9],
+            blur: 0.8,
+            noise: 0.003,
+        };
+        let picture = scene.picture(index as u64);
+        views.add(&picture, index.to_string()).unwrap();
+    }
+    let found = views.calibrate(Some(LensTerms::none())).unwrap();
+    assert_eq!(found.views.len(), poses.len(), "{:?}", found.rejected);
+    let parts = found.views.iter().filter(|view| view.points < 54);
+    assert_eq!(parts.count(), 4, "{:?}", found.views);
+    assert!(found.camera.rms < 0.05, "{}", found.camera.rms);
+    let [fx, fy] = found.camera.intrinsics.focal();
+    assert!(
+        (fx - 420.0).abs() < 1.0 && (fy - 420.0).abs() < 1.0,
+        "{fx} {fy}"
+    );
 }
 
 /// The corners that OpenCV finds in its own pictures, with the calibration from them.

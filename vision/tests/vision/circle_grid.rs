@@ -162,7 +162,7 @@ fn brightness_may_be_exchanged() {
         let board = board(pattern, size);
         let dark = picture(&board, 0.3 * 0.02, &camera(&board, [0.3, -0.2, 0.1], 1.6));
         let bright = dark.map(|level| 255 - level);
-        assert_eq!(board.find(&bright), board.find(&dark));
+        assert_eq!(board.find(&bright).unwrap(), board.find(&dark).unwrap());
     }
 }
 

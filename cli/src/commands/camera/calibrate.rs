@@ -21,9 +21,9 @@ use crate::output;
 
 /// Calibrate one camera from pictures of a board.
 ///
-/// --pattern says what is on the board. Of boards with tags a picture may show any part, and the
-/// border of a picture may cut a chessboard, down to half of its corners; of circles all must be
-/// seen. Other pictures are left out.
+/// --pattern says what is on the board. Of boards with tags a picture may show any part with six
+/// points, four of them around a square or a tag; the border of a picture may cut a chessboard,
+/// down to half of its corners; of circles all must be seen. Other pictures are left out.
 ///
 /// The lens is radial-tangential (k1, k2, p1, p2, k3), or a fisheye where that fits decisively
 /// better, by Schwarz's criterion; --lens chooses it. Deviations are standard deviations of the
@@ -34,9 +34,8 @@ use crate::output;
 ///
 /// prints {"rms_px": …, "lens": …, "camera": {"focal_px": […], "focal_deviation_px": […], …},
 /// "parameters": [{"name": "fx", "value": …, "deviation": …}, …], "boards_used": …,
-/// "boards_rejected": […], "coverage_percent": …, "views": [{"picture": …, "points": …, "rms_px":
-/// …}, …],
-/// "lenses": [{"lens": …, "rms_px": …, "schwarz": …}, …]}, the worst views first.
+/// "boards_rejected": […], "coverage_percent": …, "views": [{"picture": …, "points": …,
+/// "rms_px": …}, …], "lenses": [{"lens": …, "rms_px": …, "schwarz": …}, …]}, the worst views first.
 ///
 /// The verdict is good where at least 10 boards were used, rms_px is at most 1, corners are in half
 /// of the parts of the picture, no board has three times the usual residual, and no other lens fits

@@ -35,8 +35,9 @@ use crate::output;
 /// file counts before a pattern; the program itself matches patterns, or the shell does. Views
 /// without a partner are named in a warning. --pattern says what is on the board. All of its points
 /// must be in both views, as which part of a plain board a picture shows cannot be told; of boards
-/// with tags, both views must show the same square. Pairs in which it is not found, or that do not
-/// agree with the others, are left out. For instance
+/// with tags, both views must show six of the same points or more, with four around a square or a
+/// tag among them. Pairs in which it is not found, or that do not agree with the others, are left
+/// out. For instance
 ///
 ///   nullcone stereo calibrate --board 9x6 --square 0.025 --left 'left*.jpg' --right 'right*.jpg'
 ///     --out rig.yml --json

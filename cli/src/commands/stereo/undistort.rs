@@ -8,7 +8,7 @@ use ga_image::png;
 use ga_vision::rectification::Undistortion;
 use serde::Serialize;
 
-use crate::camera_file::{LensChoice, about};
+use crate::camera_file::{LensChoice, about, warn_of_unit};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
 use crate::{output, picture_file};
@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     /// The result.
     #[arg(long, value_name = "FILE.png")]
     out: PathBuf,
-    /// Write the pinhole camera of the result, at the place of the camera.
+    /// Write the pinhole camera of the result, with the pose of the camera.
     #[arg(long, value_name = "NEW.yml")]
     new_camera: Option<PathBuf>,
     /// From 0, where all pixels of the result were seen, to 1, where it holds all pixels of the
@@ -71,7 +71,9 @@ impl Command for Arguments {
         files.write_if_given("--new-camera", self.new_camera.as_ref(), &[Format::Yaml])?;
         let progress = context.progress(3);
         progress.step("reading the picture");
-        let camera = self.lens.read_one(&self.camera, self.view.as_deref())?;
+        let (format, file) = self.lens.read_with_format(&self.camera)?;
+        let camera = file.one(self.view.as_deref());
+        let camera = camera.map_err(|error| about(&self.camera, error))?;
         let intrinsics = camera.intrinsics();
         let intrinsics = intrinsics.map_err(|error| about(&self.camera, error))?;
         let old = picture_file::read(&self.picture)?;
@@ -89,6 +91,9 @@ impl Command for Arguments {
         progress.step("writing");
         let mut files = vec![(self.out.clone(), png::encode(&new)?)];
         if let Some(path) = &self.new_camera {
+            if camera.pose.is_some() {
+                warn_of_unit(format, &self.camera);
+            }
             let mut target = NamedCamera::new("camera", found.target).with_size(Some(size));
             target.pose = camera.pose;
             let file = CameraFile::new(vec![target]);

@@ -42,7 +42,7 @@ impl Batch {
             let is_done = !asked.tangents && S::by_affine_maps(set, bucket, palette, &mut posed);
             if !is_done {
                 run(
-                    set.narrow(),
+                    set,
                     ByAffineMaps {
                         bucket,
                         palette,
@@ -73,7 +73,7 @@ impl Batch {
             let is_done = is_plain && S::by_motors(set, bucket, palette, &mut posed);
             if !is_done || palette.has_doubtful {
                 run(
-                    set.narrow(),
+                    set,
                     ByMotors {
                         set,
                         bucket,
@@ -111,7 +111,7 @@ impl Batch {
         let set = self.instruction_set;
         for bucket in &chunk.buckets {
             run(
-                set.narrow(),
+                set,
                 ByBoth {
                     set,
                     bucket,

@@ -26,6 +26,8 @@ struct Median<'a> {
 }
 
 impl Work for Median<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let width = self.width;

@@ -29,6 +29,8 @@ struct Smooth<'a> {
 }
 
 impl Work for Smooth<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let width = self.width;

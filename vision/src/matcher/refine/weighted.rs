@@ -60,6 +60,8 @@ struct AtEdges<'a> {
 }
 
 impl Work for AtEdges<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(self) {
         let width = self.view.width();

@@ -58,7 +58,7 @@ fn one_camera(scene: &Scene) -> Coverage {
         terms: "k1,k2".parse().unwrap(),
         ..CameraOptions::default()
     };
-    for run in runs(10) {
+    for run in runs(12) {
         let mut random = Random::new(run);
         let views: Vec<_> = (0..8)
             .map(|_| {
@@ -137,7 +137,7 @@ fn rigs() {
         ..StereoOptions::default()
     };
     let mut coverage = Coverage::new("calibration, rig");
-    for run in runs(10) {
+    for run in runs(12) {
         let mut random = Random::new(run);
         let boards: Vec<_> = (0..8)
             .map(|_| {

@@ -23,11 +23,11 @@ const NOISE: f64 = 0.5;
 /// The 95 % quantiles of the χ² distribution with 1 to 6 degrees of freedom.
 const QUANTILES: [f64; 6] = [3.841, 5.991, 7.815, 9.488, 11.070, 12.592];
 
-/// How many runs a scene has, of which one in so many is made.
-fn runs(one_in: u64) -> std::ops::Range<u64> {
+/// The runs of a scene: so many, where no number is asked for.
+fn runs(usual: u64) -> std::ops::Range<u64> {
     let number = |name, default| std::env::var(name).map_or(default, |text| text.parse().unwrap());
     let first = number("NULLCONE_COVERAGE_SEED", 0);
-    first..first + number("NULLCONE_COVERAGE_RUNS", 100) / one_in
+    first..first + number("NULLCONE_COVERAGE_RUNS", usual)
 }
 
 /// Random numbers of a run.

@@ -34,7 +34,7 @@ fn coverage(
         world_to_camera: truth,
     };
     let mut coverage = Coverage::new(format!("known points, {name}"));
-    for run in runs(2) {
+    for run in runs(50) {
         let mut random = Random::new(run);
         let points: Vec<_> = points(&mut random).into_iter().map(Point::from).collect();
         let pixels = camera.project_all(&points).unwrap();

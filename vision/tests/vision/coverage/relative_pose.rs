@@ -65,7 +65,7 @@ fn coverage(
     point: impl Fn(&mut Random) -> [f64; 3],
 ) -> Coverage {
     let mut coverage = Coverage::new(format!("pose, {name}"));
-    for run in runs(1) {
+    for run in runs(100) {
         let mut random = Random::new(run);
         let points: Vec<_> = (0..count).map(|_| point(&mut random)).collect();
         let pairs = pairs(&points, truth, &mut random);

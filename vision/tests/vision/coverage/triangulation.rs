@@ -22,7 +22,7 @@ fn coverage(name: &str, motors: &[Motor<f64>], point: impl Fn(&mut Random) -> [f
     let two = TwoViews::new(&cameras[0], &cameras[1]).unwrap();
     let mut of_two = Coverage::new(format!("points, {name}, two views"));
     let mut of_many = Coverage::new(format!("points, {name}, {} views", cameras.len()));
-    for run in runs(1) {
+    for run in runs(100) {
         let mut random = Random::new(run);
         let truth = Point::from(point(&mut random));
         let seen = cameras.iter().map(|camera| camera.project(truth).unwrap());

@@ -192,8 +192,8 @@ fn descriptions_that_are_no_boards_are_errors() {
         found.unwrap_err().to_string()
     };
     assert_eq!(
-        board([1, 5], [1.0, 0.5]),
-        "a board of 1 × 5 squares is not one: each is from 2 to 100"
+        board([2, 5], [1.0, 0.5]),
+        "a board of 2 × 5 squares is not one: each is from 3 to 100"
     );
     assert_eq!(
         board([20, 20], [1.0, 0.5]),

@@ -73,6 +73,8 @@ pub(super) struct Strip<'a> {
 }
 
 impl Work for Strip<'_> {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn run(mut self) {
         let (start, end) = (self.rows.start, self.rows.end);
