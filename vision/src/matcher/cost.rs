@@ -29,17 +29,15 @@ pub(super) fn pixel_costs(
 ) {
     let start = width - 1 - column;
     let length = costs.len();
-    let mut census = [0; PLANES];
-    let mut planes: [&[Block]; PLANES] = [&[]; PLANES];
-    for plane in 0..PLANES {
-        census[plane] = left.census[plane][column];
-        planes[plane] = right.census[plane][start..][..length].as_chunks().0;
-    }
+    let census: [u8; PLANES] = std::array::from_fn(|plane| left.census[plane][column]);
+    let plane = |plane: usize| -> &[Block] { right.census[plane][start..][..length].as_chunks().0 };
+    // One by one: arrays of slices go through memory.
+    let (p0, p1, p2, p3) = (plane(0), plane(1), plane(2), plane(3));
+    let (p4, p5, p6, p7) = (plane(4), plane(5), plane(6), plane(7));
     let (level, slope) = (left.levels[column], left.slopes[column]);
     let levels: &[Block] = right.levels[start..][..length].as_chunks().0;
     let slopes: &[Block] = right.slopes[start..][..length].as_chunks().0;
     let blocks = costs.as_chunks_mut::<LANES>().0;
-    let [p0, p1, p2, p3, p4, p5, p6, p7] = planes;
     for (index, block) in blocks.iter_mut().enumerate() {
         let bytes: [&Block; PLANES] = [
             &p0[index], &p1[index], &p2[index], &p3[index], &p4[index], &p5[index], &p6[index],
@@ -123,8 +121,15 @@ pub(super) fn row_costs(
     for (column, costs) in costs.chunks_exact_mut(stride).enumerate() {
         pixel_costs(left, right, width, column, costs);
         let inside = candidates.of(column);
-        costs[..inside.start].fill(outside);
-        costs[inside.end..range].fill(outside);
-        costs[range..].fill(beyond);
+        // Most pixels have all candidates, and to fill nothing takes its time as well.
+        if inside.start > 0 {
+            costs[..inside.start].fill(outside);
+        }
+        if inside.end < range {
+            costs[inside.end..range].fill(outside);
+        }
+        if range < stride {
+            costs[range..].fill(beyond);
+        }
     }
 }

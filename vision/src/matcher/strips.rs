@@ -145,8 +145,10 @@ impl Work for Sample<'_> {
             right.compute(self.other, *row);
             for column in 0..width {
                 pixel_costs(&left, &right, width, column, &mut costs);
-                if let Some(least) = costs[candidates.of(column)].iter().min() {
-                    self.counts[usize::from(*least)] += 1;
+                let inside = &costs[candidates.of(column)];
+                if !inside.is_empty() {
+                    let least = inside.iter().fold(u8::MAX, |least, cost| least.min(*cost));
+                    self.counts[usize::from(least)] += 1;
                 }
             }
         }

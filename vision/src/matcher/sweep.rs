@@ -193,10 +193,9 @@ impl Sweep<'_> {
         };
         for (column, costs) in costs.chunks_exact(stride).enumerate() {
             let level = levels[column];
-            let from = [column.checked_sub(1), Some(column), Some(column + 1)];
-            let paths = scratch.here.iter_mut().zip(&scratch.above).zip(from);
-            for ((here, above), from) in paths {
-                match from {
+            for path in 0..scratch.above.len() {
+                let (here, above) = (&mut scratch.here[path], &scratch.above[path]);
+                match (column + path).checked_sub(1) {
                     Some(from) if !is_first && from < width => {
                         let pair = [level, levels_above[from]];
                         here.advance(column, costs, (above, from), penalties, pair);
@@ -241,8 +240,14 @@ impl Sweep<'_> {
                 backward.begin(column, costs);
             }
             let [a, b, c] = &scratch.here;
-            let paths = [a, b, c, &scratch.forward, &scratch.backward];
-            let least = sum(paths.map(|path| path.pixel(column)), &mut scratch.sums);
+            let paths = [
+                a.pixel(column),
+                b.pixel(column),
+                c.pixel(column),
+                scratch.forward.pixel(column),
+                scratch.backward.pixel(column),
+            ];
+            let least = sum(paths, &mut scratch.sums);
             if has_opposite {
                 scratch.opposite.take(column, width, &scratch.sums);
             }

@@ -25,8 +25,16 @@ impl Winner {
     /// where there is no other. `sums` are those of which this is the winner, and are changed.
     #[inline(always)]
     pub(super) fn confidence(&self, sums: &mut [u16], range: usize) -> u8 {
-        sums[self.place.saturating_sub(1)..(self.place + 2).min(range)].fill(u16::MAX);
-        sums[range..].fill(u16::MAX);
+        sums[self.place] = u16::MAX;
+        if self.place > 0 {
+            sums[self.place - 1] = u16::MAX;
+        }
+        if self.place + 1 < range {
+            sums[self.place + 1] = u16::MAX;
+        }
+        if range < sums.len() {
+            sums[range..].fill(u16::MAX);
+        }
         let second = least_cost(sums);
         if second == u16::MAX || second == 0 {
             0

@@ -146,17 +146,19 @@ fn has_texture(view: &View, column: usize, row: usize) -> bool {
     !is_plain
 }
 
-/// The standard deviation of numbers of several rows.
-fn deviation<'a, T: Copy + Into<f64> + 'a>(rows: impl Iterator<Item = &'a [T]>) -> f32 {
-    let (mut count, mut sum, mut squares) = (0.0, 0.0, 0.0);
-    for number in rows.flatten() {
-        let number: f64 = (*number).into();
-        count += 1.0;
-        sum += number;
-        squares += number * number;
+/// The standard deviation of numbers of several rows, up to 16 bits each.
+fn deviation<'a, T: Copy + Into<u32> + 'a>(rows: impl Iterator<Item = &'a [T]>) -> f32 {
+    let (mut count, mut sum, mut squares) = (0, 0, 0);
+    for row in rows {
+        count += row.len();
+        for number in row {
+            let number: u32 = (*number).into();
+            sum += u64::from(number);
+            squares += u64::from(number * number);
+        }
     }
-    let mean = sum / count;
-    ((squares / count - mean * mean).max(0.0) as f32).sqrt()
+    let [sum, squares] = [sum, squares].map(|sum| sum as f64 / count as f64);
+    ((squares - sum * sum).max(0.0) as f32).sqrt()
 }
 
 #[cfg(test)]
