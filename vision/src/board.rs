@@ -1,7 +1,5 @@
 //! Boards for calibration: what is printed on them, how large it is, and where it is in a picture.
 
-use std::fmt;
-
 use ga_image::plane::Plane;
 use ga_image::sample::Sample;
 use ga_runtime::cga3::Point;
@@ -199,15 +197,5 @@ pub(crate) fn or_reason(
     match found {
         Err(error) if error.is_not_found() => Ok(Err(error.to_string())),
         found => found.map(Ok),
-    }
-}
-
-impl fmt::Display for Pattern {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Chessboard => "chessboard",
-            Self::Circles => "circles",
-            Self::AsymmetricCircles => "asymmetric circles",
-        })
     }
 }

@@ -5,6 +5,7 @@ use ga_image::sample::Sample;
 use serde::Serialize;
 
 use super::board_view::BoardView;
+use super::board_views::{ENOUGH_BOARDS, MOST_RMS};
 use super::error::{CalibrationError, LEAST_FOUND, LEAST_VIEWS};
 use super::pair_names::PairNames;
 use super::square_edges::{SquareEdges, square_edges};
@@ -56,7 +57,7 @@ pub struct BoardCalibration {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CalibrationDoubt {
     /// Few pairs were used.
-    #[error("{used} pairs were used, and {ENOUGH_PAIRS} are recommended")]
+    #[error("{used} pairs were used, and {ENOUGH_BOARDS} are recommended")]
     FewPairs {
         /// How many.
         used: usize,
@@ -71,13 +72,6 @@ pub enum CalibrationDoubt {
         rms: f64,
     },
 }
-
-/// OpenCV's guide to calibration asks for at least this number of views of the board.
-const ENOUGH_PAIRS: usize = 10;
-
-/// Calibrations of usual cameras are below this, in pixels: boards that are not flat, lenses with
-/// other distortion and wrong corners are above it.
-const MOST_RMS: f64 = 1.0;
 
 impl BoardPairs {
     /// No pairs yet, of a board.
@@ -221,7 +215,7 @@ impl BoardCalibration {
     #[must_use]
     pub fn doubts(&self) -> Vec<CalibrationDoubt> {
         let (used, rms) = (self.used.len(), self.stereo.rms);
-        let few = (used < ENOUGH_PAIRS).then_some(CalibrationDoubt::FewPairs { used });
+        let few = (used < ENOUGH_BOARDS).then_some(CalibrationDoubt::FewPairs { used });
         let large = (rms > MOST_RMS).then_some(CalibrationDoubt::LargeRms { rms });
         few.into_iter().chain(large).collect()
     }

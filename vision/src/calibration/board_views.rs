@@ -139,9 +139,10 @@ pub enum CameraDoubt {
 }
 
 /// OpenCV's guide to calibration asks for at least this number of views of the board.
-const ENOUGH_BOARDS: usize = 10;
-/// Calibrations of usual cameras are below this, in pixels.
-const MOST_RMS: f64 = 1.0;
+pub(super) const ENOUGH_BOARDS: usize = 10;
+/// Calibrations of usual cameras are below this, in pixels: boards that are not flat, lenses with
+/// other distortion and wrong corners are above it.
+pub(super) const MOST_RMS: f64 = 1.0;
 /// The parts of the picture in which corners are counted: columns and rows.
 pub(super) const PARTS: [usize; 2] = [8, 6];
 /// In less than this, in percent, the lens is a guess at the borders.

@@ -12,51 +12,14 @@ use ga_runtime::vga2::Vector;
 
 use super::BoardSize;
 
-/// The corners of a candidate, row by row, in the picture.
-struct Candidate<'a> {
-    picture: &'a Plane<f32>,
-    corners: &'a [Vector<f64>],
-    size: BoardSize,
-}
-
-/// Whether corners of a size are those of the whole board, or the border of the picture cuts it on
-/// a side of each kind that is too short.
-pub(super) fn is_cut_where_short(
-    picture: &Plane<f32>,
-    corners: &[Vector<f64>],
-    size: BoardSize,
-    whole: BoardSize,
-) -> bool {
-    let candidate = Candidate {
-        picture,
-        corners,
-        size,
-    };
-    [false, true].into_iter().all(|is_row| {
-        let mut sides = SIDES.iter().filter(|side| side.is_row == is_row);
-        sides.any(|side| !side.is_short(size, whole) || candidate.is_cut(side))
-    })
-}
-
-/// Whether the squares between the corners are bright and dark in turn, and do not go on beyond the
-/// outermost squares but where the border of the picture cuts the whole board.
-pub(super) fn is_board(
-    picture: &Plane<f32>,
-    corners: &[Vector<f64>],
-    size: BoardSize,
-    whole: BoardSize,
-) -> bool {
-    let candidate = Candidate {
-        picture,
-        corners,
-        size,
-    };
-    let is_cut = |side: &Side| side.is_short(size, whole) && candidate.is_cut(side);
-    candidate.has_crossings()
-        && candidate.has_plain_squares()
-        && SIDES
-            .iter()
-            .all(|side| is_cut(side) || !candidate.goes_on(side))
+/// Corners that may be a board or a part of one.
+pub(super) struct Candidate<'a> {
+    pub(super) picture: &'a Plane<f32>,
+    /// Row by row.
+    pub(super) corners: &'a [Vector<f64>],
+    pub(super) size: BoardSize,
+    /// The size of the whole board.
+    pub(super) whole: BoardSize,
 }
 
 /// A side of a board: the line of its outermost corners, and the way outwards.
@@ -86,17 +49,33 @@ const SIDES: [Side; 4] = [
     },
 ];
 
-impl Side {
-    /// Whether corners of a size lack some of the whole board beyond this side or the opposite one.
-    fn is_short(&self, size: BoardSize, whole: BoardSize) -> bool {
-        match self.is_row {
-            true => size.rows() < whole.rows(),
-            false => size.columns() < whole.columns(),
+impl Candidate<'_> {
+    /// Whether the corners are those of the whole board, or the border of the picture cuts it on a
+    /// side of each kind that is too short.
+    pub(super) fn is_cut_where_short(&self) -> bool {
+        [false, true].into_iter().all(|is_row| {
+            let mut sides = SIDES.iter().filter(|side| side.is_row == is_row);
+            sides.any(|side| !self.is_short(side) || self.is_cut(side))
+        })
+    }
+
+    /// Whether the squares between the corners are bright and dark in turn, and do not go on beyond
+    /// the outermost squares but where the border of the picture cuts the whole board.
+    pub(super) fn is_board(&self) -> bool {
+        let is_cut = |side: &Side| self.is_short(side) && self.is_cut(side);
+        self.has_crossings()
+            && self.has_plain_squares()
+            && SIDES.iter().all(|side| is_cut(side) || !self.goes_on(side))
+    }
+
+    /// Whether corners of the whole board are missing beyond a side or the opposite one.
+    fn is_short(&self, side: &Side) -> bool {
+        match side.is_row {
+            true => self.size.rows() < self.whole.rows(),
+            false => self.size.columns() < self.whole.columns(),
         }
     }
-}
 
-impl Candidate<'_> {
     fn corner(&self, column: usize, row: usize) -> Vector<f64> {
         self.corners[row * self.size.columns() + column]
     }

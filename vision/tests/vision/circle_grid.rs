@@ -202,11 +202,11 @@ fn cameras_are_calibrated_with_circles() {
         }
         let found = views.calibrate(Some(LensTerms::none())).unwrap();
         assert_eq!(found.views.len(), tilts.len(), "{:?}", found.rejected);
-        assert!(found.camera.rms < 0.03, "{pattern}: {}", found.camera.rms);
+        assert!(found.camera.rms < 0.03, "{pattern:?}: {}", found.camera.rms);
         let [fx, fy] = found.camera.intrinsics.focal();
         assert!(
             (fx - 420.0).abs() < 0.8 && (fy - 420.0).abs() < 0.8,
-            "{pattern}: {fx} {fy}"
+            "{pattern:?}: {fx} {fy}"
         );
     }
 }
