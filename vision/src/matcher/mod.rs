@@ -72,6 +72,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder, join};
 
 use crate::disparity::{DisparityMap, StereoError};
 use path::Penalties;
+use planes::RegionPlanes;
 use refine::speckle::Islands;
 use refine::visibility::VisibilityFill;
 use refine::weighted::WeightedMedian;
@@ -189,8 +190,8 @@ const SPECKLE: u32 = 80;
 /// How much more than the median of the least costs a candidate outside the right view costs.
 const OUTSIDE: u8 = 20;
 
-/// Finds the disparities of rectified pairs of views of one size. Its maps, and up to 16 MiB of
-/// what it needs for strips of them, are kept from one pair to the next.
+/// Finds the disparities of rectified pairs of views of one size. The memory for maps and regions,
+/// and up to 16 MiB for strips of rows, are kept from one pair to the next.
 #[derive(Debug)]
 pub struct Matcher {
     options: MatcherOptions,
@@ -207,6 +208,7 @@ pub struct Matcher {
     islands: Islands,
     weighted: WeightedMedian,
     visibility: VisibilityFill,
+    planes: RegionPlanes,
 }
 
 impl Matcher {
@@ -265,6 +267,7 @@ impl Matcher {
             islands: Islands::default(),
             weighted: WeightedMedian::new(),
             visibility: VisibilityFill::new(width, range),
+            planes: RegionPlanes::default(),
         })
     }
 
@@ -416,12 +419,13 @@ impl Matcher {
             confidence,
             weighted,
             visibility,
+            planes,
             ..
         } = self;
         threads.install(|| {
             visibility.fill(map, left, opposite, spare);
             fill::fill_rows(spare, *width);
-            planes::apply(map, options.candidates(), left, opposite, spare);
+            planes.apply(map, options.candidates(), left, opposite, spare);
             keep(confidence, *width, |place| map[place] == spare[place]);
             weighted.at_edges(spare, left, map);
             median::median(map, *width, spare);

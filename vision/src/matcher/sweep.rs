@@ -10,7 +10,7 @@ use super::lanes::{LANES, least_of_words};
 use super::path::{PathRow, Penalties};
 use super::support::Support;
 use super::view::View;
-use super::winner::{Opposite, winner};
+use super::winner::{Opposite, WinnerRow, winner};
 
 /// The rows above a strip from which its paths begin.
 pub(super) const WARM_UP: usize = 16;
@@ -32,6 +32,7 @@ pub(super) struct Scratch {
     forward: PathRow,
     backward: PathRow,
     sums: Vec<u16>,
+    winners: WinnerRow,
     opposite: Opposite,
 }
 
@@ -51,6 +52,7 @@ impl Scratch {
             forward: path(),
             backward: path(),
             sums: vec![0; padded],
+            winners: WinnerRow::new(width),
             opposite: Opposite::new(width, padded),
         }
     }
@@ -126,9 +128,9 @@ impl Work for Sweep<'_> {
         let start = self.rows.start.saturating_sub(WARM_UP);
         for row in start..self.rows.end {
             self.costs(row, row == start);
-            self.down_and_forward(row, row == start);
+            self.paths(row, row == start);
             if let Some(index) = row.checked_sub(self.rows.start) {
-                self.backward(row, index * width);
+                self.winners(index * width);
             }
             let scratch = &mut *self.scratch;
             std::mem::swap(&mut scratch.above, &mut scratch.here);
@@ -176,9 +178,10 @@ impl Sweep<'_> {
         support.means(reference, row, threshold, range, means);
     }
 
-    /// The paths from above and from the left.
+    /// The paths from above and along the row. Each step along the row waits for the one before it,
+    /// so that the two directions are computed side by side.
     #[inline(always)]
-    fn down_and_forward(&mut self, row: usize, is_first: bool) {
+    fn paths(&mut self, row: usize, is_first: bool) {
         let view = self.task.reference;
         let penalties = self.task.penalties;
         let width = view.width();
@@ -186,12 +189,12 @@ impl Sweep<'_> {
         let stride = scratch.sums.len();
         let levels = view.row(row);
         let levels_above = view.row(row.saturating_sub(1));
-        let costs = if scratch.support.is_some() {
+        let all_costs = if scratch.support.is_some() {
             &scratch.means
         } else {
             &scratch.costs
         };
-        for (column, costs) in costs.chunks_exact(stride).enumerate() {
+        for (column, costs) in all_costs.chunks_exact(stride).enumerate() {
             let level = levels[column];
             for path in 0..scratch.above.len() {
                 let (here, above) = (&mut scratch.here[path], &scratch.above[path]);
@@ -211,18 +214,24 @@ impl Sweep<'_> {
                 }
                 None => forward.begin(column, costs),
             }
+            let backward = &mut scratch.backward;
+            let (from, column) = (width - column, width - 1 - column);
+            let costs = &all_costs[column * stride..][..stride];
+            if from < width {
+                let pair = [levels[column], levels[from]];
+                backward.advance_within(column, costs, from, penalties, pair);
+            } else {
+                backward.begin(column, costs);
+            }
         }
     }
 
-    /// The paths from the right, and the winners, from the pixel `place` of the strip.
+    /// The winners of a row, from the pixel `place` of the strip.
     #[inline(always)]
-    fn backward(&mut self, row: usize, place: usize) {
-        let view = self.task.reference;
-        let penalties = self.task.penalties;
-        let width = view.width();
+    fn winners(&mut self, place: usize) {
+        let width = self.task.reference.width();
         let scratch = &mut *self.scratch;
         let stride = scratch.sums.len();
-        let levels = view.row(row);
         let has_opposite = self.found.opposite.is_some();
         scratch.opposite.clear(PATHS as u16 * u16::from(NEVER));
         let costs = if scratch.support.is_some() {
@@ -231,14 +240,6 @@ impl Sweep<'_> {
             &scratch.costs
         };
         for (column, costs) in costs.chunks_exact(stride).enumerate().rev() {
-            let backward = &mut scratch.backward;
-            let from = column + 1;
-            if from < width {
-                let pair = [levels[column], levels[from]];
-                backward.advance_within(column, costs, from, penalties, pair);
-            } else {
-                backward.begin(column, costs);
-            }
             let [a, b, c] = &scratch.here;
             let paths = [
                 a.pixel(column),
@@ -255,10 +256,20 @@ impl Sweep<'_> {
             // Costs of single pixels are too noisy to mend that.
             let costs = scratch.support.is_some().then_some(costs);
             let best = winner(&scratch.sums, least, costs, self.task.range);
-            self.found.disparities[place + column] = best.disparity;
-            if let Some(confidence) = &mut self.found.confidence {
-                confidence[place + column] = best.confidence(&mut scratch.sums, self.task.range);
+            scratch.winners.set(column, best);
+            if self.found.confidence.is_some() {
+                scratch
+                    .winners
+                    .compare(column, &scratch.sums, self.task.range);
             }
+        }
+        scratch
+            .winners
+            .disparities(&mut self.found.disparities[place..][..width]);
+        if let Some(confidence) = &mut self.found.confidence {
+            scratch
+                .winners
+                .confidences(&mut confidence[place..][..width]);
         }
         if let Some(opposite) = &mut self.found.opposite {
             let found = scratch.opposite.disparities(width);
@@ -461,8 +472,8 @@ mod tests {
                     }
                     let place = (0..RANGE).min_by_key(|d| sums[*d]).unwrap_or(0);
                     let best = winner(&sums, least_cost(&sums), None, RANGE);
-                    prop_assert!(best.disparity.abs_diff(32 * place as u16) <= 16);
-                    prop_assert_eq!(disparities[row * width + column], best.disparity);
+                    prop_assert!(best.disparity().abs_diff(32 * place as u16) <= 16);
+                    prop_assert_eq!(disparities[row * width + column], best.disparity());
                 }
                 for target in 0..width {
                     let candidates = (0..RANGE.min(width - target)).map(|d| {

@@ -2,18 +2,19 @@
 
 /// A forest in which each tree is a set. (R. E. Tarjan, "Efficiency of a good but not linear set
 /// union algorithm", Journal of the ACM 22, 1975.)
+#[derive(Debug, Default)]
 pub(super) struct DisjointSets {
     parents: Vec<u32>,
     sizes: Vec<u32>,
 }
 
 impl DisjointSets {
-    /// Each number alone.
-    pub(super) fn new(count: usize) -> Self {
-        Self {
-            parents: (0..count as u32).collect(),
-            sizes: vec![1; count],
-        }
+    /// Makes each of `count` numbers alone.
+    pub(super) fn separate(&mut self, count: usize) {
+        self.parents.clear();
+        self.parents.extend(0..count as u32);
+        self.sizes.clear();
+        self.sizes.resize(count, 1);
     }
 
     /// The number that stands for the set of a number.
@@ -29,6 +30,12 @@ impl DisjointSets {
             self.parents[number] = above;
             number = above as usize;
         }
+    }
+
+    /// The numbers that stand for the sets of two numbers.
+    #[inline(always)]
+    pub(super) fn find_both(&mut self, [a, b]: [usize; 2]) -> [usize; 2] {
+        [self.find(a), self.find(b)]
     }
 
     /// How many numbers are in the set for which a number stands.

@@ -7,29 +7,34 @@ const SIDE: usize = 2;
 
 /// The sums of the levels of 2 × 2 pixels each, as cells of a grid. Cells at the right and the
 /// lower border of a view of odd size repeat its outermost pixels.
+#[derive(Debug, Default)]
 pub(super) struct Grid {
     columns: usize,
-    width: usize,
     sums: Vec<u16>,
 }
 
+/// A cell of a grid.
+#[derive(Clone, Copy)]
+pub(super) struct Cell {
+    pub(super) number: usize,
+    /// The column and the row of its first pixel.
+    pub(super) place: [usize; 2],
+}
+
 impl Grid {
-    pub(super) fn new(view: &View) -> Self {
+    /// Takes the levels of a view.
+    pub(super) fn fill(&mut self, view: &View) {
         let (width, height) = (view.width(), view.height());
-        let columns = width.div_ceil(SIDE);
-        let mut sums = Vec::with_capacity(columns * height.div_ceil(SIDE));
+        self.columns = width.div_ceil(SIDE);
+        self.sums.clear();
+        self.sums.reserve(self.columns * height.div_ceil(SIDE));
         for row in (0..height).step_by(SIDE) {
-            let rows = [view.row(row), view.row((row + 1).min(height - 1))];
-            for column in (0..width).step_by(SIDE) {
-                let next = (column + 1).min(width - 1);
-                let sum = rows.map(|row| u16::from(row[column]) + u16::from(row[next]));
-                sums.push(sum[0] + sum[1]);
-            }
-        }
-        Self {
-            columns,
-            width,
-            sums,
+            let [upper, lower] = [view.row(row), view.row((row + 1).min(height - 1))];
+            let pairs = upper.chunks(SIDE).zip(lower.chunks(SIDE));
+            self.sums.extend(pairs.map(|(upper, lower)| {
+                let sum = |pair: &[u8]| u16::from(pair[0]) + u16::from(pair[pair.len() - 1]);
+                sum(upper) + sum(lower)
+            }));
         }
     }
 
@@ -43,25 +48,31 @@ impl Grid {
         self.columns
     }
 
+    /// The sums of the rows of cells.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[u16]> {
+        self.sums.chunks_exact(self.columns)
+    }
+
     /// Four times the mean level of a cell.
     pub(super) fn sum(&self, cell: usize) -> u16 {
         self.sums[cell]
+    }
+
+    /// All cells, row by row.
+    pub(super) fn each(&self, mut visit: impl FnMut(Cell)) {
+        for (row, cells) in self.rows().enumerate() {
+            for column in 0..cells.len() {
+                visit(Cell {
+                    number: row * self.columns + column,
+                    place: [column * SIDE, row * SIDE],
+                });
+            }
+        }
     }
 
     /// The cell of a pixel.
     #[inline(always)]
     pub(super) fn cell(&self, column: usize, row: usize) -> usize {
         row / SIDE * self.columns + column / SIDE
-    }
-
-    /// The column and the row of the first pixel of a cell.
-    pub(super) fn place(&self, cell: usize) -> [usize; 2] {
-        [cell % self.columns, cell / self.columns].map(|place| place * SIDE)
-    }
-
-    /// The number of the first pixel of a cell.
-    pub(super) fn pixel(&self, cell: usize) -> usize {
-        let [column, row] = self.place(cell);
-        row * self.width + column
     }
 }

@@ -38,87 +38,129 @@ const TEXTURE: f32 = 3.0;
 const FINE_TEXTURE: f32 = 4.0;
 const LEAST_TEXTURE: f32 = 0.1;
 
-/// Replaces disparities by those of planes. `map` has the disparities that the other view confirms,
-/// `filled` the same with the holes filled from the row, and `other` those of the other view in
-/// whole pixels, mirrored. No plane leads beyond the candidates, which begin at 0.
-pub(super) fn apply(
-    map: &[u16],
-    candidates: usize,
-    view: &View,
-    other: &[u16],
-    filled: &mut [u16],
-) {
-    let width = view.width();
-    let grid = Grid::new(view);
-    // The pictures for which the sizes of regions were found have 0.36 and 1.4 million pixels.
-    let scale = (map.len() as f64 / 360_000.0).clamp(1.0, 4.0);
-    let is_matched = |cell: usize| map[grid.pixel(cell)] != UNKNOWN;
-    let regions = Regions::new(&grid, is_matched, scale);
-    let threshold = 1.0 + (scale - 1.0) / 6.0;
-    let greatest = candidates.saturating_sub(1) as f64;
-    let samples = samples(&grid, &regions, map);
-    let planes = samples.par_iter().with_min_len(16);
-    let planes: Vec<Option<DisparityPlane>> = planes
-        .map(|samples| DisparityPlane::fit(samples, threshold))
-        .collect();
+/// The planes of the regions of a view. The memory for finding the regions is kept.
+#[derive(Debug, Default)]
+pub(super) struct RegionPlanes {
+    grid: Grid,
+    regions: Regions,
+}
 
-    over_rows(filled, width, |first, rows| {
-        for (row, filled) in (first..).zip(rows.chunks_exact_mut(width)) {
-            let map = &map[row * width..][..width];
-            let other = &other[row * width..][..width];
-            let margin = map.iter().take_while(|d| **d == UNKNOWN).count();
-            for (column, value) in filled.iter_mut().enumerate() {
-                let region = regions.of_pixel(&grid, column, row);
-                let Some(plane) = planes[region].filter(|plane| plane.agreement >= AGREEMENT)
-                else {
-                    continue;
-                };
-                let disparity = plane.at(column, row);
-                let now = f64::from(*value) / f64::from(STEPS);
-                let off = (disparity - now).abs();
-                let wanted = if disparity < 0.0 || disparity > greatest {
-                    None
-                } else if map[column] == UNKNOWN {
-                    let both = column < margin && off < SIMILAR;
-                    let chosen = if both {
-                        (disparity + now) / 2.0
-                    } else {
-                        disparity
-                    };
-                    (!is_seen_through(other, column, disparity)).then_some(chosen)
+impl RegionPlanes {
+    /// Replaces disparities by those of planes. `map` has the disparities that the other view
+    /// confirms, `filled` the same with the holes filled from the row, and `other` those of the
+    /// other view in whole pixels, mirrored. No plane leads beyond the candidates, which begin
+    /// at 0.
+    pub(super) fn apply(
+        &mut self,
+        map: &[u16],
+        candidates: usize,
+        view: &View,
+        other: &[u16],
+        filled: &mut [u16],
+    ) {
+        let width = view.width();
+        // The pictures for which the sizes of regions were found have 0.36 and 1.4 million pixels.
+        let scale = (map.len() as f64 / 360_000.0).clamp(1.0, 4.0);
+        let Self { grid, regions } = self;
+        grid.fill(view);
+        let is_matched = |[column, row]: [usize; 2]| map[row * width + column] != UNKNOWN;
+        regions.find(grid, is_matched, scale);
+        let threshold = 1.0 + (scale - 1.0) / 6.0;
+        let samples = samples(grid, regions, map, width).into_par_iter();
+        let planes = samples.with_min_len(16);
+        let found = Found {
+            grid,
+            regions,
+            planes: planes
+                .map(|samples| DisparityPlane::fit(&samples, threshold))
+                .collect(),
+            threshold,
+            greatest: candidates.saturating_sub(1) as f64,
+            view,
+        };
+        over_rows(filled, width, |first, rows| {
+            for (row, filled) in (first..).zip(rows.chunks_exact_mut(width)) {
+                let place = row * width;
+                found.apply(
+                    row,
+                    &map[place..][..width],
+                    &other[place..][..width],
+                    filled,
+                );
+            }
+        });
+    }
+}
+
+/// What was found of a view: its regions, and the plane of each.
+struct Found<'a> {
+    grid: &'a Grid,
+    regions: &'a Regions,
+    planes: Vec<Option<DisparityPlane>>,
+    /// How far a match that agrees with a plane may be from it.
+    threshold: f64,
+    greatest: f64,
+    view: &'a View,
+}
+
+impl Found<'_> {
+    /// Replaces disparities of a row, from those of the row that the other view confirms and those
+    /// of the other view.
+    fn apply(&self, row: usize, map: &[u16], other: &[u16], filled: &mut [u16]) {
+        let margin = map.iter().take_while(|d| **d == UNKNOWN).count();
+        for (column, value) in filled.iter_mut().enumerate() {
+            let region = self.regions.of_pixel(self.grid, column, row);
+            let plane = self.planes[region].filter(|plane| plane.agreement >= AGREEMENT);
+            let Some(plane) = plane else {
+                continue;
+            };
+            let disparity = plane.at(column, row);
+            let now = f64::from(*value) / f64::from(STEPS);
+            let off = (disparity - now).abs();
+            let wanted = if disparity < 0.0 || disparity > self.greatest {
+                None
+            } else if map[column] == UNKNOWN {
+                let both = column < margin && off < SIMILAR;
+                let chosen = if both {
+                    (disparity + now) / 2.0
                 } else {
-                    let corrects = plane.agreement >= AGREEMENT_TO_CORRECT && off > threshold;
-                    (corrects && !has_texture(view, column, row)).then_some(disparity)
+                    disparity
                 };
-                if let Some(wanted) = wanted {
-                    // The conversion saturates; the greatest number stands for unknown.
-                    *value = ((wanted * f64::from(STEPS)).round() as u16).min(UNKNOWN - 1);
-                }
+                (!is_seen_through(other, column, disparity)).then_some(chosen)
+            } else {
+                let corrects = plane.agreement >= AGREEMENT_TO_CORRECT && off > self.threshold;
+                (corrects && !has_texture(self.view, column, row)).then_some(disparity)
+            };
+            if let Some(wanted) = wanted {
+                // The conversion saturates; the greatest number stands for unknown.
+                *value = ((wanted * f64::from(STEPS)).round() as u16).min(UNKNOWN - 1);
             }
         }
-    });
+    }
 }
 
 /// Matches of each region, as places and disparities in pixels, evenly drawn from its cells.
-fn samples(grid: &Grid, regions: &Regions, map: &[u16]) -> Vec<Vec<[f64; 3]>> {
-    let mut samples: Vec<Vec<[f64; 3]>> = vec![Vec::new(); regions.count()];
+fn samples(grid: &Grid, regions: &Regions, map: &[u16], width: usize) -> Vec<Vec<[f64; 3]>> {
+    let wanted: Vec<usize> = (0..regions.count())
+        .map(|region| regions.matches(region).min(SAMPLES))
+        .collect();
+    let mut samples: Vec<_> = wanted.iter().map(|n| Vec::with_capacity(*n)).collect();
     let mut met = vec![0; regions.count()];
-    for cell in 0..grid.cells() {
-        let pixel = grid.pixel(cell);
-        let disparity = map[pixel];
+    grid.each(|cell| {
+        let [column, row] = cell.place;
+        let disparity = map[row * width + column];
         if disparity == UNKNOWN {
-            continue;
+            return;
         }
-        let region = regions.of_cell(cell);
-        let all = regions.matches(region);
-        let wanted = all.min(SAMPLES);
+        let region = regions.of_cell(cell.number);
+        let (all, wanted) = (regions.matches(region), wanted[region]);
         let before = met[region];
         met[region] += 1;
         if before * wanted / all != (before + 1) * wanted / all {
-            let [column, row] = grid.place(cell).map(|place| place as f64);
-            samples[region].push([column, row, f64::from(disparity) / f64::from(STEPS)]);
+            let disparity = f64::from(disparity) / f64::from(STEPS);
+            samples[region].push([column as f64, row as f64, disparity]);
         }
-    }
+    });
     samples
 }
 
@@ -214,7 +256,7 @@ mod tests {
             }
         }
         let other = vec![UNKNOWN; map.len()];
-        apply(&map, 64, &view, &other, &mut filled);
+        RegionPlanes::default().apply(&map, 64, &view, &other, &mut filled);
         for row in 0..HEIGHT {
             for column in 0..WIDTH {
                 let found = f64::from(filled[row * WIDTH + column]) / f64::from(STEPS);
@@ -229,7 +271,7 @@ mod tests {
         // What the other view sees through is not there.
         let mut filled = vec![steps(2.0); map.len()];
         let other = vec![0; map.len()];
-        apply(&map, 64, &view, &other, &mut filled);
+        RegionPlanes::default().apply(&map, 64, &view, &other, &mut filled);
         assert_eq!(filled[40 * WIDTH + 50], steps(2.0));
     }
 
@@ -258,7 +300,7 @@ mod tests {
         let other = vec![UNKNOWN; map.len()];
         let candidates = slant(3 * WIDTH / 4) as usize;
         let mut filled = before.clone();
-        apply(&map, candidates, &view, &other, &mut filled);
+        RegionPlanes::default().apply(&map, candidates, &view, &other, &mut filled);
         let row = HEIGHT / 2 * WIDTH;
         for column in WIDTH / 2..WIDTH {
             let expected = match slant(column) <= (candidates - 1) as f64 - 0.1 {
@@ -285,7 +327,7 @@ mod tests {
         map[WIDTH * 40 + 60] = steps(12.0);
         let mut filled = map.clone();
         let other = vec![UNKNOWN; map.len()];
-        apply(&map, 64, &view, &other, &mut filled);
+        RegionPlanes::default().apply(&map, 64, &view, &other, &mut filled);
         assert_eq!(filled, map);
     }
 }

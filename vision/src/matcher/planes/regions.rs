@@ -12,49 +12,80 @@ const LEAST_MATCHES: f64 = 30.0;
 /// The number of different sums of a cell.
 const SUMS: usize = 4 * 255 + 1;
 
-/// A picture in regions.
+/// A picture in regions. The memory for finding them is kept.
+#[derive(Debug, Default)]
 pub(super) struct Regions {
+    /// The number of the region of each cell.
     labels: Vec<u32>,
+    /// The number of matches of each region.
     matches: Vec<usize>,
+    edges: Edges,
+    sets: DisjointSets,
+    /// The number of matches, or something else, of each set of cells.
+    of_sets: Vec<u32>,
 }
 
 impl Regions {
-    /// The regions of a picture (P. F. Felzenszwalb and D. P. Huttenlocher, "Efficient graph-based
-    /// image segmentation", International Journal of Computer Vision 59, 2004). Small ones join
-    /// the neighbour of the most similar level. Then those with few matches join the neighbour
-    /// across the border with the least mean step, the least of all borders first. What is small
-    /// or few rises with `scale`.
-    pub(super) fn new(grid: &Grid, is_matched: impl Fn(usize) -> bool, scale: f64) -> Self {
-        let edges = Edges::sorted(grid);
-        let mut sets = DisjointSets::new(grid.cells());
-        join_similar(&edges, grid, &mut sets);
-        join_small(&edges, grid, &mut sets, (LEAST_CELLS * scale) as u32);
+    /// Finds the regions of a picture (P. F. Felzenszwalb and D. P. Huttenlocher, "Efficient
+    /// graph-based image segmentation", International Journal of Computer Vision 59, 2004). Small
+    /// ones join the neighbour of the most similar level. Then those with few matches join the
+    /// neighbour across the border with the least mean step, the least of all borders first. What
+    /// is small or few rises with `scale`.
+    pub(super) fn find(
+        &mut self,
+        grid: &Grid,
+        is_matched: impl Fn([usize; 2]) -> bool,
+        scale: f64,
+    ) {
+        let Self {
+            edges,
+            sets,
+            of_sets,
+            ..
+        } = self;
+        edges.sort(grid);
+        sets.separate(grid.cells());
+        let numbers = |of_sets: &mut Vec<u32>, number| {
+            of_sets.clear();
+            of_sets.resize(grid.cells(), number);
+        };
+        numbers(of_sets, STEP);
+        join_similar(edges, grid, sets, of_sets);
+        edges.keep_between(grid, sets);
+        join_small(edges, grid, sets, (LEAST_CELLS * scale) as u32);
 
-        let mut matches = vec![0; grid.cells()];
-        for cell in 0..grid.cells() {
-            matches[sets.find(cell)] += usize::from(is_matched(cell));
-        }
-        let least = (LEAST_MATCHES * scale) as usize;
-        join_unmatched(&edges, grid, &mut sets, &mut matches, least);
-        Self::numbered(&mut sets, &matches)
+        numbers(of_sets, 0);
+        grid.each(|cell| {
+            if is_matched(cell.place) {
+                of_sets[sets.find(cell.number)] += 1;
+            }
+        });
+        join_unmatched(edges, grid, sets, of_sets, (LEAST_MATCHES * scale) as u32);
+        self.number_regions();
     }
 
-    fn numbered(sets: &mut DisjointSets, matches: &[usize]) -> Self {
-        const NONE: u32 = u32::MAX;
-        let mut numbers = vec![NONE; matches.len()];
-        let mut of_regions = Vec::new();
-        let labels = (0..matches.len()).map(|cell| {
-            let root = sets.find(cell);
-            if numbers[root] == NONE {
-                numbers[root] = of_regions.len() as u32;
-                of_regions.push(matches[root]);
+    /// Numbers the sets that are left.
+    fn number_regions(&mut self) {
+        // A set that has its number has this bit.
+        const NUMBERED: u32 = 1 << 31;
+        let Self {
+            labels,
+            matches,
+            sets,
+            of_sets,
+            ..
+        } = self;
+        matches.clear();
+        labels.clear();
+        labels.extend((0..of_sets.len()).map(|cell| {
+            let of_set = &mut of_sets[sets.find(cell)];
+            if *of_set & NUMBERED == 0 {
+                let number = matches.len() as u32;
+                matches.push(*of_set as usize);
+                *of_set = number | NUMBERED;
             }
-            numbers[root]
-        });
-        Self {
-            labels: labels.collect(),
-            matches: of_regions,
-        }
+            *of_set & !NUMBERED
+        }));
     }
 
     /// The number of regions.
@@ -80,59 +111,81 @@ impl Regions {
     }
 }
 
-/// The pairs of cells beside and below each other.
+/// Pairs of cells beside and below each other, in the order of rising difference, and of cells
+/// where these are equal.
+#[derive(Debug, Default)]
 struct Edges(Vec<u32>);
 
 impl Edges {
-    /// In the order of rising difference, and of cells where these are equal.
-    fn sorted(grid: &Grid) -> Self {
+    /// Takes all pairs of a grid.
+    fn sort(&mut self, grid: &Grid) {
         let mut starts = [0; SUMS + 1];
         each_edge(grid, |_, step| starts[usize::from(step) + 1] += 1);
         for step in 0..SUMS {
             starts[step + 1] += starts[step];
         }
-        let mut sorted = vec![0; starts[SUMS]];
+        self.0.resize(starts[SUMS], 0);
         each_edge(grid, |code, step| {
             let place = &mut starts[usize::from(step)];
-            sorted[*place] = code;
+            self.0[*place] = code;
             *place += 1;
         });
-        Self(sorted)
+    }
+
+    /// Keeps the pairs of cells that are in different sets.
+    fn keep_between(&mut self, grid: &Grid, sets: &mut DisjointSets) {
+        self.0.retain(|code| {
+            let [first, second] = sets.find_both(cells(*code, grid));
+            first != second
+        });
     }
 
     /// The pairs with the difference of their sums.
     #[inline(always)]
     fn each(&self, grid: &Grid, mut visit: impl FnMut([usize; 2], u32)) {
         for code in &self.0 {
-            let first = (code >> 1) as usize;
-            let second = first + if code & 1 == 1 { grid.columns() } else { 1 };
+            let [first, second] = cells(*code, grid);
             let step = grid.sum(first).abs_diff(grid.sum(second));
             visit([first, second], step.into());
         }
     }
 }
 
+/// The cells of a pair.
+#[inline(always)]
+fn cells(code: u32, grid: &Grid) -> [usize; 2] {
+    let first = (code >> 1) as usize;
+    [
+        first,
+        first + if code & 1 == 1 { grid.columns() } else { 1 },
+    ]
+}
+
 /// All pairs of neighbouring cells, each as twice the first one, plus 1 where the second is below
 /// it, with the difference of their sums.
 #[inline(always)]
 fn each_edge(grid: &Grid, mut visit: impl FnMut(u32, u16)) {
-    let columns = grid.columns();
-    for cell in 0..grid.cells() {
-        let sum = grid.sum(cell);
-        if (cell + 1) % columns != 0 {
-            visit(2 * cell as u32, sum.abs_diff(grid.sum(cell + 1)));
-        }
-        if cell + columns < grid.cells() {
-            visit(2 * cell as u32 + 1, sum.abs_diff(grid.sum(cell + columns)));
+    let mut below = grid.rows().skip(1);
+    let mut code = 0;
+    for row in grid.rows() {
+        let below = below.next().unwrap_or_default();
+        for (column, sum) in row.iter().enumerate() {
+            if let Some(beside) = row.get(column + 1) {
+                visit(code, sum.abs_diff(*beside));
+            }
+            if let Some(below) = below.get(column) {
+                visit(code + 1, sum.abs_diff(*below));
+            }
+            code += 2;
         }
     }
 }
 
-/// Joins regions whose border has a step that is little more than those within both.
-fn join_similar(edges: &Edges, grid: &Grid, sets: &mut DisjointSets) {
-    let mut limits = vec![STEP; grid.cells()];
+/// Joins regions whose border has a step that is little more than those within both. `limits` has
+/// the greatest step at which a set may join another.
+fn join_similar(edges: &Edges, grid: &Grid, sets: &mut DisjointSets, limits: &mut [u32]) {
     edges.each(grid, |cells, step| {
-        let roots = cells.map(|cell| sets.find(cell));
+        let roots = sets.find_both(cells);
         if roots[0] != roots[1] && roots.iter().all(|root| step <= limits[*root]) {
             let [root, _] = sets.join(roots);
             limits[root] = step + STEP / sets.size(root);
@@ -143,7 +196,7 @@ fn join_similar(edges: &Edges, grid: &Grid, sets: &mut DisjointSets) {
 /// Joins regions of fewer cells than `least` with their neighbours.
 fn join_small(edges: &Edges, grid: &Grid, sets: &mut DisjointSets, least: u32) {
     edges.each(grid, |cells, _| {
-        let roots = cells.map(|cell| sets.find(cell));
+        let roots = sets.find_both(cells);
         if roots[0] != roots[1] && roots.iter().any(|root| sets.size(*root) < least) {
             sets.join(roots);
         }
@@ -155,20 +208,20 @@ fn join_unmatched(
     edges: &Edges,
     grid: &Grid,
     sets: &mut DisjointSets,
-    matches: &mut [usize],
-    least: usize,
+    matches: &mut [u32],
+    least: u32,
 ) {
-    let mut steps: Vec<([usize; 2], u32)> = Vec::new();
+    let mut steps: Vec<([u32; 2], u32)> = Vec::new();
     edges.each(grid, |cells, step| {
-        let mut roots = cells.map(|cell| sets.find(cell));
+        let mut roots = sets.find_both(cells);
         if roots[0] != roots[1] && roots.iter().any(|root| matches[*root] < least) {
             roots.sort_unstable();
-            steps.push((roots, step));
+            steps.push((roots.map(|root| root as u32), step));
         }
     });
     steps.sort_unstable_by_key(|(roots, _)| *roots);
     let borders = steps.chunk_by(|a, b| a.0 == b.0);
-    let mut borders: Vec<(f64, [usize; 2])> = borders
+    let mut borders: Vec<(f64, [u32; 2])> = borders
         .map(|steps| {
             let sum: u32 = steps.iter().map(|(_, step)| step).sum();
             (f64::from(sum) / steps.len() as f64, steps[0].0)
@@ -176,7 +229,7 @@ fn join_unmatched(
         .collect();
     borders.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (_, roots) in borders {
-        let roots = roots.map(|root| sets.find(root));
+        let roots = sets.find_both(roots.map(|root| root as usize));
         if roots[0] != roots[1] && roots.iter().any(|root| matches[*root] < least) {
             let [root, other] = sets.join(roots);
             matches[root] += matches[other];
@@ -195,7 +248,22 @@ mod tests {
         let mut view = View::new(width, height, false);
         let identity = |level: u8| level;
         view.fill(Plane::from_fn(width, height, level).view(), identity, 0);
-        Grid::new(&view)
+        let mut grid = Grid::default();
+        grid.fill(&view);
+        grid
+    }
+
+    /// What was found in another picture before makes no difference.
+    fn found(grid: &Grid, is_matched: impl Fn([usize; 2]) -> bool) -> Regions {
+        let mut other = Grid::default();
+        let mut view = View::new(31, 17, false);
+        let level = |column, row| (90 * column * row) as u8;
+        view.fill(Plane::from_fn(31, 17, level).view(), |level| level, 0);
+        other.fill(&view);
+        let mut regions = Regions::default();
+        regions.find(&other, |[column, _]| column < 9, 1.0);
+        regions.find(grid, is_matched, 1.0);
+        regions
     }
 
     /// Levels that vary a little are one region, and a step of more divides.
@@ -205,7 +273,7 @@ mod tests {
             let texture = (7 * column + 13 * row + column * row) % 6;
             (texture + if column < 40 { 40 } else { 120 }) as u8
         });
-        let regions = Regions::new(&grid, |_| true, 1.0);
+        let regions = found(&grid, |_| true);
         assert_eq!(regions.count(), 2);
         let region = |column, row| regions.of_pixel(&grid, column, row);
         assert_eq!(region(0, 0), region(39, 40));
@@ -224,8 +292,7 @@ mod tests {
             if is_dot { 255 } else { levels[column / 40] }
         };
         let grid = grid(120, 40, level);
-        let is_matched = |cell: usize| grid.place(cell)[0] / 40 != 1;
-        let regions = Regions::new(&grid, is_matched, 1.0);
+        let regions = found(&grid, |[column, _]| column / 40 != 1);
         assert_eq!(regions.count(), 2);
         let region = |column, row| regions.of_pixel(&grid, column, row);
         assert_eq!(region(60, 20), region(100, 20));

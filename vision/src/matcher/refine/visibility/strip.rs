@@ -281,7 +281,8 @@ impl Strip<'_> {
         for column in border..width {
             if map[column] == UNKNOWN {
                 let sums = &self.scratch.sums[slot * padded..][..padded];
-                filled[column] = winner(sums, least_cost(sums), None, self.tables.range).disparity;
+                filled[column] =
+                    winner(sums, least_cost(sums), None, self.tables.range).disparity();
                 slot += 1;
             }
         }
