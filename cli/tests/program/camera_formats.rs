@@ -50,6 +50,31 @@ fn a_lens_is_that_of_the_chosen_camera() {
     );
 }
 
+/// KITTI's files say nothing of the pictures, which JSON must state.
+#[test]
+fn sizes_that_a_file_does_not_state_are_asked_for() {
+    let folder = tempdir().unwrap();
+    let matrix = "700 0 600 0 0 700 170 0 0 0 1 0";
+    write(folder.path(), "calib.txt", &format!("P0: {matrix}\n"));
+    let convert = |words: &str| {
+        let line = format!("camera convert {words}");
+        nullcone(folder.path(), line.split_whitespace())
+    };
+    assert_failure(
+        &convert("calib.txt --out camera.json"),
+        &["calib.txt", "\"P0\" has no `width` and `height`", "--size"],
+    );
+    assert!(!folder.path().join("camera.json").exists());
+    assert_success(&convert("calib.txt --out camera.json --size 1241x376"));
+    let file = std::fs::read_to_string(folder.path().join("camera.json")).unwrap();
+    assert!(file.contains("1241") && file.contains("376"), "{file}");
+    assert_success(&convert("camera.json --out same.yml --size 1241x376"));
+    assert_failure(
+        &convert("camera.json --out other.yml --size 640x480"),
+        &["camera.json", "has pictures of 1241 x 376 pixels"],
+    );
+}
+
 #[test]
 fn a_lens_without_a_file_of_cameras_is_refused() {
     let folder = tempdir().unwrap();

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context as _, Result, anyhow};
+use anyhow::{Context as _, Result, anyhow, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use ga_camera::format::{self, CameraSummary, Encoded, encode_files};
+use ga_camera::format::{self, CameraFile, CameraSummary, Encoded, encode_files};
 use serde::Serialize;
 
-use crate::camera_file::{LensChoice, about, warn_of_unit};
+use crate::camera_file::{LensChoice, about, picture_size, warn_of_unit};
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::output;
@@ -36,6 +36,9 @@ pub(crate) struct Arguments {
     /// Write this camera alone, by its name or its number from 0; given twice, these two.
     #[arg(long = "camera", value_name = "NAME", action = clap::ArgAction::Append)]
     cameras: Vec<String>,
+    /// The size of the pictures, such as 1241x376, for a file that does not state it.
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = picture_size)]
+    size: Option<[usize; 2]>,
     #[command(flatten)]
     lens: LensChoice,
 }
@@ -78,9 +81,10 @@ impl Command for Arguments {
             None => _ = files.write("--out", out, &[Format::Camera(format)])?,
         }
         let (from, file) = self.lens.read_with_format(input)?;
-        let file = file
+        let mut file = file
             .choose(&self.cameras)
             .map_err(|error| about(input, error))?;
+        self.set_sizes(&mut file)?;
         let cameras = file.cameras.iter().map(CameraSummary::new);
         let cameras = cameras.collect::<Result<Vec<_>, _>>();
         let cameras = cameras.map_err(|error| about(input, error))?;
@@ -90,6 +94,9 @@ impl Command for Arguments {
         let encoded = encode_files(out, format, &file);
         let Encoded { files, omissions } = encoded.map_err(|error| match error {
             format::CameraFileError::TooMany { .. } => anyhow!("{error} with --camera NAME"),
+            format::CameraFileError::NoSize { .. } => {
+                anyhow!("{}: {error}: --size gives them", input.display())
+            }
             error => about(input, error),
         })?;
         output::write_together(files.iter().map(|(path, text)| (path, text)))?;
@@ -111,6 +118,26 @@ impl Command for Arguments {
                 .collect(),
             warnings: omissions.collect(),
         })
+    }
+}
+
+impl Arguments {
+    fn set_sizes(&self, file: &mut CameraFile) -> Result<()> {
+        let Some(asked) = self.size else {
+            return Ok(());
+        };
+        for camera in &mut file.cameras {
+            if let Some([width, height]) = camera.size.filter(|stated| *stated != asked) {
+                bail!(
+                    "{}: the camera {:?} has pictures of {width} x {height} pixels: --size is for \
+                     files that do not state it",
+                    self.input.display(),
+                    camera.name
+                );
+            }
+            camera.size = Some(asked);
+        }
+        Ok(())
     }
 }
 

@@ -8,7 +8,7 @@ use ga_vision::rectification::{Rectification, RectificationOptions, Rectificatio
 use serde::Serialize;
 
 use super::views::ViewPair;
-use crate::camera_file::ChosenPair;
+use crate::camera_file::{ChosenPair, picture_size};
 use crate::frame::{self, Command, Context, command_line};
 use crate::output;
 
@@ -58,7 +58,7 @@ pub(crate) struct Arguments {
     separate_centres: bool,
     /// The size of the results, such as 800x600; by default that of the left view, on its side
     /// where it is put so.
-    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = picture_size)]
     size: Option<[usize; 2]>,
 }
 
@@ -69,16 +69,6 @@ pub(crate) struct Report {
     folder: PathBuf,
     #[serde(flatten)]
     found: RectificationSummary,
-}
-
-/// A size such as `800x600`.
-fn size(text: &str) -> Result<[usize; 2], String> {
-    let parse = |word: &str| word.parse::<u16>().ok().filter(|count| *count > 1);
-    let parts = text.split_once(['x', '×']);
-    match parts.map(|(width, height)| (parse(width), parse(height))) {
-        Some((Some(width), Some(height))) => Ok([width.into(), height.into()]),
-        _ => Err("a size is two numbers from 2 to 65535 such as 800x600".to_owned()),
-    }
 }
 
 impl Command for Arguments {

@@ -1,6 +1,7 @@
 //! How well the unknowns are determined where the residuals are not linear in them.
 
 use nalgebra_035::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::covariance::Covariance;
@@ -11,6 +12,8 @@ use crate::order_statistics::Sorted;
 const DRAWN: [usize; 2] = [250, 100];
 /// How many of them tell whether the residuals are as good as linear.
 const TRIED: usize = 25;
+/// How many at least are followed one after the other.
+const TOGETHER: usize = 8;
 
 /// The covariance of unknowns where residuals bend within their deviations, from that to first
 /// order with the residuals at the minimum and after a step of the shared unknowns. See
@@ -28,12 +31,12 @@ const TRIED: usize = 25;
 /// Where z does not come as far, as for a point beyond the horizon, y is where it ends. `None`
 /// where the residuals do not exist about the minimum, and where variances grow so much that the
 /// minimum is a hollow in a wide valley.
-pub(super) fn curved(
+pub(super) fn curved<R: FnMut(&[f64]) -> Option<Vec<f64>>>(
     first: &Covariance,
     variance: f64,
     region: Region,
     (start, jacobian): (&[f64], &DMatrix<f64>),
-    mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
+    residuals: impl Fn() -> R + Sync,
 ) -> Option<Covariance> {
     /// Changes of z up to this are those of residuals that are linear.
     const LINEAR: f64 = 0.05;
@@ -52,9 +55,12 @@ pub(super) fn curved(
     let axes = factor.l();
     let tangents = jacobian * &axes / variance;
     let start = DVector::from_column_slice(start);
-    let mut moved = |y: &DVector<f64>| -> Option<DVector<f64>> {
-        let residuals = residuals((&axes * y).as_slice())?;
-        Some(tangents.tr_mul(&(DVector::from_vec(residuals) - &start)))
+    let moving = || {
+        let (mut residuals, axes, tangents, start) = (residuals(), &axes, &tangents, &start);
+        move |y: &DVector<f64>| -> Option<DVector<f64>> {
+            let residuals = residuals((axes * y).as_slice())?;
+            Some(tangents.tr_mul(&(DVector::from_vec(residuals) - start)))
+        }
     };
     let drawn = normal_draws(
         count,
@@ -64,21 +70,21 @@ pub(super) fn curved(
         },
     );
     // Errors as small as rounding look bent, but not where they are larger.
-    let mut is_linear = |scale: f64| {
-        drawn.iter().take(TRIED).all(|draw| {
+    let is_linear = |scale: f64| {
+        let tried = drawn.par_iter().take(TRIED).with_min_len(TOGETHER);
+        let is_near = tried.map_init(moving, |moved, draw| {
             let draw = draw * scale;
             let moved = moved(&draw);
             moved.is_some_and(|moved| (moved - &draw).norm() <= LINEAR * draw.norm())
-        })
+        });
+        is_near.all(|is_near| is_near)
     };
     if is_linear(1.0) || is_linear(ABOVE_ROUNDING) {
         return Some(first.clone());
     }
-    let errors: Option<Vec<DVector<f64>>> = drawn
-        .iter()
-        .map(|draw| followed(draw, &mut moved))
-        .collect();
-    let errors = errors?;
+    let errors = drawn.par_iter().with_min_len(TOGETHER);
+    let errors = errors.map_init(moving, |moved, draw| followed(draw, moved));
+    let errors = errors.collect::<Option<Vec<DVector<f64>>>>()?;
     let square = DMatrix::zeros(count, count);
     let sum = errors.iter().fold(square, |sum, y| sum + y * y.transpose());
     let moments = sum / errors.len() as f64;

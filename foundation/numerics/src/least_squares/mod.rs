@@ -114,18 +114,18 @@ impl<State> Minimum<State> {
     /// within the region. It is [`covariance`](Self::covariance) where the residuals are as good as
     /// linear, and for the groups.
     ///
-    /// The draws are the same at every call. `None` where the residuals do not determine the
+    /// The draws are the same at every call, and are followed in parallel. `None` where the residuals do not determine the
     /// unknowns, do not exist about the minimum, or let errors leave an ellipsoid by more than five
     /// times its size to first order: the minimum then is a hollow in a wide valley.
     #[must_use]
-    pub fn curved_covariance<P: Problem<State = State>>(
+    pub fn curved_covariance<P: Problem<State = State> + Sync>(
         &self,
         problem: &P,
         variance: f64,
         region: Region,
     ) -> Option<Covariance>
     where
-        State: Clone,
+        State: Clone + Sync,
     {
         /// Steps of the groups after one of the shared unknowns.
         const RELAXATIONS: usize = 4;
@@ -142,18 +142,22 @@ impl<State> Minimum<State> {
         let start = equations.kept_residuals().to_vec();
         let following = equations.following()?;
         let linear = (start.as_slice(), &following.jacobian);
-        curvature::curved(&first, variance, region, linear, |step| {
+        let after_step = |equations: &mut Equations, step: &[f64]| {
             let mut state = problem.stepped(&self.state, &following.step(step))?;
-            evaluate(problem, &state, &mut equations)?;
+            evaluate(problem, &state, equations)?;
             for _ in 0..relaxations {
                 let (step, fall) = equations.step_of_groups()?;
                 if fall <= REST * variance {
                     break;
                 }
                 state = problem.stepped(&state, &step)?;
-                evaluate(problem, &state, &mut equations)?;
+                evaluate(problem, &state, equations)?;
             }
             Some(equations.kept_residuals().to_vec())
+        };
+        curvature::curved(&first, variance, region, linear, || {
+            let mut equations = equations.clone();
+            move |step: &[f64]| after_step(&mut equations, step)
         })
     }
 

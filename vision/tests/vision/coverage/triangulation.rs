@@ -70,6 +70,12 @@ fn points_of_views() {
         [x * z, y * z, z]
     };
     coverage("planar", &[Motor::default(), side(1.0), side(-1.0)], plane);
+    let near_plane = |random: &mut Random| {
+        let off = 1.0 + 0.02 * random.normal();
+        plane(random).map(|coordinate| off * coordinate)
+    };
+    let motors = [Motor::default(), side(1.0), side(-1.0)];
+    coverage("near-planar", &motors, near_plane);
     let ahead = |z: f64| motor([0.0, 1.0, 0.0], 0.01, [0.02, 0.01, -z]);
     let beside = |random: &mut Random| {
         let z = random.within(4.0, 8.0);
