@@ -183,7 +183,9 @@ pub enum ViewGeometryError {
     #[error("the second camera is at {0:?} m from the first: before or behind it, not beside it")]
     Forward([f64; 3]),
     /// The second camera is to the left of the first.
-    #[error("the second camera is at {0:?} m, left of the first: the views are exchanged")]
+    #[error(
+        "the second camera is at {0:?} m, left of the first: put the second view and its camera first"
+    )]
     Exchanged([f64; 3]),
     /// There is no picture, or the rectified ones would have more than 2²⁸ pixels.
     #[error("pictures of {} × {} pixels cannot be rectified", .0[0], .0[1])]

@@ -53,6 +53,13 @@ fn a_camera_is_where_it_is_though_the_boards_between_are_seen_by_others() {
     assert_eq!(report["common_boards"], common);
     assert_eq!(report["frames_used"], 13);
     assert_eq!(report["verdict"], "doubtful");
+    let warnings = report["warnings"].as_array().unwrap().iter();
+    let same_place = warnings.filter(|warning| warning["kind"] == "same_place");
+    let messages: Vec<&str> = same_place.map(|w| w["message"].as_str().unwrap()).collect();
+    assert!(
+        matches!(messages[..], [message] if message.starts_with("cam2: ")),
+        "{messages:?}"
+    );
     // The file is read, and two of its cameras are a rig.
     let file = format::read(folder.path().join("rig.toml")).unwrap();
     let names: Vec<&str> = file

@@ -52,6 +52,18 @@ fn a_ring_has_two_borders() {
 }
 
 #[test]
+fn a_snake_needs_a_circle_with_a_radius() {
+    let folder = tempdir().unwrap();
+    write_ring(folder.path());
+    for circle in ["50,40,-5", "50,40,0"] {
+        let start = ["contour", "ring.png", "--snake", "--out", "c.svg"];
+        let circle = format!("--circle={circle}");
+        let output = nullcone(folder.path(), start.into_iter().chain([&*circle]));
+        assert_failure(&output, &["--circle", "not above 0"]);
+    }
+}
+
+#[test]
 fn a_snake_settles_at_the_ring() {
     let folder = tempdir().unwrap();
     write_ring(folder.path());

@@ -262,7 +262,13 @@ impl RigOfBoards {
         let cameras = self.cameras.iter().enumerate();
         let doubts = cameras.flat_map(|(k, (name, _))| {
             let doubts = CameraDoubt::of_boards(self.common_boards[k][k], self.rig.camera_rms[k]);
-            doubts.map(|doubt| (name.as_str(), doubt))
+            let same_place = self.rig.is_where_the_first_is(k).then(|| {
+                let [first, camera] = [0, k].map(|k| self.rig.cameras[k].centre());
+                CameraDoubt::SamePlace {
+                    metres: first.distance(camera),
+                }
+            });
+            doubts.chain(same_place).map(|doubt| (name.as_str(), doubt))
         });
         doubts.collect()
     }

@@ -118,6 +118,15 @@ pub enum CameraDoubt {
         /// What remains.
         rms: f64,
     },
+    /// A camera of a rig is where the first one is.
+    #[error(
+        "it cannot be told from the first camera by its place, {metres:.3e} m from it: are these \
+         the views of two cameras?"
+    )]
+    SamePlace {
+        /// The distance from the first camera in metres.
+        metres: f64,
+    },
     /// Parts of the picture have no corners.
     #[error(
         "corners are in {percent:.0} % of the parts of the picture; show the board at its borders too"
@@ -298,6 +307,7 @@ impl CameraDoubt {
             Self::FewBoards { .. } => "few_boards",
             Self::LargeRms { .. } => "large_rms",
             Self::OtherLens { .. } => "other_lens",
+            Self::SamePlace { .. } => "same_place",
             Self::SmallCoverage { .. } => "small_coverage",
             Self::OutlyingBoard { .. } => "outlying_board",
         }

@@ -83,6 +83,29 @@ pub struct RigCalibration {
     pub frame_rms: Vec<f64>,
 }
 
+impl RigCalibration {
+    /// Whether the distance of a camera other than the first one from that cannot be told from 0,
+    /// as where views of one camera are given twice.
+    #[must_use]
+    pub fn is_where_the_first_is(&self, camera: usize) -> bool {
+        /// The least distance as a part of that to the farthest board.
+        const LEAST_PART: f64 = 1e-6;
+        /// The least distance in standard deviations.
+        const LEAST_DEVIATIONS: f64 = 3.0;
+        let first = self.cameras[0].centre();
+        let metres = first.distance(self.cameras[camera].centre());
+        let boards = self.boards.iter().map(|board| {
+            let origin = board.motor.transform(Point::default());
+            origin.distance(Point::default())
+        });
+        let least = LEAST_PART * boards.fold(0.0, f64::max);
+        // A deviation that is not a number says as little.
+        let is_elsewhere =
+            metres > least && metres > LEAST_DEVIATIONS * self.distance_deviations[camera];
+        camera > 0 && !is_elsewhere
+    }
+}
+
 /// Calibrates the cameras of a rig from the corners of boards.
 ///
 /// `views` has for each camera and each frame the corners of the board, none where the camera does

@@ -2,7 +2,7 @@
 
 use super::board_view::BoardView;
 use super::error::{CalibrationError, LEAST_POINTS};
-use super::many_cameras::{JointIntrinsics, RigCalibration, RigOptions, calibrate_rig};
+use super::many_cameras::{JointIntrinsics, RigOptions, calibrate_rig};
 use super::one_camera::CameraOptions;
 use super::outlier::Outlier;
 use ga_camera::Intrinsics;
@@ -138,7 +138,11 @@ pub fn calibrate_stereo(
         left: side(0),
         right: side(1),
     };
-    check_baseline(&rig, &found)?;
+    if found.is_where_the_first_is(1) {
+        return Err(CalibrationError::Baseline {
+            metres: rig.baseline(),
+        });
+    }
     Ok(StereoCalibration {
         rig,
         deviations: [found.deviations[0], found.deviations[1]],
@@ -151,23 +155,4 @@ pub fn calibrate_stereo(
         camera_rms: [found.camera_rms[0], found.camera_rms[1]],
         pair_rms: found.frame_rms,
     })
-}
-
-/// An error where the distance between the cameras cannot be told from 0.
-fn check_baseline(rig: &StereoRig, found: &RigCalibration) -> Result<(), CalibrationError> {
-    /// The least baseline as a part of the distance to the farthest board.
-    const LEAST_PART: f64 = 1e-6;
-    /// The least baseline in standard deviations.
-    const LEAST_DEVIATIONS: f64 = 3.0;
-    let metres = rig.baseline();
-    let distances = found.boards.iter().map(|board| {
-        let origin = board.motor.transform(Point::default());
-        origin.distance(Point::default())
-    });
-    let least = LEAST_PART * distances.fold(0.0, f64::max);
-    // A deviation that is not a number says as little.
-    match metres > least && metres > LEAST_DEVIATIONS * found.distance_deviations[1] {
-        true => Ok(()),
-        false => Err(CalibrationError::Baseline { metres }),
-    }
 }

@@ -4,9 +4,12 @@ use ga_runtime::cga3::{Direction, Rotor};
 
 use super::sampson::BearingPair;
 use crate::geometry_error::ViewGeometryError;
+use ga_numerics::order_statistics::Sorted;
 use ga_numerics::ransac::{Consensus, Search};
 
-/// Refuses pairs that a rotation explains about as well as a motion with a translation.
+/// Refuses pairs that a rotation explains about as well as a motion with a translation, and those
+/// of which it explains most to a tenth of a pixel: corners are found no better, and lenses known no
+/// better, so that what is left then tells nothing, however well a translation fits it.
 pub(super) fn check(
     pairs: &[BearingPair],
     search: &Search,
@@ -17,13 +20,16 @@ pub(super) fn check(
     const PART: f64 = 0.9;
     /// Variances whose quotient is below this are about equal.
     const RATIO: f64 = 2.0;
+    /// What a rotation may leave of the median pair, in pixels.
+    const FINEST: f64 = 0.1;
     /// The standard deviation, in pixels, that rounding may cause.
     const ROUNDING: f64 = 1e-7;
     let Some(fit) = fit_rotation(pairs, search) else {
         return Ok(());
     };
     let explains_most = fit.inliers as f64 >= PART * agreeing as f64;
-    if explains_most && fit.variance < RATIO * variance.max(ROUNDING * ROUNDING) {
+    let is_about_equal = fit.variance < RATIO * variance.max(ROUNDING * ROUNDING);
+    if explains_most && (is_about_equal || fit.median < FINEST) {
         return Err(ViewGeometryError::PureRotation {
             rotation_rms: fit.variance.sqrt(),
             motion_rms: variance.sqrt(),
@@ -38,6 +44,8 @@ struct RotationFit {
     inliers: usize,
     /// The variance of a pixel coordinate that they show.
     variance: f64,
+    /// The median distance, in pixels, shared by both views.
+    median: f64,
 }
 
 /// The rotation that explains most pairs. `None` where no two pairs determine one.
@@ -60,9 +68,11 @@ fn fit_rotation(pairs: &[BearingPair], search: &Search) -> Option<RotationFit> {
     let squares = inliers
         .iter()
         .map(|&k| problem.squared_error(&best.model, k));
+    let mut squares: Vec<f64> = squares.collect();
     let redundancy = (2 * inliers.len()).saturating_sub(3).max(1);
     Some(RotationFit {
-        variance: squares.sum::<f64>() / redundancy as f64,
+        variance: squares.iter().sum::<f64>() / redundancy as f64,
+        median: Sorted::new(&mut squares)?.quantile(0.5).sqrt(),
         inliers: inliers.len(),
     })
 }

@@ -1,10 +1,11 @@
 //! Epipolar geometry against the oracle's rigs and against scenes that are known.
 
 use ga_camera::{Camera, Intrinsics};
+use ga_image::grey::Luma;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 use ga_runtime::vga3::Vector;
 use ga_vision::ViewGeometryError;
-use ga_vision::feature::PixelPair;
+use ga_vision::feature::{PixelPair, ViewOptions, match_views};
 use ga_vision::relative_pose::{
     Bearing, BearingPair, EssentialMatrix, FundamentalMatrix, FundamentalOptions, Options, View,
     eight_point, estimate, estimate_from_bearings, estimate_fundamental, five_point, seven_point,
@@ -403,4 +404,35 @@ fn pairs_that_determine_nothing_are_refused() {
         matches!(found, ViewGeometryError::NoConsensus { .. }),
         "{found:?}"
     );
+}
+
+/// The camera stood still and the board moved: pairs of the wall behind it tell nothing of a
+/// motion, whatever their noise makes of it.
+#[test]
+fn a_camera_that_stood_still_has_no_clear_motion() {
+    let intrinsics = Intrinsics::new([533.0; 2], [342.0, 234.0]).unwrap();
+    for [first, second] in [["01", "02"], ["02", "01"], ["02", "04"], ["04", "02"]] {
+        let view = |number: &str| {
+            let path =
+                nullcone_shared_data::shared(&format!("data/vision/opencv/left{number}.jpg"));
+            path.map(|path| {
+                ga_image::file::read(&path)
+                    .unwrap()
+                    .to_grey::<u8>(Luma::Bt601)
+            })
+        };
+        let (Some(a), Some(b)) = (view(first), view(second)) else {
+            return;
+        };
+        let pairs = match_views(&a, &b, &ViewOptions::default());
+        for seed in 1..4 {
+            let options = Options {
+                seed,
+                ..Options::default()
+            };
+            let found = estimate(&pairs, &intrinsics, &intrinsics, &options);
+            let is_refused = matches!(found, Err(ViewGeometryError::PureRotation { .. }));
+            assert!(is_refused, "{first} {second} {seed}: {found:?}");
+        }
+    }
 }

@@ -105,6 +105,9 @@ impl SnakeArguments {
             None => Start::Outline {
                 least_area: least_area.max(1.0),
             },
+            Some(&[_, _, radius]) if radius <= 0.0 => {
+                bail!("{name}: a radius of {radius} pixels is not above 0")
+            }
             Some(&[u, v, radius]) => Start::Circle {
                 centre: [u, v],
                 radius,

@@ -275,6 +275,51 @@ mod tests {
         assert_eq!(filled[40 * WIDTH + 50], steps(2.0));
     }
 
+    /// A wall of one level, of which a few places differ from the rest.
+    fn wall(found: impl Fn(usize, usize) -> u16, before: u16) -> Vec<u16> {
+        let mut view = View::new(WIDTH, HEIGHT, false);
+        view.fill(
+            Plane::filled(WIDTH, HEIGHT, 90).view(),
+            |level: u8| level,
+            0,
+        );
+        let places = (0..WIDTH * HEIGHT).map(|place| [place % WIDTH, place / WIDTH]);
+        let map: Vec<u16> = places.map(|[column, row]| found(column, row)).collect();
+        let filled = |&found: &u16| if found == UNKNOWN { before } else { found };
+        let mut filled: Vec<u16> = map.iter().map(filled).collect();
+        let other = vec![UNKNOWN; map.len()];
+        RegionPlanes::default().apply(&map, 64, &view, &other, &mut filled);
+        filled
+    }
+
+    /// In the left margin, plane and row count alike where they are near each other.
+    #[test]
+    fn the_margin_is_between_plane_and_row() {
+        let found = |column: usize, _: usize| {
+            if column < 20 {
+                UNKNOWN
+            } else {
+                steps(10.0 + 0.05 * column as f64)
+            }
+        };
+        let filled = wall(found, steps(14.0));
+        for column in 0..20 {
+            let expected = steps((10.0 + 0.05 * column as f64 + 14.0) / 2.0);
+            assert!(filled[WIDTH * 40 + column].abs_diff(expected) <= 2);
+        }
+    }
+
+    /// Matches on the plane stay as they are.
+    #[test]
+    fn what_agrees_with_a_plane_is_not_replaced() {
+        let bump = |column: usize| if column % 10 == 5 { 0.5 } else { 0.0 };
+        let found = |column: usize, _: usize| steps(10.0 + bump(column));
+        let filled = wall(found, 0);
+        for (place, disparity) in filled.iter().enumerate() {
+            assert_eq!(*disparity, found(place % WIDTH, 0));
+        }
+    }
+
     /// Where a plane leaves the range that was looked at, what was there stays.
     #[test]
     fn planes_end_with_the_range() {

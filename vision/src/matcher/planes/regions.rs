@@ -282,6 +282,22 @@ mod tests {
         assert_eq!(regions.matches(0) + regions.matches(1), 41 * 21);
     }
 
+    /// What is small is larger in large pictures.
+    #[test]
+    fn small_regions_join_by_the_scale() {
+        let is_patch = |column: usize, row: usize| column < 16 && row < 16;
+        let grid = grid(
+            120,
+            80,
+            |column, row| if is_patch(column, row) { 200 } else { 60 },
+        );
+        let mut regions = Regions::default();
+        for (scale, count) in [(1.0, 2), (4.0, 1)] {
+            regions.find(&grid, |_| true, scale);
+            assert_eq!(regions.count(), count, "{scale}");
+        }
+    }
+
     /// A region without matches joins the more similar one of its neighbours, and one of few
     /// pixels joins any.
     #[test]
