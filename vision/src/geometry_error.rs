@@ -184,7 +184,8 @@ pub enum ViewGeometryError {
     Forward([f64; 3]),
     /// The second camera is to the left of the first.
     #[error(
-        "the second camera is at {0:?} m, left of the first: put the second view and its camera first"
+        "the second camera is at {0:?} m, left of the first: the views are exchanged; put the \
+         second view and its camera first"
     )]
     Exchanged([f64; 3]),
     /// There is no picture, or the rectified ones would have more than 2²⁸ pixels.

@@ -19,7 +19,7 @@ use crate::frame::{Check, Context};
 ///       ellipses that are fitted to them. Points at the border of the picture are not fitted:
 ///       "points_at_border" is how many there are.
 ///   nullcone contour IMAGE --snake --out c.svg --json
-///       A snake: from the largest border that lies whole in the picture, or from --circle, a
+///       A snake: from the largest border, which must lie whole in the picture, or from --circle, a
 ///       closed curve settles at edges. --json prints its energy before and after each step. The
 ///       verdict is doubtful where it still moves, has collapsed, or rests on the border of the
 ///       picture.
