@@ -114,9 +114,10 @@ impl<State> Minimum<State> {
     /// within the region. It is [`covariance`](Self::covariance) where the residuals are as good as
     /// linear, and for the groups.
     ///
-    /// The draws are the same at every call, and are followed in parallel. `None` where the residuals do not determine the
-    /// unknowns, do not exist about the minimum, or let errors leave an ellipsoid by more than five
-    /// times its size to first order: the minimum then is a hollow in a wide valley.
+    /// The draws are the same at every call, and are followed in parallel. `None` where the
+    /// residuals do not determine the unknowns, do not exist about the minimum, or let errors leave
+    /// an ellipsoid by more than five times its size to first order: the minimum then is a hollow
+    /// in a wide valley.
     #[must_use]
     pub fn curved_covariance<P: Problem<State = State> + Sync>(
         &self,
