@@ -8,8 +8,8 @@ use ga_numerics::order_statistics::Sorted;
 use ga_numerics::ransac::{Consensus, Search};
 
 /// Refuses pairs that a rotation explains about as well as a motion with a translation, and those
-/// of which it explains most to a tenth of a pixel: corners are found no better, and lenses known no
-/// better, so that what is left then tells nothing, however well a translation fits it.
+/// of which it explains most to a tenth of a pixel: corners are found no better, and lenses known
+/// no better, so that what is left then tells nothing, however well a translation fits it.
 pub(super) fn check(
     pairs: &[BearingPair],
     search: &Search,
