@@ -87,6 +87,8 @@ mod escape;
 mod extent;
 mod file;
 mod label;
+#[cfg(test)]
+mod node;
 mod page;
 mod picture;
 mod plane;

@@ -15,12 +15,16 @@
 
 pub mod chart;
 mod line_chart;
+mod motion;
 mod overlay;
 mod page;
 mod svg;
 mod values;
 
 pub use line_chart::{LineChart, Series};
+pub use motion::{
+    Bone, Encoding, FilmProblem, Motion, MotionCamera, MotionError, MotionFilm, MotionPicture, Side,
+};
 pub use overlay::{Outline, overlay};
 pub use page::{Cell, Page, Tint, percent};
 pub use svg::{Anchor, Svg, ticks};

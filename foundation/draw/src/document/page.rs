@@ -28,6 +28,8 @@ pub struct Page {
     html: String,
     /// The length of what stands before the first part.
     begin: usize,
+    /// The style sheets that were added.
+    styles: Vec<&'static str>,
 }
 
 impl Page {
@@ -41,7 +43,11 @@ impl Page {
              <style>{STYLE}</style></head><body>\n<h1>{title}</h1>\n"
         );
         let begin = html.len();
-        Self { html, begin }
+        Self {
+            html,
+            begin,
+            styles: vec![],
+        }
     }
 
     /// A heading below those of [`heading`](Self::heading).
@@ -182,7 +188,19 @@ impl Page {
         self.html
     }
 
-    fn add(&mut self, html: std::fmt::Arguments<'_>) {
+    /// Adds a style sheet for a kind of part, unless the page has it; says whether it was added.
+    pub(super) fn add_style(&mut self, style: &'static str) -> bool {
+        if self.styles.contains(&style) {
+            return false;
+        }
+        self.styles.push(style);
+        let end = self.html.find("</style>").unwrap_or_default();
+        self.html.insert_str(end, style);
+        self.begin += style.len();
+        true
+    }
+
+    pub(super) fn add(&mut self, html: std::fmt::Arguments<'_>) {
         // Writing to a string does not fail.
         let _ = self.html.write_fmt(html);
     }

@@ -318,7 +318,7 @@ const geometry = (() => {
   }
 
   return {
-    LETTER, TAU, along, basisAcross, clamp, difference, dot, fittedCamera, hiding, length, outline,
-    outlineCurve, placeLabels, scaled, strokes,
+    LETTER, TAU, along, basisAcross, clamp, difference, dot, fittedCamera, hiding, length, makeCamera,
+    outline, outlineCurve, placeLabels, scaled, strokes,
   };
 })();

@@ -14,7 +14,9 @@ use crate::view::Projection;
 
 const SHEET: &str = include_str!("page.css");
 /// The mathematics of the page. They need no document, so that they can be tested alone.
-const GEOMETRY: &str = include_str!("geometry.js");
+pub(crate) const GEOMETRY: &str = include_str!("geometry.js");
+/// The canvas and its view. It uses [`GEOMETRY`].
+pub(crate) const STAGE: &str = include_str!("stage.js");
 /// The pieces into which surfaces are cut. It uses [`GEOMETRY`].
 const SURFACE: &str = include_str!("surface.js");
 const SCRIPT: &str = include_str!("page.js");
@@ -100,7 +102,7 @@ pub(crate) fn write(scene: &Scene) -> String {
 </main>
 <script type="application/json" id="scene">{json}</script>
 <script>
-{GEOMETRY}{SURFACE}{SCRIPT}</script>
+{GEOMETRY}{STAGE}{SURFACE}{SCRIPT}</script>
 </body>
 </html>
 "#

@@ -1,6 +1,7 @@
-/** The page: paints the scene on the canvas, and follows the pointer, the keys and the legend. */
+/** The page: paints the scene on the canvas, and follows the address and the legend. */
 (() => {
   const { LETTER, TAU, clamp, fittedCamera, hiding, outlineCurve, placeLabels, strokes } = geometry;
+  const { cleared, oncePerPainting, turntable } = stages;
   const data = JSON.parse(document.getElementById("scene").textContent);
   const { picture } = data;
   const stage = document.getElementById("stage");
@@ -8,13 +9,13 @@
   if (!context) return;
 
   const start = { azimuth: data.azimuth, elevation: data.elevation, zoom: data.zoom };
-  let view = { ...start };
+  const view = { ...start };
   const shown = data.elements.map(() => true);
   const isShown = (item) => item.element === null || shown[item.element];
 
   function readFragment() {
     const found = new URLSearchParams(location.hash.slice(1));
-    view = { ...start };
+    Object.assign(view, start);
     const angles = (found.get("turn") || "").split(",").map(Number);
     if (angles.length === 2 && angles.every(Number.isFinite)) {
       view.azimuth = angles[0] % 360;
@@ -152,17 +153,6 @@
     }
   }
 
-  /** Fits the canvas to its place on the page, and clears it; gives its width and height. */
-  function cleared() {
-    const { clientWidth: width, clientHeight: height } = stage;
-    const ratio = window.devicePixelRatio || 1;
-    const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (stage.width !== wide || stage.height !== high) [stage.width, stage.height] = [wide, high];
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    return [width, height];
-  }
-
   /** The colours of the page, which follow the reader's preference for light or dark. */
   function pageColours() {
     const style = getComputedStyle(document.documentElement);
@@ -171,7 +161,7 @@
   }
 
   function draw() {
-    const size = cleared();
+    const size = cleared(stage, context);
     const colours = pageColours();
     const camera = fittedCamera(data, view, size);
     const balls = picture.balls.filter(isShown);
@@ -202,72 +192,8 @@
     drawLabels(camera, size, colours);
   }
 
-  let waiting = false;
-  function redraw() {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      draw();
-    });
-  }
-
-  function rotate(azimuth, elevation) {
-    view.azimuth = (view.azimuth + azimuth) % 360;
-    view.elevation = clamp(view.elevation + elevation, -90, 90);
-    redraw();
-  }
-  function zoom(factor) {
-    view.zoom = clamp(view.zoom * factor, 0.1, 20);
-    redraw();
-  }
-  function reset() {
-    view = { ...start };
-    redraw();
-  }
-
-  const fingers = new Map();
-  const spread = () => {
-    const [a, b] = [...fingers.values()];
-    return Math.hypot(a[0] - b[0], a[1] - b[1]);
-  };
-  stage.addEventListener("pointerdown", (event) => {
-    fingers.set(event.pointerId, [event.clientX, event.clientY]);
-    stage.setPointerCapture(event.pointerId);
-  });
-  stage.addEventListener("pointermove", (event) => {
-    const last = fingers.get(event.pointerId);
-    if (!last) return;
-    const before = fingers.size === 2 ? spread() : 0;
-    fingers.set(event.pointerId, [event.clientX, event.clientY]);
-    if (fingers.size === 1) rotate(-0.4 * (event.clientX - last[0]), 0.4 * (event.clientY - last[1]));
-    else if (before > 0) zoom(spread() / before);
-  });
-  for (const end of ["pointerup", "pointercancel"]) {
-    stage.addEventListener(end, (event) => fingers.delete(event.pointerId));
-  }
-  stage.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    zoom(Math.exp(-clamp(event.deltaY, -300, 300) / 600));
-  }, { passive: false });
-  stage.addEventListener("dblclick", reset);
-  const KEYS = {
-    ArrowLeft: () => rotate(5, 0),
-    ArrowRight: () => rotate(-5, 0),
-    ArrowUp: () => rotate(0, 5),
-    ArrowDown: () => rotate(0, -5),
-    "+": () => zoom(1.15),
-    "=": () => zoom(1.15),
-    "-": () => zoom(1 / 1.15),
-    0: reset,
-    Home: reset,
-  };
-  stage.addEventListener("keydown", (event) => {
-    const act = Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.metaKey && !event.altKey && KEYS[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  });
+  const redraw = oncePerPainting(draw);
+  turntable(stage, view, start, redraw);
 
   const legend = document.getElementById("legend");
   data.elements.forEach((element, index) => {

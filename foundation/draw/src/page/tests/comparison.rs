@@ -8,9 +8,9 @@ use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
 
 use super::super::{Data, GEOMETRY, SURFACE};
-use super::node;
 use crate::camera::{Camera, Pixel};
 use crate::label::{LETTER, placed, text_width};
+use crate::node::node;
 use crate::picture::{Picture, as_written};
 use crate::scene::Scene;
 use crate::shape::Shape;

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::super::{Data, GEOMETRY, SCRIPT, SURFACE};
-use super::node;
+use super::super::{Data, GEOMETRY, SCRIPT, STAGE, SURFACE};
+use crate::node::node;
 use crate::scene::Scene;
 use crate::style::Style;
 use ga_runtime::cga3::{Point, Sphere};
@@ -46,7 +46,7 @@ fn the_page_follows_keys_pointer_legend_and_address() {
         {"target": "stage", "name": "dblclick", "event": {}},
     ]);
     let input = json!({
-        "script": format!("{GEOMETRY}{SURFACE}{SCRIPT}"),
+        "script": format!("{GEOMETRY}{STAGE}{SURFACE}{SCRIPT}"),
         "scene": Data::of(&scene()).json(),
         "events": events,
     });
