@@ -8,7 +8,9 @@ const SEPARATORS: [Separator; 3] = [Separator::Comma, Separator::Semicolon, Sepa
 
 /// A text that means neither a number nor a missing cell.
 fn text() -> impl Strategy<Value = String> {
-    "[a-z][a-z ,;\t\"\n#é]{0,6}[a-z]".prop_filter("not missing", |text| text != "na")
+    "[a-z][a-z ,;\t\"\n#é]{0,6}[a-z]".prop_filter("not missing", |text| {
+        !["na", "null"].contains(&text.as_str())
+    })
 }
 
 fn number() -> impl Strategy<Value = Option<f64>> {

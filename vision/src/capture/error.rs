@@ -274,6 +274,12 @@ pub enum CaptureError {
         /// What is wrong with it.
         problem: Box<CaptureError>,
     },
+    /// No frame shows where the head is.
+    #[error("no frame has a pose; the first: {problem}")]
+    NoPose {
+        /// Why the first frame has none.
+        problem: Box<CaptureError>,
+    },
     /// A frame shows no key.
     #[error("no key is seen")]
     NoKeySeen,
@@ -297,7 +303,7 @@ pub enum KeyProblem {
 }
 
 /// The least number of calibrated points.
-pub(super) const NEEDED: usize = 4;
+pub(super) const NEEDED: usize = 3;
 
 /// One of the two sets of points that a pose relates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

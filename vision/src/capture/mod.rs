@@ -2,7 +2,7 @@
 //! §2.1.1).
 //!
 //! The motion of points on a face is that of the head as a rigid body, followed by what the muscles
-//! add to it. Four or more calibrated points, which no expression moves, separate the two:
+//! add to it. Three or more calibrated points, which no expression moves, separate the two:
 //!
 //! - [`rigid_pose`]: the motor of the head, by least squares or robust against gross errors;
 //! - [`Capture`]: frames of points, each as a pose and an expression in the frame of the head at
@@ -47,7 +47,7 @@ pub use error::{CaptureError, KeyProblem, PointSet};
 pub use head::{HeadMotion, HeadSurface, KeyArea, KeyFit};
 pub use pose::{PoseOptions, RigidPose, rigid_pose};
 pub use principal::PrincipalShapes;
-pub use sequence::{Capture, CaptureMatrix, CapturedFrame};
+pub use sequence::{Capture, CaptureMatrix, CapturedFrame, FrameOutcome};
 pub use sphere::SphericalParameterisation;
 pub use spline::SphericalSpline;
 pub use surface_mesh::SurfaceMesh;

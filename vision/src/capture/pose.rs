@@ -21,7 +21,7 @@ pub struct RigidPose {
     pub root_mean_square: f64,
 }
 
-/// The pose of a rigid body from four or more of its points, which are known at rest: the motor M
+/// The pose of a rigid body from three or more of its points, which are known at rest: the motor M
 /// for which
 ///
 /// ```text
@@ -34,13 +34,13 @@ pub struct RigidPose {
 /// ([`ransac`](ga_numerics::ransac)), and the motor is fitted to all of them
 /// ([`Motor::from_point_pairs`]) until they do not change any more.
 ///
-/// Three points would determine the motion; the fourth shows whether they are right. Points in one
-/// plane are enough, points on one line are not: a rotation about the line moves none of them.
+/// Three points that are not on one line determine the motion: their distances from each other show
+/// whether they are right. Points on one line do not: a rotation about it moves none of them.
 ///
 /// # Errors
-/// [`CaptureError`]: fewer than four points, unequal numbers of them, numbers that are not finite,
+/// [`CaptureError`]: fewer than three points, unequal numbers of them, numbers that are not finite,
 /// all points in one place or on one line, points that several rotations fit equally well, a
-/// threshold that is not positive, and fewer than four points that agree with any one pose.
+/// threshold that is not positive, and fewer than three points that agree with any one pose.
 ///
 /// ```
 /// use ga_runtime::cga3::{Motor, Point, Rotor, Translator};

@@ -56,6 +56,9 @@ pub struct CapturedFrame {
     pub expression: Vec<Option<Vector<f64>>>,
 }
 
+/// What a frame of a sequence shows, or why it does not show where the head is.
+pub type FrameOutcome = Result<CapturedFrame, CaptureError>;
+
 /// The capture matrix of a frame (Cui, §2.1.1): the 4 × N homogeneous coordinates of its points
 /// with the pose of the head taken out, which are the paper's reverse points,
 ///
@@ -67,7 +70,7 @@ pub struct CapturedFrame {
 /// ```
 ///
 /// for the points pₖ that were seen. Lengths are in the unit of the points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CaptureMatrix {
     /// The point of each column.
     pub points: Vec<usize>,
@@ -80,7 +83,7 @@ impl Capture {
     ///
     /// # Errors
     /// [`CaptureError`]: a point at rest that is not finite; a calibrated point that does not exist
-    /// or is named twice; fewer than four calibrated points; calibrated points in one place or on
+    /// or is named twice; fewer than three calibrated points; calibrated points in one place or on
     /// one line.
     pub fn new(
         rest: Vec<Point<f64>>,
@@ -124,7 +127,7 @@ impl Capture {
     ///
     /// # Errors
     /// [`CaptureError`]: another number of points than at rest, points that are not finite, fewer
-    /// than four calibrated points seen, calibrated points that determine no pose.
+    /// than three calibrated points seen, calibrated points that determine no pose.
     pub fn frame(&self, seen: &[Option<Point<f64>>]) -> Result<CapturedFrame, CaptureError> {
         let (expected, found) = (self.rest.len(), seen.len());
         if expected != found {
@@ -152,25 +155,40 @@ impl Capture {
         })
     }
 
-    /// Separates all frames of a sequence.
+    /// Separates all frames of a sequence. A frame that does not show where the head is says why,
+    /// and does not fail the others.
     ///
     /// # Errors
-    /// [`CaptureError::Frame`] for the first frame that is not valid; see [`Capture::frame`].
+    /// [`CaptureError::Frame`] for the first frame that is not valid: with another number of points
+    /// than at rest, or points that are not finite. [`CaptureError::Threshold`].
+    /// [`CaptureError::NoPose`] where there are frames, and none shows where the head is.
     pub fn frames<F: AsRef<[Option<Point<f64>>]> + Sync>(
         &self,
         frames: &[F],
-    ) -> Result<Vec<CapturedFrame>, CaptureError> {
+    ) -> Result<Vec<FrameOutcome>, CaptureError> {
         let found: Vec<_> = frames
             .par_iter()
             .map(|frame| self.frame(frame.as_ref()))
             .collect();
-        let named = found.into_iter().enumerate().map(|(frame, found)| {
-            found.map_err(|problem| CaptureError::Frame {
-                frame,
-                problem: Box::new(problem),
-            })
-        });
-        named.collect()
+        for (frame, outcome) in found.iter().enumerate() {
+            match outcome {
+                Err(error @ CaptureError::Threshold(_)) => return Err(error.clone()),
+                Err(
+                    problem @ (CaptureError::FrameCounts { .. }
+                    | CaptureError::PointNotFinite { .. }),
+                ) => {
+                    let problem = Box::new(problem.clone());
+                    return Err(CaptureError::Frame { frame, problem });
+                }
+                _ => {}
+            }
+        }
+        match found.first() {
+            Some(Err(problem)) if found.iter().all(Result::is_err) => Err(CaptureError::NoPose {
+                problem: Box::new(problem.clone()),
+            }),
+            _ => Ok(found),
+        }
     }
 
     fn pose(&self, seen: &[Option<Point<f64>>]) -> Result<RigidPose, CaptureError> {

@@ -3,7 +3,7 @@
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
-use super::sequence::CapturedFrame;
+use super::sequence::{CapturedFrame, FrameOutcome};
 use super::table::{PointRow, PointTable};
 
 /// How far points move beyond the pose.
@@ -28,7 +28,7 @@ pub struct ExpressionSummary {
 pub struct PointSummary {
     /// Its name.
     pub name: String,
-    /// In how many frames it was seen.
+    /// In how many frames with a pose it was seen.
     pub frames_seen: usize,
     /// The root mean square over those.
     #[serde(rename = "rms_metres")]
@@ -38,30 +38,34 @@ pub struct PointSummary {
     pub max: f64,
 }
 
-/// The pose of the head in a frame: the motion since it was at rest.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// The pose of the head in a frame: the motion since it was at rest. The numbers of a frame without
+/// a pose do not exist, and are `null` in JSON.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PoseSummary {
     /// The name of the frame.
     pub frame: String,
     /// The translation.
     #[serde(rename = "translation_metres")]
-    pub translation: [f64; 3],
+    pub translation: Option<[f64; 3]>,
     /// x, y, z, w.
-    pub rotation_quaternion: [f64; 4],
+    pub rotation_quaternion: Option<[f64; 4]>,
     /// The axis, of length 1.
-    pub rotation_axis: [f64; 3],
+    pub rotation_axis: Option<[f64; 3]>,
     /// The angle, of no more than 180°.
-    pub rotation_degrees: f64,
+    pub rotation_degrees: Option<f64>,
     /// The root mean square distance of the calibrated points that agree from where the pose takes
     /// them.
     #[serde(rename = "rms_metres")]
-    pub rms: f64,
+    pub rms: Option<f64>,
     /// How many agree.
-    pub inliers: usize,
+    pub inliers: Option<usize>,
     /// Calibrated points that were seen and do not agree.
     pub outliers: Vec<String>,
     /// Calibrated points that were not seen.
     pub missing: Vec<String>,
+    /// Why the frame has no pose.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pose_reason: Option<String>,
 }
 
 /// A surface and its motion, in the coordinates of the mesh, scaled to metres.
@@ -108,15 +112,15 @@ pub struct AreaSummary {
     pub centre: [f64; 3],
     /// Whether the centre stays there.
     pub centre_kept: bool,
-    /// How far the centre is from there, in each frame.
+    /// How far the centre is from there, in each frame; `None` where the surface has no expression.
     #[serde(rename = "centre_displacement_metres")]
-    pub centre_displacement: Vec<[f64; 3]>,
+    pub centre_displacement: Vec<Option<[f64; 3]>>,
 }
 
 impl ExpressionSummary {
-    /// Of the frames of a table.
+    /// Of those frames of a table that have a pose.
     #[must_use]
-    pub fn new(points: &PointTable, frames: &[CapturedFrame]) -> Self {
+    pub fn new(points: &PointTable, frames: &[FrameOutcome]) -> Self {
         let mut of_points = Vec::with_capacity(points.names.len());
         let (mut squares, mut count) = (0.0, 0);
         // The greatest, its point and its frame.
@@ -124,7 +128,11 @@ impl ExpressionSummary {
         for (point, name) in points.names.iter().enumerate() {
             let (mut sum, mut seen, mut max) = (0.0, 0, 0.0_f64);
             for (index, frame) in frames.iter().enumerate() {
-                let Some(length) = frame.expression[point].map(Vector::length) else {
+                let moved = frame
+                    .as_ref()
+                    .ok()
+                    .and_then(|frame| frame.expression[point]);
+                let Some(length) = moved.map(Vector::length) else {
                     continue;
                 };
                 sum += length * length;
@@ -160,32 +168,46 @@ impl PoseSummary {
     pub fn of_frames(
         points: &PointTable,
         calibrated: &[usize],
-        frames: &[CapturedFrame],
+        frames: &[FrameOutcome],
     ) -> Vec<Self> {
-        let rows = points.frames.iter().zip(frames);
-        let pose = |(row, frame): (&PointRow, &CapturedFrame)| {
-            let motor = frame.motor();
-            let rotor = motor.rotor();
-            let (rotation_axis, angle) = rotor.canonical().to_axis_angle();
-            let ([x, y, z], w) = rotor.to_quaternion();
+        let names = |all: Vec<usize>| all.into_iter().map(|k| points.names[k].clone()).collect();
+        let summary = |(row, outcome): (&PointRow, &FrameOutcome)| {
             let (seen, missing): (Vec<usize>, Vec<usize>) = calibrated
                 .iter()
                 .partition(|&&point| row.points[point].is_some());
-            let names =
-                |all: Vec<usize>| all.into_iter().map(|k| points.names[k].clone()).collect();
-            let is_outlier = |point: &usize| !frame.pose.inliers.contains(point);
-            Self {
+            let start = Self {
                 frame: row.label.clone(),
-                translation: motor.translator().displacement(),
-                rotation_quaternion: [x, y, z, w],
-                rotation_axis,
-                rotation_degrees: angle.to_degrees(),
-                rms: frame.pose.root_mean_square,
-                inliers: frame.pose.inliers.len(),
-                outliers: names(seen.into_iter().filter(is_outlier).collect()),
                 missing: names(missing),
+                ..Self::default()
+            };
+            match outcome {
+                Ok(frame) => {
+                    let is_outlier = |point: &usize| !frame.pose.inliers.contains(point);
+                    let outliers = names(seen.into_iter().filter(is_outlier).collect());
+                    Self { outliers, ..start }.with_pose(frame)
+                }
+                Err(problem) => Self {
+                    pose_reason: Some(points.reason(problem)),
+                    ..start
+                },
             }
         };
-        rows.map(pose).collect()
+        points.frames.iter().zip(frames).map(summary).collect()
+    }
+
+    fn with_pose(self, frame: &CapturedFrame) -> Self {
+        let motor = frame.motor();
+        let rotor = motor.rotor();
+        let (rotation_axis, angle) = rotor.canonical().to_axis_angle();
+        let ([x, y, z], w) = rotor.to_quaternion();
+        Self {
+            translation: Some(motor.translator().displacement()),
+            rotation_quaternion: Some([x, y, z, w]),
+            rotation_axis: Some(rotation_axis),
+            rotation_degrees: Some(angle.to_degrees()),
+            rms: Some(frame.pose.root_mean_square),
+            inliers: Some(frame.pose.inliers.len()),
+            ..self
+        }
     }
 }

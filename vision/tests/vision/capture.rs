@@ -102,6 +102,48 @@ proptest! {
     }
 }
 
+/// An orthonormal frame on three points: along the first side, in their plane, and normal to it.
+fn frame_on([a, b, c]: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let [a, b, c] = [a, b, c].map(ga_runtime::vga3::Vector::from);
+    let u = (b - a) * (b - a).length().recip();
+    let w = u.cross(c - a);
+    let w = w * w.length().recip();
+    [u, w.cross(u), w].map(|axis| axis.coordinates())
+}
+
+proptest! {
+    /// With a frame on three points at rest and one on those seen, the columns of F and G, the
+    /// rotation is G Fᵀ.
+    #[test]
+    fn three_points_determine_a_pose(
+        axis in vector(1.0), angle in -3.1..3.1, displacement in vector(3.0),
+        places in prop::array::uniform3(vector(0.1)), lip in vector(0.1),
+    ) {
+        prop_assume!(axis.iter().map(|x| x * x).sum::<f64>() > 0.01);
+        let [a, b, c] = places.map(ga_runtime::vga3::Vector::from);
+        prop_assume!((b - a).cross(c - a).length() > 1e-4);
+        let truth = motor(axis, angle, displacement).rotor().to_matrix();
+        let seen = places.map(|place| moved(truth, displacement, place));
+        let (f, g) = (frame_on(places), frame_on(seen));
+        let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| (0..3).map(|k| g[k][i] * f[k][j]).sum())
+        });
+        let turned = moved(rotation, [0.0; 3], places[0]);
+        let translation: [f64; 3] = std::array::from_fn(|k| seen[0][k] - turned[k]);
+        let found = rigid_pose(&points(&places), &points(&seen), &PoseOptions::default()).unwrap();
+        assert_near_motion(found.motor, rotation, translation);
+        prop_assert_eq!(found.inliers, [0, 1, 2]);
+
+        // The same with a fourth calibrated point that is not seen.
+        let mut rest = points(&places);
+        rest.push(lip.into());
+        let capture = Capture::new(rest, vec![0, 1, 2, 3], PoseOptions::default()).unwrap();
+        let mut frame: Vec<_> = points(&seen).into_iter().map(Some).collect();
+        frame.push(None);
+        assert_near_motion(capture.frame(&frame).unwrap().motor(), rotation, translation);
+    }
+}
+
 /// The error of a pose: the greatest distance by which it misses where the points are.
 fn error(found: Motor<f64>, truth: Motor<f64>, rest: &[Point<f64>]) -> f64 {
     let miss = |&x: &Point<f64>| found.transform(x).distance(truth.transform(x));
@@ -186,7 +228,7 @@ fn a_capture_matrix_by_hand() {
     ]
     .map(|place| place.map(Point::from));
     let capture = Capture::new(points(&rest), vec![0, 1, 2, 3], PoseOptions::default()).unwrap();
-    let frame = &capture.frames(&[seen]).unwrap()[0];
+    let frame = capture.frames(&[seen]).unwrap().remove(0).unwrap();
     let matrix = frame.matrix();
     assert_eq!(matrix.points, [0, 1, 2, 3, 4]);
     let expected = [
@@ -258,9 +300,15 @@ fn points_that_determine_no_pose_are_refused() {
     assert_eq!(fails(&square, &line), CaptureError::Collinear { place });
     let one = vec![square[1]; 4];
     assert_eq!(fails(&square, &one), CaptureError::Coincident { place });
-    let (found, needed) = (3, 4);
     assert_eq!(
         fails(&square[1..], &line[1..]),
+        CaptureError::Collinear {
+            place: PointSet::Seen
+        }
+    );
+    let (found, needed) = (2, 3);
+    assert_eq!(
+        fails(&square[2..], &line[2..]),
         CaptureError::TooFew { found, needed }
     );
     assert_eq!(
@@ -289,12 +337,15 @@ fn points_that_determine_no_pose_are_refused() {
     );
     let mut bent = square.clone();
     bent[3] = Point::new(0.0, 1.0, 5.0);
+    let found = rigid_pose(&square, &bent, &robust(0.1)).unwrap();
+    assert_eq!(found.inliers, [0, 1, 2]);
+    bent[2] = Point::new(1.0, 1.0, -7.0);
     assert!(matches!(
         rigid_pose(&square, &bent, &robust(0.1)),
         Err(CaptureError::NoConsensus {
-            agreeing: 3,
             points: 4,
-            needed: 4
+            needed: 3,
+            ..
         })
     ));
 }
@@ -319,7 +370,7 @@ fn frames_that_cannot_be_captured_are_named() {
     );
     assert_eq!(new(&[0, 1, 2, 1]), Err(CaptureError::Twice(1)));
     assert!(matches!(
-        new(&[0, 1, 2]),
+        new(&[0, 1]),
         Err(CaptureError::Rest(error)) if matches!(*error, CaptureError::TooFew { .. })
     ));
     let mut bad = rest.clone();
@@ -330,23 +381,25 @@ fn frames_that_cannot_be_captured_are_named() {
     );
     let capture = new(&[0, 1, 2, 3, 4]).unwrap();
     let mut frame: Vec<_> = rest.iter().map(|&point| Some(point)).collect();
-    // Four of five calibrated points, and others missing, are enough.
+    // Three of five calibrated points, and others missing, are enough.
     frame[3] = None;
+    frame[4] = None;
     frame[5] = None;
     assert!(capture.frame(&frame).is_ok());
     let good = frame.clone();
     frame[1] = None;
-    let error = capture.frames(&[good.clone(), frame.clone()]).unwrap_err();
+    let found = capture.frames(&[good.clone(), frame.clone()]).unwrap();
     let problem = CaptureError::Missing {
-        seen: 3,
-        needed: 4,
-        missing: vec![1, 3],
+        seen: 2,
+        needed: 3,
+        missing: vec![1, 3, 4],
     };
+    assert_eq!(found[0], capture.frame(&good));
+    assert_eq!(found[1], Err(problem.clone()));
+    assert!(problem.to_string().contains("point 1, point 3"));
+    let none = capture.frames(&[frame.clone(), frame.clone()]);
     let problem = Box::new(problem);
-    assert_eq!(error, CaptureError::Frame { frame: 1, problem });
-    assert!(
-        error.to_string().contains("frame 1") && error.to_string().contains("point 1, point 3")
-    );
+    assert_eq!(none, Err(CaptureError::NoPose { problem }));
     // The four that are seen are on one line at rest, which the fifth is not.
     let mut rest = rest.clone();
     rest[2] = Point::new(2.0, 0.0, 0.0);
@@ -365,10 +418,11 @@ fn frames_that_cannot_be_captured_are_named() {
         "{problem}"
     );
     frame[1] = Some(Point::new(f64::NAN, 0.0, 0.0));
-    assert_eq!(
-        capture.frame(&frame),
-        Err(CaptureError::PointNotFinite { point: 1 })
-    );
+    let problem = CaptureError::PointNotFinite { point: 1 };
+    assert_eq!(capture.frame(&frame), Err(problem.clone()));
+    let error = capture.frames(&[good.clone(), frame]).unwrap_err();
+    let problem = Box::new(problem);
+    assert_eq!(error, CaptureError::Frame { frame: 1, problem });
     let (expected, found) = (6, 5);
     assert_eq!(
         capture.frame(&good[..5]),

@@ -520,12 +520,16 @@ fn a_head_moves_with_its_keys_and_its_pose() {
     let fit = KeyFit::new(&keys, &rest, true).unwrap();
     let points = PointTable {
         names: (0..6).map(|k| format!("p{k}")).collect(),
-        frames: vec![PointRow {
-            line: 2,
-            label: "0".into(),
-            time: None,
-            points: vec![None; 6],
-        }],
+        numbers: (0..6).collect(),
+        frames: (0..3)
+            .map(|frame: usize| PointRow {
+                line: 2 + frame,
+                label: frame.to_string(),
+                time: None,
+                points: vec![None; 6],
+            })
+            .collect(),
+        notes: Vec::new(),
     };
     let motor: Motor<f64> = Translator::from_displacement([0.0, 0.0, 1.0]).into();
     let rise = Vector::new(0.0, 0.01, 0.0);
@@ -540,7 +544,7 @@ fn a_head_moves_with_its_keys_and_its_pose() {
     };
     frame.expression[3] = None;
     let head = HeadSurface::new(mesh, keys, fit, &points).unwrap();
-    let motion = head.follow(&[frame.clone()], &points, 1e-9).unwrap();
+    let motion = head.follow(&[Ok(frame.clone())], &points, 1e-9).unwrap();
     let moved = |pose| head.mesh_in_frame(&motion, 0, pose).unwrap();
     for (in_mesh, (there, place)) in moved(None)
         .positions()
@@ -558,11 +562,33 @@ fn a_head_moves_with_its_keys_and_its_pose() {
         (6, 1, 1)
     );
     assert!((found.metres_per_mesh_unit - 1e-3).abs() < 1e-15);
-    assert!(Vector::from(found.area.centre_displacement[0]).distance(rise) < 1e-12);
+    let raised = found.area.centre_displacement[0].unwrap();
+    assert!(Vector::from(raised).distance(rise) < 1e-12);
 
+    // Frames without a pose, or without a key that is seen, are empty.
+    let good = frame.clone();
     frame.expression = vec![None; 6];
-    let error = head.follow(&[frame], &points, 1e-9).unwrap_err();
-    assert_eq!(error.to_string(), "line 2, frame 0: no key is seen");
+    let blind = Err(CaptureError::NotUnique);
+    let frames = [blind, Ok(good.clone()), Ok(frame.clone())];
+    let motion = head.follow(&frames, &points, 1e-9).unwrap();
+    assert_eq!(motion.empty_frames(), [0, 2]);
+    let found = head.summary(&motion).area.centre_displacement;
+    assert!(found[0].is_none() && found[1] == Some(raised) && found[2].is_none());
+    assert_eq!(
+        head.mesh_in_frame(&motion, 0, None).unwrap_err(),
+        CaptureError::NoKeySeen
+    );
+    // Keys of the animation are at the times of those frames that have something.
+    let rest = head.mesh_at_rest().unwrap();
+    let poses = [None, Some(motor), Some(motor)];
+    let document = head.document(&rest, &motion, Some(&poses), &[0.0, 0.5, 1.0]);
+    let channels = &document.unwrap().animations[0].channels;
+    let times: Vec<_> = channels.iter().map(|channel| &channel.times[..]).collect();
+    assert_eq!(times, [&[0.5][..], &[0.5, 1.0], &[0.5, 1.0]]);
+    assert_eq!(
+        head.follow(&[Ok(frame)], &points, 1e-9).unwrap_err(),
+        CaptureError::NoKeySeen
+    );
     let unknown = head
         .with_area("p9:1".parse().unwrap(), &points)
         .unwrap_err();

@@ -6,6 +6,7 @@ mod arrangement;
 mod calibration;
 mod capture;
 mod capture_surface;
+mod capture_tables;
 mod chessboard;
 mod circle_grid;
 mod contour;

@@ -6,15 +6,31 @@ use ga_vision::capture::{KeyArea, PoseOptions};
 
 /// Separate captured points of a face into the pose of the head and its expression.
 ///
-/// POINTS.csv has a row for each frame and three columns for each point, in metres. The first line
-/// names them NAME_x, NAME_y, NAME_z; columns `frame` and `time_seconds` may come first. A point
-/// that was not seen has empty fields. Without a line of names, points are 0, 1, 2 and so on.
+/// POINTS has a row for each frame and three columns for each point. The first line names them
+/// NAME_x, NAME_y, NAME_z; columns such as `frame` and `time`, `Time (Seconds)` or `time_seconds`
+/// may come first. Without a line of names, points are 0, 1, 2 and so on. Commas, tabs or
+/// semicolons are between the fields, and after semicolons numbers may have decimal commas. Lengths
+/// are in metres.
 ///
-/// Calibrated points are four or more that no expression moves, such as temples, forehead and the
-/// bridge of the nose. They need not be in all frames, but four must be, and not on one line; four
-/// in a plane are enough. The pose of a frame is the motion of the head since the reference frame,
-/// and the expression of a point is its displacement beyond that, in the coordinates of the
-/// reference frame.
+/// Exports of Motive (OptiTrack) and Nexus (Vicon) as CSV, and TRC of OpenSim and Pose2Sim, are
+/// known by what they say, whatever the ending of the file; their unit becomes metres. Columns that
+/// are not positions of named markers, as those of rigid bodies, are passed over, which a warning
+/// says. `face:brow` may be called `brow`. C3D is not read: export it as TRC or CSV.
+///
+/// A point that was not seen has fields that are empty or NaN, NA, N/A, #N/A or null. A point that
+/// is exactly 0,0,0 in some frames and elsewhere in others was lost there, which a warning says;
+/// one that is 0,0,0 in all frames stays there, but several such points were never seen.
+/// --keep-zeros takes all as they are. Points that are seen in no frame are left out.
+///
+/// Calibrated points are three or more that no expression moves, such as temples, forehead and the
+/// bridge of the nose. They need not be in all frames: three that are not on one line show the
+/// pose. A frame with fewer has neither pose nor expression: its fields are empty in CSV, its
+/// numbers are null in JSON, with a `pose_reason`, and glTF has no keys for it, so that programs
+/// interpolate between the frames before and after it. A warning counts and names such frames.
+///
+/// The pose of a frame is the motion of the head since the reference frame, in which all points
+/// must be seen, and the expression of a point is its displacement beyond that, in the coordinates
+/// of the reference frame.
 ///
 /// With --mesh, a surface follows the points: seen from its centre of gravity, the displacements
 /// of the keys are interpolated on the sphere by a smooth spline, exactly at the keys. KEYS.csv
@@ -30,12 +46,13 @@ use ga_vision::capture::{KeyArea, PoseOptions};
 ///   nullcone capture points.csv --calibrated brow,nose,left,right --out expression.csv \
 ///     --mesh face.obj --keys keys.csv --out face.glb --json
 ///
-/// prints {"frames": …, "points": …, "calibrated": […], "reference_frame": …,
-/// "expression": {"rms_metres": …, "max_metres": …, "max_point": …, "max_frame": …,
-/// "points": [{"name": …, "frames_seen": …, "rms_metres": …, "max_metres": …}, …]},
+/// prints {"frames": …, "frames_without_pose": …, "points": …, "calibrated": […],
+/// "reference_frame": …, "expression": {"rms_metres": …, "max_metres": …, "max_point": …,
+/// "max_frame": …, "points": [{"name": …, "frames_seen": …, "rms_metres": …, "max_metres": …},
+/// …]},
 /// "poses": [{"frame": …, "translation_metres": […], "rotation_quaternion": [x, y, z, w],
 /// "rotation_axis": […], "rotation_degrees": …, "rms_metres": …, "inliers": …, "outliers": […],
-/// "missing": […]}, …], "surface": {"vertices": …, "keys": …, "keys_filled": …,
+/// "missing": […], "pose_reason": …}, …], "surface": {"vertices": …, "keys": …, "keys_filled": …,
 /// "key_fit_rms_metres": …, "sphere_centre_metres": […], "folded_triangles": …,
 /// "morph_targets": …, "morph_error_max_metres": …, "metres_per_mesh_unit": …,
 /// "area": {"vertices": …, "centre_metres": […], "centre_kept": …,
@@ -46,11 +63,14 @@ use ga_vision::capture::{KeyArea, PoseOptions};
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The points in each frame.
-    #[arg(value_name = "POINTS.csv")]
+    #[arg(value_name = "POINTS")]
     pub(super) points: PathBuf,
     /// The calibrated points, by name or by number from 0.
     #[arg(long, value_name = "POINT,…", value_delimiter = ',', required = true)]
     pub(super) calibrated: Vec<String>,
+    /// Take points that are 0,0,0 as they are, not as lost.
+    #[arg(long)]
+    pub(super) keep_zeros: bool,
     /// The frame in which the head is at rest, by its name in the column `frame` or else by the
     /// number of its row from 0 [default: the first].
     #[arg(long, value_name = "FRAME")]

@@ -2,26 +2,28 @@
 
 mod arguments;
 mod report;
+mod warnings;
 
 pub(crate) use arguments::Arguments;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context as _, Error, Result, anyhow, ensure};
+use anyhow::{Context as _, Error, Result, anyhow, bail, ensure};
 use ga_mesh::format::{Options, relocated};
 use ga_mesh::gltf;
 use ga_runtime::cga3::{Motor, Point};
 use ga_vision::capture::summary::{ExpressionSummary, PoseSummary};
 use ga_vision::capture::table::{
-    Key, PointTable, PointTableError, decode_keys, expressions_csv, matrices_csv, poses_csv,
+    Key, PointTable, PointTableError, Zeros, decode_keys, expressions_csv, matrices_csv, poses_csv,
 };
 use ga_vision::capture::{
-    Capture, CaptureError, CapturedFrame, HeadMotion, HeadSurface, KeyFit, PoseOptions,
+    Capture, CaptureError, CapturedFrame, FrameOutcome, HeadMotion, HeadSurface, KeyFit,
+    PoseOptions,
 };
 
 use crate::format::Format;
-use crate::frame::{Command, Context, Warning};
+use crate::frame::{Command, Context, Warning, keep_for_failure};
 use crate::{mesh_file, output};
 use report::Report;
 
@@ -33,7 +35,13 @@ impl Command for Arguments {
         let begin = Instant::now();
         let progress = context.progress(4);
         progress.step("reading");
-        let points = ga_files::read(&self.points, PointTable::decode)?;
+        let zeros = match self.keep_zeros {
+            true => Zeros::Kept,
+            false => Zeros::Lost,
+        };
+        let points = ga_files::read(&self.points, |bytes| PointTable::decode(bytes, zeros))?;
+        let mut warnings = warnings::of_table(&points, &self.points);
+        keep_for_failure(&warnings);
         let named = || self.points.display().to_string();
         let of_option = |option| move |error: PointTableError| anyhow!("{option} {error}");
         let frame = |name: &Option<String>, option| match name {
@@ -48,7 +56,15 @@ impl Command for Arguments {
         let calibrated = calibrated.with_context(named)?;
 
         progress.step("separating pose and expression");
-        let rest = points.rest(reference).with_context(named)?;
+        let rest = points.rest(reference).map_err(|error| match error {
+            PointTableError::MissingAtRest {
+                at_origin: true, ..
+            } => {
+                anyhow!("{error} (--keep-zeros keeps it, --reference takes another frame)")
+            }
+            error => error.into(),
+        });
+        let rest = rest.with_context(named)?;
         let options = PoseOptions {
             threshold: self.threshold,
             seed: self.seed,
@@ -60,14 +76,29 @@ impl Command for Arguments {
             .and_then(|capture| Ok((capture.frames(&rows)?, capture)));
         let found = found.map_err(|error| described(&error, &points, reference));
         let (frames, capture) = found.with_context(named)?;
+        let is_solved = |(_, frame): &(usize, &FrameOutcome)| frame.is_ok();
+        let mut solved = frames.iter().enumerate().filter(is_solved);
+        if frames.len() > 1 && solved.all(|(frame, _)| frame == reference) {
+            // At rest the points agree with themselves, which says nothing of the others.
+            let others = frames.iter().enumerate();
+            let mut others =
+                others.filter_map(|(frame, found)| Some((frame, found.as_ref().err()?)));
+            if let Some((frame, problem)) = others.next() {
+                let (place, reason) = (points.place(frame), points.reason(problem));
+                let error = anyhow!("no frame but the reference has a pose; {place}: {reason}");
+                return Err(error).with_context(named);
+            }
+        }
+        warnings.extend(warnings::of_frames(&points, &frames, &self.points));
 
         progress.step("moving the surface");
-        let mut warnings = Vec::new();
         let mut surface = None;
         if let Some(path) = &self.mesh {
             let head = self.surface(path, &points, capture.rest(), &mut warnings)?;
             let motion = head.follow(&frames, &points, self.tolerance);
-            surface = Some((head, motion.with_context(named)?));
+            let motion = motion.with_context(named)?;
+            warnings.extend(warnings::of_motion(&points, &frames, &motion, &self.points));
+            surface = Some((head, motion));
         }
         let files = self.files(&formats, &points, &frames, surface.as_ref(), shown)?;
 
@@ -80,6 +111,7 @@ impl Command for Arguments {
             warnings,
             files: files.into_iter().map(|(path, _)| path).collect(),
             frames: frames.len(),
+            frames_without_pose: frames.iter().filter(|frame| frame.is_err()).count(),
             points: points.names.len(),
             calibrated: names.collect(),
             reference_frame: points.frames[reference].label.clone(),
@@ -189,12 +221,13 @@ impl Arguments {
         &self,
         formats: &[Format],
         points: &PointTable,
-        frames: &[CapturedFrame],
+        frames: &[FrameOutcome],
         surface: Option<&(HeadSurface, HeadMotion)>,
         shown: usize,
     ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
         let mut files = Vec::new();
-        let poses: Vec<Motor<f64>> = frames.iter().map(CapturedFrame::motor).collect();
+        let pose = |frame: &FrameOutcome| frame.as_ref().ok().map(CapturedFrame::motor);
+        let poses: Vec<Option<Motor<f64>>> = frames.iter().map(pose).collect();
         let poses = Some(poses).filter(|_| !self.still);
         for (path, &format) in self.out.iter().zip(formats) {
             let cannot = || format!("cannot make {}", path.display());
@@ -210,8 +243,12 @@ impl Arguments {
                     files.extend(named.map(|(name, bytes)| (path.with_file_name(name), bytes)));
                 }
                 (Format::Mesh(_), Some((head, motion)), Some(from)) => {
-                    let pose = poses.as_ref().map(|poses| poses[shown]);
+                    let pose = poses.as_ref().and_then(|poses| poses[shown]);
                     let in_frame = || -> Result<_> {
+                        if let Err(problem) = &frames[shown] {
+                            let (place, reason) = (points.place(shown), points.reason(problem));
+                            bail!("{place}: {reason}");
+                        }
                         let mesh = head.mesh_in_frame(motion, shown, pose)?;
                         let mesh = relocated(&mesh, from, path)?;
                         mesh_file::files(path, format, &mesh, &Options::default())

@@ -15,6 +15,7 @@ pub(crate) struct Report {
     #[serde(skip)]
     pub(super) files: Vec<PathBuf>,
     pub(super) frames: usize,
+    pub(super) frames_without_pose: usize,
     pub(super) points: usize,
     pub(super) calibrated: Vec<String>,
     pub(super) reference_frame: String,
@@ -31,7 +32,9 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let greatest = |of: fn(&PoseSummary) -> f64| self.poses.iter().map(of).fold(0.0, f64::max);
+        let greatest = |of: fn(&PoseSummary) -> Option<f64>| {
+            self.poses.iter().filter_map(of).fold(0.0, f64::max)
+        };
         let outliers: usize = self.poses.iter().map(|pose| pose.outliers.len()).sum();
         let expression = &self.expression;
         let mut lines = format!(

@@ -3,7 +3,7 @@
 use super::face::{
     CALIBRATED, NAMES, assert_near, capture, folder, json, moved, plain, pose, table,
 };
-use crate::common::{assert_failure, names, nullcone};
+use crate::common::{assert_failure, names, nullcone, text};
 
 #[track_caller]
 fn fails(points: &str, arguments: &[&str], parts: &[&str]) {
@@ -55,8 +55,8 @@ fn points_that_determine_nothing_are_refused() {
         &[],
         &["line 2, frame f0", "point lip is missing in the reference"],
     );
-    let few = ["--calibrated", "brow,nose,left"];
-    fails(&table(plain), &few, &["4 points are needed", "not 3"]);
+    let few = ["--calibrated", "brow,nose"];
+    fails(&table(plain), &few, &["3 points are needed", "not 2"]);
     let twice = ["--calibrated", "brow,nose,left,nose"];
     fails(&table(plain), &twice, &["nose is named twice"]);
     let strange = ["--calibrated", "brow,nose,left,tail"];
@@ -65,21 +65,22 @@ fn points_that_determine_nothing_are_refused() {
         &strange,
         &["--calibrated tail", "brow, nose, left"],
     );
-    // Of five calibrated points, two are missing.
+    // Of five calibrated points, three are missing in all frames but the reference.
     let missing = table(|f, point, place| match (f, NAMES[point]) {
-        (4, "nose" | "right") => ",,".to_owned(),
+        (1.., "brow" | "nose" | "right") => ",,".to_owned(),
         _ => plain(f, point, place),
     });
     fails(
         &missing,
         &[],
         &[
-            "line 6, frame f4",
-            "3 calibrated points",
-            "missing: nose, right",
+            "points.csv",
+            "no frame but the reference has a pose",
+            "line 3, frame f1: 2 calibrated points are seen, and 3 are needed",
+            "missing: brow, nose, right",
         ],
     );
-    // On a line at rest, or in one frame; in a plane is enough.
+    // On a line at rest, or in a frame that is to be shown; in a plane is enough.
     let line = |frame: usize| {
         table(move |f, point, place| match f >= frame && point < 4 {
             true => format!("0.0,{},0.1", 0.02 * point as f64 * (point + f) as f64),
@@ -96,9 +97,11 @@ fn points_that_determine_nothing_are_refused() {
             "in one plane are enough",
         ],
     );
+    let shown = "--mesh face.obj --keys keys.csv --frame f4 --out f4.obj";
+    let shown: Vec<_> = four.into_iter().chain(shown.split(' ')).collect();
     fails(
         &line(4),
-        &four,
+        &shown,
         &["line 6, frame f4", "of the frame are on one line"],
     );
     let flat = table(|f, point, place| match point < 4 {
@@ -115,13 +118,25 @@ fn points_that_determine_nothing_are_refused() {
         false => plain(f, point, place),
     });
     let folder = folder(&flat);
-    let plane = [&["capture", "points.csv", "--json"], &four[..]].concat();
+    let lost = nullcone(
+        folder.path(),
+        [&["capture", "points.csv", "--json"], &four[..]].concat(),
+    );
+    let (warning, error) = text(&lost.stderr).split_once('\n').unwrap();
+    assert!(!lost.status.success() && warning.contains("brow is 0,0,0"));
+    assert!(error.contains("frame f0: point brow is missing"), "{error}");
+    assert!(error.contains("--keep-zeros"), "{error}");
+    let plane = ["capture", "points.csv", "--json", "--keep-zeros"];
+    let plane = [&plane, &four[..]].concat();
     let report = json(&nullcone(folder.path(), plane));
     assert_near(&report["poses"][3]["translation_metres"], &pose(3).1, 1e-9);
     let one = table(|_, _, _| "0.1,0.1,0.1".to_owned());
     fails(&one, &[], &["in one place"]);
     let noise = table(|f, point, place| match (f, point < 5) {
-        (1, true) => format!("{},{},{}", point * point, 7 % (point + 1), point * f),
+        (1.., true) => {
+            let [x, y, z] = [point * point, 7 % (point + 1), 9 + point * f];
+            format!("0.{x:02},0.{y:02},0.{z:02}")
+        }
         _ => plain(f, point, place),
     });
     fails(

@@ -3,6 +3,7 @@
 mod bad_input;
 mod face;
 mod surface;
+mod tables;
 
 use crate::common::{assert_success, names, nullcone, number, text};
 use face::{

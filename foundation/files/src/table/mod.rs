@@ -4,8 +4,8 @@
 //! comma. The first row says which: a tab there is the separator, otherwise a semicolon, otherwise
 //! the comma. Lines that begin with `#` are comments unless they have as many cells as the first
 //! row, two at least; empty lines do not count. A cell in quotation marks may hold separators, line
-//! ends and, doubled, quotation marks. A cell that is empty, `NA` or `NaN`, in small or capital
-//! letters, is missing. A byte order mark and `\r\n` are allowed.
+//! ends and, doubled, quotation marks. A cell that is empty, `NA`, `N/A`, `#N/A`, `NaN` or `null`,
+//! in small or capital letters, is missing. A byte order mark and `\r\n` are allowed.
 //!
 //! ```
 //! use ga_files::table::{Table, TableError};
@@ -61,7 +61,8 @@ impl Table {
     }
 
     /// A table as of [`parse`](Self::parse) whose rows all have as many cells as the first line, be
-    /// it one of names or not.
+    /// it one of names or not. Separators at the ends of rows, behind which no row has anything,
+    /// do not count.
     ///
     /// # Errors
     /// [`TableError::Columns`], and where the bytes are no such table.
@@ -71,12 +72,14 @@ impl Table {
     ///
     /// let message = |bytes| Table::rectangular(bytes).err().map(|error| error.to_string());
     /// assert_eq!(message(b"0,1\n2,3\n"), None);
+    /// assert_eq!(message(b"0,1\n2,3,\n"), None);
     /// let ragged = message(b"0,1\n\n2,3,4\n").ok_or("no error")?;
     /// assert_eq!(ragged, "line 3: 3 columns, but line 1 has 2");
     /// # Ok::<(), &str>(())
     /// ```
     pub fn rectangular(bytes: &[u8]) -> Result<Self, TableError> {
-        let table = Self::perhaps_named(bytes)?;
+        let mut table = Self::perhaps_named(bytes)?;
+        table.drop_empty_ends();
         let (first, expected) = table.first_line();
         match table.row_unlike(expected) {
             None => Ok(table),
@@ -130,6 +133,20 @@ impl Table {
         }
     }
 
+    /// Takes away the last columns that have neither a name nor anything in any row.
+    fn drop_empty_ends(&mut self) {
+        let filled = |cells: &[String]| {
+            let last = cells.iter().rposition(|cell| !cell.is_empty());
+            last.map_or(1, |last| last + 1)
+        };
+        let rows = self.rows.iter().map(|row| filled(&row.cells));
+        let width = rows.fold(filled(&self.names), usize::max);
+        self.names.truncate(width);
+        for row in &mut self.rows {
+            row.cells.truncate(width);
+        }
+    }
+
     /// The first row that has another number of cells.
     fn row_unlike(&self, width: usize) -> Option<&Row> {
         self.rows.iter().find(|row| row.cells.len() != width)
@@ -145,7 +162,11 @@ impl Table {
         }
     }
 
-    fn without_names(bytes: &[u8]) -> Result<Self, TableError> {
+    /// All rows, whatever their numbers of cells, of which none names the columns.
+    ///
+    /// # Errors
+    /// [`TableError::Encoding`] and [`TableError::Quotation`].
+    pub fn without_names(bytes: &[u8]) -> Result<Self, TableError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = std::str::from_utf8(bytes).map_err(|error| TableError::Encoding {
             line: 1 + bytes[..error.valid_up_to()]
@@ -258,7 +279,7 @@ impl Table {
 struct NotANumber;
 
 fn is_missing(cell: &str) -> bool {
-    ["", "na", "nan"]
+    ["", "na", "n/a", "#n/a", "nan", "null"]
         .iter()
         .any(|word| cell.eq_ignore_ascii_case(word))
 }

@@ -30,7 +30,10 @@ impl HeadSurface {
     /// The surface over time: the shapes of the motion as morph targets of a mesh at rest, which is
     /// [`mesh_at_rest`](Self::mesh_at_rest) with its own paths of pictures, and an animation of
     /// their weights and of the poses of the head; without poses, the mesh stays in its own
-    /// coordinates. Times are in seconds.
+    /// coordinates. Times are in seconds, one for each frame.
+    ///
+    /// A frame without a pose has no keys of the pose, and one in which the motion is empty has
+    /// none of the weights, so that programs interpolate between the frames before and after it.
     ///
     /// # Errors
     /// [`CaptureError::NoPlace`] for a motion beyond the range of the numbers, and
@@ -39,7 +42,7 @@ impl HeadSurface {
         &self,
         rest: &Mesh,
         motion: &HeadMotion,
-        poses: Option<&[Motor<f64>]>,
+        poses: Option<&[Option<Motor<f64>>]>,
         times: &[f64],
     ) -> Result<Document, CaptureError> {
         let names: Vec<_> = (1..=motion.targets.len())
@@ -54,12 +57,11 @@ impl HeadSurface {
             .collect();
         let document = Document::from_mesh_with_targets(rest, &targets);
         let mut document = document.map_err(|error| CaptureError::Format(Box::new(error)))?;
-        let times: Vec<f32> = times.iter().map(|&time| time as f32).collect();
         let weights = motion.shapes.weights.iter().flatten();
         let weights: Vec<f32> = weights.map(|&weight| weight as f32).collect();
-        let channel = |node, keys| Channel {
+        let channel = |node, times: &[f32], keys| Channel {
             node,
-            times: times.clone(),
+            times: times.to_vec(),
             interpolation: Interpolation::Linear,
             keys,
             extras: None,
@@ -67,13 +69,17 @@ impl HeadSurface {
         let nodes = document.nodes.len();
         let mut channels = Vec::new();
         if !weights.is_empty() {
-            channels.extend((0..nodes).map(|node| channel(node, Keys::Weights(weights.clone()))));
+            let times = times_of(&motion.keys, times);
+            let of_weights = |node| channel(node, &times, Keys::Weights(weights.clone()));
+            channels.extend((0..nodes).map(of_weights));
         }
         if let Some(poses) = poses {
             let places: Vec<_> = poses
                 .iter()
+                .flatten()
                 .map(|&pose| Placement::new(self.fit.to_mesh, pose))
                 .collect::<Result<_, _>>()?;
+            let times = times_of(poses, times);
             let [translations, rotations] = [
                 Keys::Translation(places.iter().map(Placement::translation).collect()),
                 Keys::Rotation(continuous(places.iter().map(Placement::quaternion))),
@@ -86,7 +92,10 @@ impl HeadSurface {
                 ..Node::default()
             });
             document.scenes[0].nodes = vec![nodes];
-            channels.extend([channel(nodes, translations), channel(nodes, rotations)]);
+            channels.extend([
+                channel(nodes, &times, translations),
+                channel(nodes, &times, rotations),
+            ]);
         }
         if !channels.is_empty() {
             document.animations.push(Animation {
@@ -97,6 +106,13 @@ impl HeadSurface {
         }
         Ok(document)
     }
+}
+
+/// The times of the frames that have something.
+fn times_of<T>(frames: &[Option<T>], times: &[f64]) -> Vec<f32> {
+    let frames = frames.iter().zip(times);
+    let frames = frames.filter(|(frame, _)| frame.is_some());
+    frames.map(|(_, &time)| time as f32).collect()
 }
 
 /// Quaternions without a change of sign from one to the next.

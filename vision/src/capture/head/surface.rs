@@ -11,8 +11,7 @@ use crate::capture::error::{CaptureError, KeyProblem};
 use crate::capture::summary::{AreaSummary, SurfaceSummary};
 use crate::capture::table::{Key, PointTable};
 use crate::capture::{
-    CapturedFrame, LocalArea, PrincipalShapes, SphericalParameterisation, SurfaceMesh,
-    SurfaceMotion,
+    FrameOutcome, LocalArea, PrincipalShapes, SphericalParameterisation, SurfaceMesh, SurfaceMotion,
 };
 
 /// The mesh of a head, and how it follows its keys: the points of a table that have a place on it.
@@ -35,13 +34,24 @@ pub struct HeadSurface {
 /// The surface of a head over time.
 #[derive(Clone, Debug)]
 pub struct HeadMotion {
-    /// For each frame the displacements of the keys.
-    keys: Vec<Vec<Vector<f64>>>,
+    /// For each frame the displacements of the keys, where any is known.
+    pub(super) keys: Vec<Option<Vec<Vector<f64>>>>,
+    /// The shapes, with the weights of those frames that have displacements.
     pub(super) shapes: PrincipalShapes,
     /// For each shape the displacement of every vertex.
     pub(super) targets: Vec<Vec<Vector<f64>>>,
-    /// How many keys were not seen, in all frames together.
+    /// How many keys were not seen, in all frames with displacements together.
     filled: usize,
+}
+
+impl HeadMotion {
+    /// The frames in which the surface has no expression: they have no pose, or show no key.
+    #[must_use]
+    pub fn empty_frames(&self) -> Vec<usize> {
+        let frames = self.keys.iter().enumerate();
+        let empty = frames.filter(|(_, keys)| keys.is_none());
+        empty.map(|(frame, _)| frame).collect()
+    }
 }
 
 impl HeadSurface {
@@ -111,14 +121,15 @@ impl HeadSurface {
     }
 
     /// The surface in all frames of a table, as shapes that represent the keys within a tolerance
-    /// in metres.
+    /// in metres. Frames without a pose or without any key that is seen are left empty
+    /// ([`HeadMotion::empty_frames`]).
     ///
     /// # Errors
-    /// [`CaptureError::Row`] for the first frame that the surface cannot follow, and as
-    /// [`PrincipalShapes::new`].
+    /// [`CaptureError::Row`] for the first frame that the surface cannot follow,
+    /// [`CaptureError::NoKeySeen`] where all are empty, and as [`PrincipalShapes::new`].
     pub fn follow(
         &self,
-        frames: &[CapturedFrame],
+        frames: &[FrameOutcome],
         points: &PointTable,
         tolerance: f64,
     ) -> Result<HeadMotion, CaptureError> {
@@ -128,21 +139,33 @@ impl HeadSurface {
         let mut filled = 0;
         let mut all = Vec::with_capacity(frames.len());
         for (index, frame) in frames.iter().enumerate() {
+            let Ok(frame) = frame else {
+                all.push(None);
+                continue;
+            };
             let keys = self.keys.iter();
             let seen: Vec<_> = keys
                 .map(|key| frame.expression[key.point].map(turned))
                 .collect();
-            filled += seen.iter().filter(|key| key.is_none()).count();
-            let found = self.motion.filled(&seen);
-            all.push(found.map_err(|error| CaptureError::Row {
-                place: points.place(index),
-                problem: Box::new(match error {
-                    CaptureError::NoKeys => CaptureError::NoKeySeen,
-                    error => with_names(error, &self.names),
-                }),
-            })?);
+            all.push(match self.motion.filled(&seen) {
+                Ok(found) => {
+                    filled += seen.iter().filter(|key| key.is_none()).count();
+                    Some(found)
+                }
+                Err(CaptureError::NoKeys) => None,
+                Err(error) => {
+                    return Err(CaptureError::Row {
+                        place: points.place(index),
+                        problem: Box::new(with_names(error, &self.names)),
+                    });
+                }
+            });
         }
-        let shapes = PrincipalShapes::new(&all, tolerance * to_mesh.factor())?;
+        let known: Vec<_> = all.iter().flatten().cloned().collect();
+        if known.is_empty() && !frames.is_empty() {
+            return Err(CaptureError::NoKeySeen);
+        }
+        let shapes = PrincipalShapes::new(&known, tolerance * to_mesh.factor())?;
         let targets = shapes.shapes.iter().map(|shape| self.displacements(shape));
         Ok(HeadMotion {
             targets: targets.collect::<Result<_, _>>()?,
@@ -156,6 +179,7 @@ impl HeadSurface {
     /// the mesh.
     ///
     /// # Errors
+    /// [`CaptureError::NoKeySeen`] for a frame in which the motion is empty,
     /// [`CaptureError::NoPlace`] for a motion beyond the range of the numbers, and
     /// [`CaptureError::Mesh`] for a position that is.
     ///
@@ -167,7 +191,8 @@ impl HeadSurface {
         frame: usize,
         pose: Option<Motor<f64>>,
     ) -> Result<Mesh, CaptureError> {
-        let moved = self.displacements(&motion.keys[frame])?;
+        let keys = motion.keys[frame].as_ref();
+        let moved = self.displacements(keys.ok_or(CaptureError::NoKeySeen)?)?;
         let placement = match pose {
             None => Placement::default(),
             Some(pose) => Placement::new(self.fit.to_mesh, pose)?,
@@ -202,7 +227,7 @@ impl HeadSurface {
                 vertices: self.area.vertex_count(),
                 centre: scaled(self.area.centre_of_gravity().into()),
                 centre_kept: self.keeps_centre,
-                centre_displacement: displacements.map(scaled).collect(),
+                centre_displacement: displacements.map(|by| by.map(scaled)).collect(),
             },
         }
     }
@@ -215,16 +240,18 @@ impl HeadSurface {
         Ok(moved)
     }
 
-    /// The displacement of the area's centre of gravity in each frame.
-    fn centre_displacements(&self, motion: &HeadMotion) -> Vec<Vector<f64>> {
+    /// The displacement of the area's centre of gravity in each frame that has displacements.
+    fn centre_displacements(&self, motion: &HeadMotion) -> Vec<Option<Vector<f64>>> {
         let targets = motion.targets.iter();
         let parts: Vec<_> = targets.map(|t| self.area.centre_displacement(t)).collect();
-        let frames = motion.shapes.weights.iter();
         let sum = |weights: &Vec<f64>| {
             let terms = parts.iter().zip(weights);
             terms.fold(Vector::ZERO, |sum, (&part, &weight)| sum + part * weight)
         };
-        frames.map(sum).collect()
+        let mut known = motion.shapes.weights.iter().map(sum);
+        let frames = motion.keys.iter();
+        let frames = frames.map(|keys| keys.as_ref().and_then(|_| known.next()));
+        frames.collect()
     }
 }
 

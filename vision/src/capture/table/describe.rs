@@ -9,7 +9,6 @@ impl PointTable {
     #[must_use]
     pub fn describe(&self, error: &CaptureError, reference: usize) -> String {
         let name = |point: &usize| self.names[*point].as_str();
-        let names = |points: &[usize]| points.iter().map(name).collect::<Vec<_>>().join(", ");
         match error {
             CaptureError::Twice(point) => format!("{} is named twice", name(point)),
             CaptureError::Rest(error) => match &**error {
@@ -19,24 +18,34 @@ impl PointTable {
                 error => format!("{}: {error}", self.place(reference)),
             },
             CaptureError::Frame { frame, problem } => {
-                let place = self.place(*frame);
-                match &**problem {
-                    CaptureError::Missing {
-                        seen,
-                        needed,
-                        missing,
-                    } => format!(
-                        "{place}: {seen} calibrated points are seen, and {needed} are needed; \
-                         missing: {}",
-                        names(missing)
-                    ),
-                    CaptureError::PoseOfSeen { missing, error } => {
-                        format!("{place}: {error}; missing: {}", names(missing))
-                    }
-                    problem => format!("{place}: {problem}"),
-                }
+                format!("{}: {}", self.place(*frame), self.reason(problem))
+            }
+            CaptureError::NoPose { problem } => {
+                let reason = self.reason(problem);
+                format!("no frame has a pose; {}: {reason}", self.place(0))
             }
             error => error.to_string(),
+        }
+    }
+
+    /// Why a frame of the table has no pose, with the names of points.
+    #[must_use]
+    pub fn reason(&self, problem: &CaptureError) -> String {
+        let name = |point: &usize| self.names[*point].as_str();
+        let names = |points: &[usize]| points.iter().map(name).collect::<Vec<_>>().join(", ");
+        match problem {
+            CaptureError::Missing {
+                seen,
+                needed,
+                missing,
+            } => format!(
+                "{seen} calibrated points are seen, and {needed} are needed; missing: {}",
+                names(missing)
+            ),
+            CaptureError::PoseOfSeen { missing, error } => {
+                format!("{error}; missing: {}", names(missing))
+            }
+            problem => problem.to_string(),
         }
     }
 }
