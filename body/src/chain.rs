@@ -138,6 +138,32 @@ impl<'a> Chain<'a> {
         }
     }
 
+    /// The same chain with points beside their places at rest, as far as that is given.
+    pub(super) fn with_displacements(
+        mut self,
+        displacements: impl Iterator<Item = Option<Vector<f64>>>,
+    ) -> Self {
+        for (levers, displacement) in self.levers.iter_mut().zip(displacements) {
+            for lever in levers {
+                *lever += displacement.unwrap_or_default();
+            }
+        }
+        self
+    }
+
+    /// A direction at rest, where the strongest joint of a point takes it.
+    pub(super) fn rotated_with(
+        &self,
+        places: &Places,
+        point: usize,
+        direction: Vector<f64>,
+    ) -> Vector<f64> {
+        let joints = self.model.points()[point].joints.iter();
+        let strongest = joints.max_by(|a, b| a.1.total_cmp(&b.1));
+        let rotor = strongest.map(|(joint, _)| places.rotors[*joint]);
+        rotated(rotor.unwrap_or_default(), direction)
+    }
+
     /// The derivatives of a point by the logarithms of the lengths of the ways to joints.
     pub(super) fn derivatives_by_bones(
         &self,
@@ -236,6 +262,11 @@ impl<'a> Chain<'a> {
             );
         }
         places
+    }
+
+    /// Where the heads of all joints are.
+    pub(super) fn heads(&self, state: &State) -> Vec<Vector<f64>> {
+        self.places(state).heads
     }
 
     /// The total motions of all joints.

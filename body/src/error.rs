@@ -270,6 +270,12 @@ pub enum BodyError {
 }
 
 impl BodyError {
+    /// The error of a frame of a clip.
+    pub(super) fn of_frame(self, frame: usize) -> Self {
+        let error = Box::new(self);
+        Self::Frame { frame, error }
+    }
+
     /// The error of a camera about a point.
     pub(super) fn of_point(view: usize, point: &str, error: CameraError) -> Self {
         let point = point.to_owned();

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::chain::{Chain, State};
 use super::clip::{self, tracks};
 use super::descent::{Found, Search, descend, log_determinant};
+use super::ground::Anchor;
 use super::likelihood::{Likelihood, Near, OUTLIER, Observed};
 use super::start::{Links, Start, WRONG, starts};
 use super::{BodyModel, Observation};
@@ -167,40 +168,68 @@ impl<'a> BodyFit<'a> {
         observations: &[Observation],
         frames_per_second: f64,
     ) -> Result<Vec<FittedPose>, BodyError> {
+        let states = self.begin(observations, frames_per_second)?;
+        let states = self.smooth(observations, states, frames_per_second, &[]);
+        self.poses(observations, &states)
+    }
+
+    /// States that are near to those of a clip: of each frame, by pixels that are smoothed over
+    /// time, and near to the frame before.
+    ///
+    /// # Errors
+    /// Those of [`clip`](Self::clip).
+    pub(crate) fn begin(
+        &self,
+        observations: &[Observation],
+        frames_per_second: f64,
+    ) -> Result<Vec<State>, BodyError> {
         if !(frames_per_second > 0.0 && frames_per_second.is_finite()) {
-            let error = BodyError::FrameRate(frames_per_second);
-            return Err(BodyError::Frame {
-                frame: 0,
-                error: Box::new(error),
-            });
+            return Err(BodyError::FrameRate(frames_per_second).of_frame(0));
         }
-        let of_frame = |frame| {
-            move |error| BodyError::Frame {
-                frame,
-                error: Box::new(error),
-            }
-        };
         for (frame, observation) in observations.iter().enumerate() {
-            self.check(observation).map_err(of_frame(frame))?;
+            let checked = self.check(observation);
+            checked.map_err(|error| error.of_frame(frame))?;
         }
-        let smoothed = tracks::smoothed(observations);
-        let states = self.one_by_one(&smoothed)?;
+        self.one_by_one(&tracks::smoothed(observations))
+    }
+
+    /// The most likely states of a clip, from states that are near, with points that are held.
+    pub(crate) fn smooth(
+        &self,
+        observations: &[Observation],
+        states: Vec<State>,
+        frames_per_second: f64,
+        anchors: &[Vec<Anchor>],
+    ) -> Vec<State> {
         let single = self.by_themselves(observations, &states);
         let likelihood = Likelihood {
             rest: 1.0 / (ONE_POSE * frames_per_second).max(1.0),
             ..self.likelihood.clone()
         };
-        let states = clip::smooth(
+        clip::smooth(
             &likelihood,
             observations,
             states,
             &single,
             frames_per_second,
-        );
-        let frames = observations.iter().zip(&states).enumerate();
+            anchors,
+        )
+    }
+
+    /// States as poses, with what remains in the pictures.
+    ///
+    /// # Errors
+    /// [`BodyError::Frame`] where a camera does not see a point that it observes.
+    pub(crate) fn poses(
+        &self,
+        observations: &[Observation],
+        states: &[State],
+    ) -> Result<Vec<FittedPose>, BodyError> {
+        let frames = observations.iter().zip(states).enumerate();
         frames
             .map(|(frame, (observation, state))| {
-                self.fitted(observation, state).map_err(of_frame(frame))
+                let fitted = self.fitted(observation, state);
+                fitted.map_err(|error| error.of_frame(frame))
             })
             .collect()
     }
@@ -392,10 +421,7 @@ impl<'a> BodyFit<'a> {
                     (Ok(found), _) => Some(found),
                     (Err(error), near) => {
                         let frame = first + index;
-                        first_error.get_or_insert(BodyError::Frame {
-                            frame,
-                            error: Box::new(error),
-                        });
+                        first_error.get_or_insert(error.of_frame(frame));
                         near
                     }
                 },

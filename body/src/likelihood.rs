@@ -182,12 +182,7 @@ impl Cost for Near<'_, '_> {
         let found = self.chain().places(state);
         for (point, (place, goal)) in found.points.iter().zip(self.places).enumerate() {
             let Some(goal) = goal else { continue };
-            let error = PointError {
-                gradient: (*place - *goal) * weight,
-                matrix: [0, 1, 2].map(|row| {
-                    Vector::from([0, 1, 2].map(|k| if k == row { weight } else { 0.0 }))
-                }),
-            };
+            let error = PointError::of_distance(*place - *goal, weight);
             normal.add(&found, self.chain(), point, &error);
         }
         self.likelihood.add_prior(state, normal);

@@ -16,6 +16,18 @@ pub struct BodyPoint {
     pub joints: Vec<(usize, f64)>,
 }
 
+impl BodyPoint {
+    /// The head of a joint.
+    pub(super) fn at_joint(skeleton: &Skeleton, joint: usize) -> Self {
+        let at = &skeleton.joints()[joint];
+        Self {
+            name: at.name.clone(),
+            at_rest: at.head,
+            joints: vec![(joint, 1.0)],
+        }
+    }
+}
+
 /// A body: a skeleton in metres with the points that are observed, and limits of its joints.
 ///
 /// The lengths of the bones are those of the skeleton, exactly.
@@ -68,7 +80,7 @@ impl BodyModel {
                 joints: skeleton.joints().iter().map(|j| j.name.clone()).collect(),
             };
             let joint = skeleton.index(name).ok_or_else(missing)?;
-            Ok(point_of_joint(&skeleton, joint))
+            Ok(BodyPoint::at_joint(&skeleton, joint))
         });
         let points = points.collect::<Result<_, BodyError>>()?;
         Self::new(skeleton, points)
@@ -87,7 +99,7 @@ impl BodyModel {
         };
         let points = (0..joints.len()).filter(is_first);
         let points = points
-            .map(|joint| point_of_joint(&skeleton, joint))
+            .map(|joint| BodyPoint::at_joint(&skeleton, joint))
             .collect();
         Self::new(skeleton, points)
     }
@@ -145,15 +157,6 @@ impl BodyModel {
     #[must_use]
     pub fn blending(&self) -> Method {
         self.blending
-    }
-}
-
-fn point_of_joint(skeleton: &Skeleton, joint: usize) -> BodyPoint {
-    let at = &skeleton.joints()[joint];
-    BodyPoint {
-        name: at.name.clone(),
-        at_rest: at.head,
-        joints: vec![(joint, 1.0)],
     }
 }
 

@@ -53,3 +53,14 @@ pub(super) struct PointError {
     pub(super) gradient: Vector<f64>,
     pub(super) matrix: [Vector<f64>; 3],
 }
+
+impl PointError {
+    /// The squared length of a way from where the point should be, times a weight.
+    pub(super) fn of_distance(way: Vector<f64>, weight: f64) -> Self {
+        Self {
+            gradient: way * weight,
+            matrix: [0, 1, 2]
+                .map(|row| Vector::from([0, 1, 2].map(|k| if k == row { weight } else { 0.0 }))),
+        }
+    }
+}

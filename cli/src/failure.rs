@@ -3,9 +3,10 @@
 use std::error::Error as Cause;
 
 use anyhow::Error;
-use ga_body::format::JointsError;
+use ga_body::format::{JointsError, JointsReadError};
 use ga_camera::format::CameraFileError;
 use ga_compiler::source::SourceError;
+use ga_files::ReadError;
 use ga_render::RenderError;
 use ga_render::view_file::ViewFileError;
 
@@ -54,6 +55,10 @@ fn advice(cause: &(dyn Cause + 'static)) -> Option<&'static str> {
     }
     if let Some(error) = cause.downcast_ref() {
         return of_render(error);
+    }
+    if let Some(JointsReadError::File(ReadError::Contents { problem, .. })) = cause.downcast_ref() {
+        let is_unknown = matches!(problem, JointsError::UnknownCount { .. });
+        return is_unknown.then_some("--model NAME says it");
     }
     match (cause.downcast_ref(), cause.downcast_ref()) {
         (Some(JointsError::Camera(error)), _) | (_, Some(ViewFileError::Camera(error))) => {

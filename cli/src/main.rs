@@ -15,6 +15,7 @@ mod interruption;
 mod mesh_file;
 mod motion_file;
 mod output;
+mod person;
 mod picture_file;
 mod pipeline;
 mod reading;
@@ -33,7 +34,7 @@ use commands::completions::Completions;
 use commands::man::Manual;
 use commands::{
     animate, body, camera, capture, clip, completions, contour, curve, demo, draw, expand, man,
-    mesh, quality, render, skin, stereo, texture, video,
+    mesh, people, quality, render, skin, stereo, texture, video,
 };
 use frame::{Context, Execute, Options};
 
@@ -76,6 +77,7 @@ enum Command {
     Curve(curve::Arguments),
     Draw(draw::Arguments),
     Mesh(mesh::Arguments),
+    People(people::Arguments),
     Quality(quality::Arguments),
     Render(render::Arguments),
     Skin(skin::Arguments),
@@ -138,6 +140,7 @@ fn run(command: &Command, context: &Context) -> Result<ExitCode> {
         Command::Curve(arguments) => arguments.execute(context),
         Command::Draw(arguments) => arguments.execute(context),
         Command::Mesh(arguments) => arguments.execute(context),
+        Command::People(arguments) => arguments.execute(context),
         Command::Quality(arguments) => arguments.execute(context),
         Command::Render(arguments) => arguments.execute(context),
         Command::Skin(arguments) => arguments.execute(context),

@@ -179,6 +179,20 @@ impl Mirror {
     }
 }
 
+/// The name of the same joint on the other side of the body, where a name tells a side.
+///
+/// ```
+/// use ga_anim::clip::opposite_name;
+///
+/// assert_eq!(opposite_name("left_wrist").as_deref(), Some("right_wrist"));
+/// assert_eq!(opposite_name("RElbow").as_deref(), Some("LElbow"));
+/// assert_eq!(opposite_name("nose"), None);
+/// ```
+#[must_use]
+pub fn opposite_name(name: &str) -> Option<String> {
+    other_side(name).map(|other| other.name)
+}
+
 /// The name that the counterpart of a joint would have.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Counterpart {

@@ -1,6 +1,11 @@
 //! A character in the poses of a person whose joints views show.
 
-use std::collections::BTreeMap;
+mod findings;
+mod report;
+
+pub use findings::{Finding, Severity};
+pub use report::{BoneReport, CharacterReport, FrameReport, ViewReport};
+
 use std::time::Instant;
 
 use ga_anim::MotionFileError;
@@ -10,14 +15,23 @@ use ga_anim::motion_file::Loss;
 use ga_anim::recording::RecordingError;
 use ga_camera::Camera;
 use ga_mesh::gltf::Document;
-use serde::Serialize;
+use ga_numerics::order_statistics::median;
+use ga_runtime::cga3::Motor;
+use ga_runtime::vga3::Vector;
 
+use self::findings::Found;
 use crate::agreement::Agreement;
-use crate::fit::{BodyFit, FittedPose};
+use crate::fit::FittedPose;
 use crate::format::correspondence::correspondence;
 use crate::format::{JointView, JointViews};
-use crate::lengths::{Lengths, fit_lengths};
+use crate::ground::{Ground, GroundOptions};
+use crate::landmarks::{Anatomy, SkinPoint};
+use crate::lengths::Lengths;
 use crate::mean_square::MeanSquare;
+use crate::model::BodyPoint;
+use crate::person::{FittedPerson, Person};
+use crate::registration::{Registration, RegistrationOptions, register, resampled};
+use crate::sides::{Exchanged, pairs};
 use crate::{BodyError, BodyModel, Observation};
 
 /// The fit of a character to the joints of a person.
@@ -57,12 +71,20 @@ use crate::{BodyError, BodyModel, Observation};
 pub struct CharacterFit<'a> {
     character: Rigged,
     joints: &'a JointViews,
-    cameras: &'a [Camera],
+    cameras: Vec<Camera>,
     model: BodyModel,
+    /// With sides and times put right.
     observations: Vec<Observation>,
+    /// For each point of the model what it is beside a joint.
+    skin: Vec<Option<SkinPoint>>,
     without_counterpart: Vec<String>,
-    /// By the name of the joint, where lengths were fitted.
-    length_factors: Option<BTreeMap<String, f64>>,
+    lengths: Option<Lengths>,
+    /// In which frames of the views sides were exchanged.
+    exchanged: Option<Exchanged>,
+    registration: Option<Registration>,
+    ground: Option<GroundOptions>,
+    is_refined: bool,
+    is_synchronised: bool,
 }
 
 /// A character in the poses of a person.
@@ -74,61 +96,17 @@ pub struct FittedCharacter {
     pub poses: Vec<FittedPose>,
     /// How far the poses are from the pixels, in standard deviations of these.
     pub agreement: Agreement,
+    /// The names of the points of the poses: joints, and points of the skin.
+    pub points: Vec<String>,
+    /// The cameras as they were used, in the world of the poses.
+    pub cameras: Vec<Camera>,
+    /// For each frame what the views show of the points, with their sides and times as they were
+    /// used.
+    pub observations: Vec<Observation>,
     /// What was found.
     pub report: CharacterReport,
-}
-
-/// What was found of a person.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct CharacterReport {
-    /// The number of views.
-    pub views: usize,
-    /// The number of frames.
-    pub frames: usize,
-    /// The frame rate of the animation.
-    pub frames_per_second: f64,
-    /// The names of the character's joints that were fitted.
-    pub joints: Vec<String>,
-    /// The names of joints of the person that the character does not have.
-    pub joints_without_counterpart: Vec<String>,
-    /// The root mean square of the distances from pixels.
-    pub reprojection_rms_px: f64,
-    /// The greatest of these distances.
-    pub reprojection_max_px: f64,
-    /// How many joints no view shows, over all frames.
-    pub joints_unseen: usize,
-    /// In how many frames there are such joints.
-    pub frames_with_unseen_joints: usize,
-    /// The time of the fit, with all threads.
-    pub milliseconds_per_frame: f64,
-    /// Where lengths were fitted, by the name of each joint by how much longer the way from the
-    /// joint above it has become.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub length_factors: Option<BTreeMap<String, f64>>,
-    /// One for each view.
-    pub per_view: Vec<ViewReport>,
-    /// One for each frame.
-    pub per_frame: Vec<FrameReport>,
-}
-
-/// What was found in a view.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ViewReport {
-    /// The name of the view.
-    pub name: String,
-    /// How many joints it shows, over all frames.
-    pub joints_seen: usize,
-    /// The root mean square of the distances from its pixels.
-    pub reprojection_rms_px: f64,
-}
-
-/// What was found in a frame.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct FrameReport {
-    /// The root mean square of the distances from its pixels, over all views.
-    pub reprojection_rms_px: f64,
-    /// The names of the joints that no view shows.
-    pub joints_unseen: Vec<String>,
+    /// What makes the result doubtful, or should be known.
+    pub findings: Vec<Finding>,
 }
 
 impl<'a> CharacterFit<'a> {
@@ -140,58 +118,111 @@ impl<'a> CharacterFit<'a> {
     pub fn new(
         character: Rigged,
         joints: &'a JointViews,
-        cameras: &'a [Camera],
+        cameras: &[Camera],
     ) -> Result<Self, BodyError> {
         let skeleton = character.skeleton();
         let found = correspondence(joints.joints(), skeleton)?;
-        let (mut order, mut of_skeleton, mut without_counterpart) = (vec![], vec![], vec![]);
+        let anatomy = Anatomy::new(skeleton);
+        let (mut order, mut points, mut skin, mut without) = (vec![], vec![], vec![], vec![]);
         for (index, (name, joint)) in joints.joints().iter().zip(found).enumerate() {
-            match joint {
-                Some(joint) => {
-                    order.push(Some(index));
-                    of_skeleton.push(skeleton.joints()[joint].name.clone());
+            let beside = match joint {
+                Some(_) => None,
+                None => anatomy.as_ref().and_then(|anatomy| anatomy.point(name)),
+            };
+            match (joint, &beside) {
+                (Some(joint), _) => points.push(BodyPoint::at_joint(skeleton, joint)),
+                (None, Some(beside)) => points.push(beside.point.clone()),
+                (None, None) => {
+                    without.push(name.clone());
+                    continue;
                 }
-                None => without_counterpart.push(name.clone()),
             }
+            order.push(Some(index));
+            skin.push(beside);
         }
         let frames = 0..joints.frame_count();
         Ok(Self {
-            model: BodyModel::of_joints(skeleton.clone(), &of_skeleton)?,
+            model: BodyModel::new(skeleton.clone(), points)?,
             observations: frames
                 .filter_map(|frame| joints.observation(frame, &order))
                 .collect(),
             character,
             joints,
-            cameras,
-            without_counterpart,
-            length_factors: None,
+            cameras: cameras.to_vec(),
+            skin,
+            exchanged: None,
+            registration: None,
+            ground: None,
+            is_refined: false,
+            is_synchronised: false,
+            without_counterpart: without,
+            lengths: None,
         })
     }
 
     /// Gives the character the lengths of the person, which two views or more show.
+    #[must_use]
+    pub fn with_lengths(self, lengths: Option<Lengths>) -> Self {
+        Self { lengths, ..self }
+    }
+
+    /// Finds the ground on which the person stands, and holds feet that stand; the result is in a
+    /// world with y up and the floor at y = 0.
+    #[must_use]
+    pub fn with_ground(self, ground: GroundOptions) -> Self {
+        let ground = Some(ground);
+        Self { ground, ..self }
+    }
+
+    /// Puts left and right in order where views alone show that they are exchanged, and finds how
+    /// the views stand to each other in space and time; where it is asked for, the cameras and the
+    /// times of the views are those found.
     ///
-    /// # Errors
-    /// Those of [`fit_lengths`], and [`BodyError::Character`].
-    pub fn fit_lengths(&mut self, lengths: Lengths) -> Result<(), BodyError> {
-        let fitted = fit_lengths(&self.model, self.cameras, &self.observations, lengths)?;
-        let factors = fitted.factors;
-        self.character = self.character.with_lengths(&factors)?;
-        let skeleton = self.character.skeleton();
-        self.model = BodyModel::of_joints(skeleton.clone(), &self.joint_names())?;
-        let joints = skeleton.joints().iter();
-        let names = joints.map(|joint| joint.name.clone());
-        self.length_factors = Some(names.zip(factors).collect());
-        Ok(())
+    /// Nothing is done for one view.
+    #[must_use]
+    pub fn registered(
+        mut self,
+        options: &RegistrationOptions,
+        refine_cameras: bool,
+        synchronise: bool,
+    ) -> Self {
+        self.put_sides_right();
+        self.registration = register(&self.cameras, &self.observations, options);
+        let Some(found) = &self.registration else {
+            return self;
+        };
+        (self.is_refined, self.is_synchronised) = (refine_cameras, synchronise);
+        if refine_cameras {
+            self.cameras.clone_from(&found.cameras);
+        }
+        if synchronise {
+            let offsets = found.views.iter().map(|view| view.offset_frames);
+            self.observations = resampled(&self.observations, &offsets.collect::<Vec<_>>());
+        }
+        self
+    }
+
+    /// How the views stand to each other, where that was asked for and found.
+    #[must_use]
+    pub fn registration(&self) -> Option<&Registration> {
+        self.registration.as_ref()
+    }
+
+    fn put_sides_right(&mut self) {
+        let pairs = pairs(self.model.points());
+        let found = Exchanged::by_views(&self.cameras, &self.observations, &pairs);
+        self.observations = found.put_right(&self.observations, &pairs);
+        self.exchanged = Some(found);
     }
 
     /// The most likely poses: of a clip that is smooth over time, or of each frame by itself. For
     /// these, `done` is told how many frames of how many are fitted.
     ///
     /// # Errors
-    /// Those of [`BodyFit::clip`], [`BodyError::FrameRate`] among them; where a frame cannot be
+    /// Those of [`BodyFit::clip`](crate::BodyFit::clip), [`BodyError::FrameRate`] among them; where a frame cannot be
     /// fitted by itself, [`BodyError::Frame`].
     pub fn fit(
-        self,
+        mut self,
         frames_per_second: f64,
         independent: bool,
         mut done: impl FnMut(usize, usize),
@@ -200,66 +231,157 @@ impl<'a> CharacterFit<'a> {
             return Err(BodyError::FrameRate(frames_per_second));
         }
         let begin = Instant::now();
-        let fit = BodyFit::new(&self.model, self.cameras)?;
-        let count = self.observations.len();
-        let poses = if independent {
-            let frames = self.observations.iter().enumerate();
-            let poses = frames.map(|(frame, observation)| {
-                done(frame, count);
-                fit.frame(observation).map_err(|error| BodyError::Frame {
-                    frame,
-                    error: Box::new(error),
-                })
-            });
-            poses.collect::<Result<_, _>>()?
-        } else {
-            fit.clip(&self.observations, frames_per_second)?
+        if self.exchanged.is_none() && !independent {
+            self.put_sides_right();
+        }
+        let person = Person::new(
+            &self.model,
+            &self.skin,
+            &self.cameras,
+            &self.observations,
+            frames_per_second,
+        );
+        let fitted = match independent {
+            false => person.fit(self.lengths, self.ground.as_ref())?,
+            true => person.fit_frames(self.lengths, &mut done)?,
         };
         let seconds = begin.elapsed().as_secs_f64();
+        let character = match &fitted.proportions {
+            Some(proportions) => self.character.with_lengths(&proportions.factors())?,
+            None => self.character.clone(),
+        };
+        let report = self.report(&fitted, frames_per_second, seconds);
+        let to_world = fitted
+            .ground
+            .as_ref()
+            .map_or(Motor::default(), Ground::to_y_up);
+        let cameras = self.cameras.iter().map(|camera| Camera {
+            world_to_camera: camera.world_to_camera * to_world.reverse(),
+            ..*camera
+        });
+        let cameras: Vec<Camera> = cameras.collect();
+        let mut poses = fitted.poses;
+        for fit in &mut poses {
+            fit.pose.root = to_world * fit.pose.root;
+            for point in &mut fit.points {
+                *point = to_world.transform(*point);
+            }
+        }
+        let agreement = Agreement::new(&poses, &fitted.observations);
+        let names: Vec<&str> = self
+            .joints
+            .views()
+            .iter()
+            .map(|view| view.name.as_str())
+            .collect();
+        let findings = findings::of(&Found {
+            views: &names,
+            report: &report,
+            agreement: &agreement,
+            poses: &poses,
+            cameras: &cameras,
+            observations: &fitted.observations,
+            is_synchronised: self.is_synchronised,
+            is_refined: self.is_refined,
+        });
         Ok(FittedCharacter {
-            agreement: Agreement::new(&poses, &self.observations),
-            report: self.report(&poses, frames_per_second, seconds),
-            character: self.character,
+            points: self.point_names(),
+            observations: fitted.observations,
+            findings,
+            agreement,
+            cameras,
+            report,
+            character,
             poses,
         })
     }
 
-    /// The names of the joints that are fitted.
-    fn joint_names(&self) -> Vec<String> {
+    /// The frames of a view in which sides were exchanged, by the views alone or by the body.
+    fn exchanged_frames(&self, view: usize, fitted: &FittedPerson) -> Vec<usize> {
+        let offset = match (&self.registration, self.is_synchronised) {
+            (Some(found), true) => found.views[view].offset_frames.round() as i64,
+            _ => 0,
+        };
+        let by_views = self.exchanged.as_ref().map(|exchanged| &exchanged.0[view]);
+        let by_body = &fitted.exchanged.0[view];
+        let is_exchanged = |frame: &usize| {
+            let of_body = usize::try_from(*frame as i64 - offset).ok();
+            let of_body = of_body
+                .and_then(|frame| by_body.get(frame))
+                .copied()
+                .unwrap_or(false);
+            by_views.is_some_and(|by_views| by_views[*frame]) != of_body
+        };
+        (0..self.joints.frame_count())
+            .filter(is_exchanged)
+            .collect()
+    }
+
+    /// The names of the points that are fitted.
+    fn point_names(&self) -> Vec<String> {
         let points = self.model.points().iter();
         points.map(|point| point.name.clone()).collect()
     }
 
     fn report(
         &self,
-        poses: &[FittedPose],
+        fitted: &FittedPerson,
         frames_per_second: f64,
         seconds: f64,
     ) -> CharacterReport {
-        let joints = self.joint_names();
+        let joints = self.point_names();
+        let poses = fitted.poses.as_slice();
+        let length_factors = fitted.proportions.as_ref().map(|proportions| {
+            let names = self.model.skeleton().joints().iter();
+            let names = names.map(|joint| joint.name.clone());
+            names.zip(proportions.factors()).collect()
+        });
         let of_frame = |fit: &FittedPose| FrameReport {
             reprojection_rms_px: fit.root_mean_square_px,
-            joints_unseen: fit.unseen.iter().map(|&p| joints[p].clone()).collect(),
+            joints_unseen: fit
+                .unseen
+                .iter()
+                .filter(|&&point| self.skin[point].is_none())
+                .map(|&point| joints[point].clone())
+                .collect(),
         };
         let per_frame: Vec<FrameReport> = poses.iter().map(of_frame).collect();
         let views = self.joints.views().iter().enumerate();
+        let registered = self.registration.as_ref();
         let of_view = |(view, joints): (usize, &JointView)| {
             let residuals = poses.iter().flat_map(|fit| &fit.residuals_px[view]);
-            let residuals: MeanSquare = residuals.copied().flatten().collect();
+            let mut residuals: Vec<f64> = residuals.copied().flatten().collect();
+            let mean: MeanSquare = residuals.iter().copied().collect();
+            let registered = registered.map(|found| found.views[view]);
+            let offset = registered.filter(|found| found.offset_deviation.is_finite());
             ViewReport {
                 name: joints.name.clone(),
-                joints_seen: residuals.count,
-                reprojection_rms_px: residuals.root().unwrap_or(0.0),
+                joints_seen: mean.count,
+                reprojection_median_px: median(&mut residuals).unwrap_or(0.0),
+                reprojection_rms_px: mean.root().unwrap_or(0.0),
+                offset_frames: offset.map(|found| found.offset_frames),
+                offset_deviation_frames: offset.map(|found| found.offset_deviation),
+                rotation_degrees: registered.map(|found| found.angle().to_degrees()),
+                rotation_deviation_degrees: registered
+                    .map(|found| found.rotation_deviation.to_degrees()),
+                frames_with_exchanged_sides: self.exchanged_frames(view, fitted),
             }
         };
         let residuals = poses.iter().flat_map(|fit| fit.residuals_px.as_slice());
         let residuals = residuals.flatten().copied().flatten();
+        let of_kind = |is_skin: bool| {
+            let points = joints.iter().zip(&self.skin);
+            let own = points.filter(|(_, skin)| skin.is_some() == is_skin);
+            own.map(|(name, _)| name.clone()).collect::<Vec<String>>()
+        };
         let unseen = per_frame.iter().map(|frame| frame.joints_unseen.len());
         CharacterReport {
             views: self.joints.views().len(),
             frames: poses.len(),
             frames_per_second,
             joints_without_counterpart: self.without_counterpart.clone(),
+            reprojection_median_px: median(&mut residuals.clone().collect::<Vec<_>>())
+                .unwrap_or(0.0),
             reprojection_rms_px: residuals
                 .clone()
                 .collect::<MeanSquare>()
@@ -269,12 +391,35 @@ impl<'a> CharacterFit<'a> {
             joints_unseen: unseen.clone().sum(),
             frames_with_unseen_joints: unseen.filter(|count| *count > 0).count(),
             milliseconds_per_frame: 1e3 * seconds / poses.len().max(1) as f64,
-            length_factors: self.length_factors.clone(),
+            length_factors,
+            deviation_factor: fitted.noise,
+            bones: bones(fitted),
+            ground: fitted.ground.clone(),
             per_view: views.map(of_view).collect(),
             per_frame,
-            joints,
+            joints: of_kind(false),
+            points_of_the_skin: of_kind(true),
         }
     }
+}
+
+/// The lengths of bones.
+fn bones(fitted: &FittedPerson) -> Vec<BoneReport> {
+    let joints = fitted.model.skeleton().joints();
+    let bones = joints.iter().enumerate().filter_map(|(index, joint)| {
+        let above = joints[joint.parent?].head;
+        let length = Vector::from(joint.head).distance(above.into());
+        let deviation = fitted
+            .proportions
+            .as_ref()
+            .and_then(|own| own.deviation(index));
+        (length > 0.0).then(|| BoneReport {
+            joint: joint.name.clone(),
+            length_metres: length,
+            deviation_metres: deviation.map(|deviation| deviation * length),
+        })
+    });
+    bones.collect()
 }
 
 impl FittedCharacter {

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::Observation;
 use super::chain::State;
+use super::ground::Anchor;
 use super::likelihood::Likelihood;
 
 /// How many frames a stretch of a long clip contributes…
@@ -17,7 +18,8 @@ const CORE: usize = 192;
 const MARGIN: usize = 48;
 
 /// The most likely states of all frames from states that are near, and from those of the frames by
-/// themselves, which show the accelerations beside errors that are independent. Stretches of the
+/// themselves, which show the accelerations beside errors that are independent. Where there are
+/// `anchors`, points are held in the frames that have any. Stretches of the
 /// clip are computed independently of each other.
 pub(super) fn smooth(
     likelihood: &Likelihood<'_>,
@@ -25,6 +27,7 @@ pub(super) fn smooth(
     states: Vec<State>,
     single: &[State],
     frames_per_second: f64,
+    anchors: &[Vec<Anchor>],
 ) -> Vec<State> {
     let count = states.len();
     let cores: Vec<(usize, usize)> = (0..count)
@@ -39,6 +42,7 @@ pub(super) fn smooth(
             states[from..to].to_vec(),
             &single[from..to],
             frames_per_second,
+            anchors.get(from..to).unwrap_or_default(),
         );
         found.truncate(end - from);
         found.drain(..first - from);

@@ -1,10 +1,11 @@
 //! The most likely motion of a stretch of frames, by Gauss–Newton steps of all frames together.
 
-use crate::normal::Normal;
+use crate::normal::{Normal, PointError};
 use nalgebra_035::DVector;
 
 use super::super::Observation;
 use super::super::chain::{Chain, State};
+use super::super::ground::Anchor;
 use super::super::likelihood::Likelihood;
 use super::differences::{difference, kinds};
 use super::variances::variances;
@@ -26,6 +27,7 @@ pub(super) fn fit(
     mut states: Vec<State>,
     single: &[State],
     frames_per_second: f64,
+    anchors: &[Vec<Anchor>],
 ) -> Vec<State> {
     if states.len() < 3 {
         return states;
@@ -34,7 +36,14 @@ pub(super) fn fit(
     let variances = variances(chain, single, frames_per_second);
     let mut normal = Normal::new(chain.count);
     for _ in 0..STEPS {
-        let linear = linearise(likelihood, observations, &states, &variances, &mut normal);
+        let linear = linearise(
+            likelihood,
+            observations,
+            anchors,
+            &states,
+            &variances,
+            &mut normal,
+        );
         let Some((couplings, mut step, cost)) = linear else {
             break;
         };
@@ -51,7 +60,7 @@ pub(super) fn fit(
                 .zip(&step)
                 .map(|(state, step)| chain.stepped(state, (step * part).as_slice()));
             let next = next.collect::<Option<Vec<State>>>()?;
-            let found = total_cost(likelihood, observations, &next, &variances)?;
+            let found = total_cost(likelihood, observations, anchors, &next, &variances)?;
             (found <= cost).then_some(next)
         });
         let Some(next) = next else {
@@ -78,15 +87,46 @@ fn differences<'s>(
     })
 }
 
+/// What it costs that held points are elsewhere.
+fn anchor_cost(chain: &Chain<'_>, state: &State, anchors: &[Anchor]) -> f64 {
+    if anchors.is_empty() {
+        return 0.0;
+    }
+    let places = chain.places(state);
+    let squares = anchors.iter().map(|anchor| {
+        let way = places.points[anchor.point] - anchor.place;
+        way.length_squared() * anchor.weight
+    });
+    squares.sum()
+}
+
+/// Adds that held points should be at their places.
+fn add_anchors(chain: &Chain<'_>, state: &State, anchors: &[Anchor], normal: &mut Normal) {
+    if anchors.is_empty() {
+        return;
+    }
+    let places = chain.places(state);
+    for anchor in anchors {
+        let way = places.points[anchor.point] - anchor.place;
+        normal.cost += way.length_squared() * anchor.weight;
+        let error = PointError::of_distance(way, anchor.weight);
+        normal.add(&places, chain, anchor.point, &error);
+    }
+}
+
 fn total_cost(
     likelihood: &Likelihood<'_>,
     observations: &[Observation],
+    anchors: &[Vec<Anchor>],
     states: &[State],
     variances: &[f64],
 ) -> Option<f64> {
     let mut cost = 0.0;
     for (state, observation) in states.iter().zip(observations) {
         cost += likelihood.cost(state, observation)?;
+    }
+    for (state, anchors) in states.iter().zip(anchors) {
+        cost += anchor_cost(&likelihood.chain, state, anchors);
     }
     for middle in 1..states.len() - 1 {
         for (difference, weight) in differences(&likelihood.chain, states, middle, variances) {
@@ -100,6 +140,7 @@ fn total_cost(
 fn linearise(
     likelihood: &Likelihood<'_>,
     observations: &[Observation],
+    anchors: &[Vec<Anchor>],
     states: &[State],
     variances: &[f64],
     normal: &mut Normal,
@@ -111,8 +152,10 @@ fn linearise(
         two_before: vec![Blocks::new(); count],
     };
     let (mut gradient, mut cost) = (Vec::with_capacity(count), 0.0);
-    for (state, observation) in states.iter().zip(observations) {
+    for (frame, (state, observation)) in states.iter().zip(observations).enumerate() {
         likelihood.linearise(state, observation, normal)?;
+        let anchors = anchors.get(frame).map_or(&[][..], Vec::as_slice);
+        add_anchors(&likelihood.chain, state, anchors, normal);
         cost += normal.cost;
         gradient.push(normal.gradient.clone());
         couplings.own.push(normal.matrix.clone());
@@ -145,6 +188,7 @@ mod tests {
     use crate::JointPixel;
     use crate::example;
     use ga_numerics::least_squares::Loss;
+    use ga_runtime::vga3::Vector;
 
     #[test]
     fn the_gradient_of_a_clip_is_the_slope_of_its_cost() {
@@ -165,19 +209,34 @@ mod tests {
         };
         let views = vec![(0..5).map(|k| (k != 3).then(|| pixel(k))).collect(); 2];
         let observations = vec![Observation { views }; 4];
+        let held = Anchor {
+            point: 2,
+            place: Vector::new(0.1, 0.2, 3.0),
+            weight: 50.0,
+        };
+        let anchors = [vec![], vec![held], vec![held], vec![]];
         let variances = [0.5_f64, 0.0, 0.7, 0.6, 0.9, 0.8];
         let variances: Vec<f64> = (0..kinds(chain)).map(|k| variances[k].max(0.4)).collect();
-        let cost =
-            |states: &[State]| total_cost(&likelihood, &observations, states, &variances).unwrap();
+        let cost = |states: &[State]| {
+            total_cost(&likelihood, &observations, &anchors, states, &variances).unwrap()
+        };
         let mut normal = Normal::new(chain.count);
-        let (_, gradient, found) =
-            linearise(&likelihood, &observations, &states, &variances, &mut normal).unwrap();
+        let (_, gradient, found) = linearise(
+            &likelihood,
+            &observations,
+            &anchors,
+            &states,
+            &variances,
+            &mut normal,
+        )
+        .unwrap();
         assert!((found - cost(&states)).abs() < 1e-12 * found);
         // The second differences alone: the costs of frames do not depend on the variances.
         let halved: Vec<f64> = variances.iter().map(|v| v / 2.0).collect();
-        let with_halved = total_cost(&likelihood, &observations, &states, &halved).unwrap();
+        let with_halved =
+            total_cost(&likelihood, &observations, &anchors, &states, &halved).unwrap();
         let infinite = vec![f64::INFINITY; variances.len()];
-        let frames = total_cost(&likelihood, &observations, &states, &infinite).unwrap();
+        let frames = total_cost(&likelihood, &observations, &anchors, &states, &infinite).unwrap();
         assert!((with_halved - frames - 2.0 * (found - frames)).abs() < 1e-9 * found);
         let size = gradient.iter().map(|g| g.amax()).fold(0.0, f64::max);
         for frame in 0..4 {

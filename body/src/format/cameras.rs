@@ -13,6 +13,19 @@ impl JointViews {
     /// [`JointsError::CameraCount`], [`JointsError::NoPicture`], [`JointsError::SamePicture`], and
     /// [`JointsError::Camera`] for a camera that has skew or no pose.
     pub fn match_cameras(&self, cameras: &[NamedCamera]) -> Result<Vec<Camera>, JointsError> {
+        let matched = self.match_named(cameras)?.into_iter();
+        let cameras = matched.map(NamedCamera::camera);
+        Ok(cameras.collect::<Result<_, _>>()?)
+    }
+
+    /// The same with what their file says of them beside.
+    ///
+    /// # Errors
+    /// [`JointsError::CameraCount`], [`JointsError::NoPicture`] and [`JointsError::SamePicture`].
+    pub fn match_named<'c>(
+        &self,
+        cameras: &'c [NamedCamera],
+    ) -> Result<Vec<&'c NamedCamera>, JointsError> {
         let views = self.views();
         let named = views.iter().map(|view| only_named(cameras, &view.name));
         let named: Vec<Option<usize>> = named.collect();
@@ -38,7 +51,7 @@ impl JointViews {
                     views: [&views[other].name, &view.name].map(Clone::clone),
                 });
             }
-            matched.push(cameras[camera].camera()?);
+            matched.push(&cameras[camera]);
         }
         Ok(matched)
     }

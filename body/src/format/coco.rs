@@ -13,49 +13,32 @@
 //! from the corner of the top left one; many detectors count from its centre, as this crate does.
 //! Numbers are taken as they are.
 //!
-//! Joints have the names of [`JOINTS`], or those of `categories`.
+//! Joints have the names of [`JOINTS`] or of the other [`Model`] that their number tells, or those
+//! of `categories`. AlphaPose writes results with the names of pictures as `image_id`: these are
+//! ordered by the last number in the names that differs, so that `2.jpg` comes before `10.jpg`.
 //!
 //! ```
 //! use ga_body::format::coco;
 //!
 //! let numbers = vec!["0"; 16 * 3].join(",");
 //! let text = format!(r#"[{{"image_id": 7, "keypoints": [310.5, 82, 0.9, {numbers}]}}]"#);
-//! let people = coco::decode(text.as_bytes())?;
+//! let people = coco::decode(text.as_bytes(), None)?;
 //! assert_eq!(people.joints[0], "nose");
 //! let nose = people.frames[0].people[0].joints[0].ok_or("no nose")?;
 //! assert_eq!((nose.position, nose.confidence), ([310.5, 82.0], 0.9));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
 
-use super::{DetectedFrame, Detections, FrameKey, JointsError, Person};
-
-/// The names of COCO's joints in their order, left and right of the person.
-pub const JOINTS: [&str; 17] = [
-    "nose",
-    "left_eye",
-    "right_eye",
-    "left_ear",
-    "right_ear",
-    "left_shoulder",
-    "right_shoulder",
-    "left_elbow",
-    "right_elbow",
-    "left_wrist",
-    "right_wrist",
-    "left_hip",
-    "right_hip",
-    "left_knee",
-    "right_knee",
-    "left_ankle",
-    "right_ankle",
-];
+use super::detections::{Picture, keypoints};
+pub use super::models::orders::COCO_17 as JOINTS;
+use super::{Detections, FrameKey, JointsError, Model, keys};
 
 /// The number of a picture; some detectors write its name.
-#[derive(Clone, Deserialize)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(untagged)]
 enum ImageId {
     Number(i64),
@@ -93,91 +76,99 @@ struct Category {
     keypoints: Vec<String>,
 }
 
-impl From<ImageId> for FrameKey {
-    fn from(id: ImageId) -> Self {
-        match id {
-            ImageId::Number(number) => Self::Number(number),
-            ImageId::Name(name) => Self::Name(name),
-        }
-    }
-}
-
-/// Reads results or annotations. Pictures come in the order of their numbers or names.
+/// Reads results or annotations. Pictures come in the order of their numbers or names. The joints
+/// are those of the model where one is given.
 ///
 /// # Errors
-/// [`JointsError`] for text that is not such JSON, a person with another number of joints, a joint
-/// with numbers that are not finite or a negative confidence, an annotation of a picture that is
-/// not among the `images`, and where there is no picture.
-pub fn decode(bytes: &[u8]) -> Result<Detections, JointsError> {
+/// [`JointsError`] for text that is not such JSON, a person with a number of joints that is not
+/// that of the model or the category, or that tells no model, a joint with numbers that are not
+/// finite, an annotation of a picture that is not among the `images`, and where there is no
+/// picture.
+pub fn decode(bytes: &[u8], model: Option<Model>) -> Result<Detections, JointsError> {
     let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
     if first == Some(&b'[') {
         let results: Vec<Annotation> = serde_json::from_slice(bytes)?;
-        return detections(results, None, names(&[], None), |confidence| confidence);
+        let pictures = pictures(results, None, |confidence| confidence)?;
+        return Detections::new(pictures, None, model);
     }
     let file: Annotations = serde_json::from_slice(bytes)?;
     let of_people = file.annotations.iter();
     let category = of_people
         .filter(|a| !a.keypoints.is_empty())
         .find_map(|a| a.category_id);
-    let names = names(&file.categories, category);
-    let images = file.images.map(|images| {
-        let ids = images.into_iter().map(|image| FrameKey::from(image.id));
-        ids.collect()
-    });
-    detections(file.annotations, images, names, |visibility| {
-        0.5 * visibility
-    })
+    let names = names(file.categories, category);
+    let images = file
+        .images
+        .map(|images| images.into_iter().map(|image| image.id));
+    let images = images.map(Iterator::collect);
+    let pictures = pictures(file.annotations, images, |visibility| 0.5 * visibility)?;
+    Detections::new(pictures, names, model)
 }
 
-/// The joints of a category of things with joints, or those of COCO.
-fn names(categories: &[Category], wanted: Option<i64>) -> Vec<String> {
-    let mut with_joints = categories.iter().filter(|c| !c.keypoints.is_empty());
-    let category = with_joints.find(|c| wanted.is_none() || c.id == wanted);
-    match category {
-        Some(category) => category.keypoints.clone(),
-        None => JOINTS.map(str::to_owned).to_vec(),
-    }
+/// The joints of a category of things with joints.
+fn names(categories: Vec<Category>, wanted: Option<i64>) -> Option<Vec<String>> {
+    let mut with_joints = categories.into_iter().filter(|c| !c.keypoints.is_empty());
+    let category = with_joints.find(|c| wanted.is_none() || c.id == wanted)?;
+    Some(category.keypoints)
 }
 
-fn detections(
+fn pictures(
     annotations: Vec<Annotation>,
-    images: Option<Vec<FrameKey>>,
-    joints: Vec<String>,
+    images: Option<BTreeSet<ImageId>>,
     confidence: impl Fn(f64) -> f64,
-) -> Result<Detections, JointsError> {
-    let are_listed = images.is_some();
-    let mut frames: BTreeMap<FrameKey, Vec<Person>> = BTreeMap::new();
-    for key in images.into_iter().flatten() {
-        frames.entry(key).or_default();
-    }
+) -> Result<Vec<Picture>, JointsError> {
+    let of_annotations = annotations.iter().map(|a| a.image_id.clone());
+    let ids = images.clone().unwrap_or_default().into_iter();
+    let mut pictures = empty_pictures(ids.chain(of_annotations).collect());
     for (index, annotation) in annotations.into_iter().enumerate() {
-        let key = FrameKey::from(annotation.image_id);
-        if are_listed && !frames.contains_key(&key) {
+        let id = annotation.image_id;
+        let picture = pictures.get_mut(&id);
+        let picture = picture.filter(|_| images.as_ref().is_none_or(|images| images.contains(&id)));
+        let Some(picture) = picture else {
             return Err(JointsError::NoImage {
                 annotation: index,
-                image: key.to_string(),
+                image: id.plain_key().to_string(),
             });
-        }
-        let people = frames.entry(key.clone()).or_default();
+        };
+        let mut numbers = annotation.keypoints;
         // Things without joints are not people.
-        if annotation.keypoints.is_empty() {
+        if numbers.is_empty() {
             continue;
         }
-        let mut numbers = annotation.keypoints;
         for third in numbers.iter_mut().skip(2).step_by(3) {
             *third = confidence(*third);
         }
-        let person = Person::from_numbers(&key, people.len(), &joints, &numbers)?;
-        people.push(person);
+        let person = keypoints(&picture.label, picture.people.len(), &numbers)?;
+        picture.people.push(person);
     }
-    if frames.is_empty() {
-        return Err(JointsError::Empty("pictures"));
+    Ok(pictures.into_values().collect())
+}
+
+/// A picture without people for each number or name.
+fn empty_pictures(ids: BTreeSet<ImageId>) -> BTreeMap<ImageId, Picture> {
+    let names = ids.iter().map(|id| match id {
+        ImageId::Number(_) => None,
+        ImageId::Name(name) => Some(name.as_str()),
+    });
+    let found = names
+        .collect::<Option<Vec<&str>>>()
+        .map(|names| keys::keys(&names));
+    // Numbers and names beside each other.
+    let found = found.unwrap_or_else(|| ids.iter().map(ImageId::plain_key).collect());
+    let picture = |(id, key): (ImageId, FrameKey)| {
+        let label = id.plain_key().to_string();
+        let people = Vec::new();
+        (id, Picture { key, label, people })
+    };
+    ids.into_iter().zip(found).map(picture).collect()
+}
+
+impl ImageId {
+    /// The number or name as it is.
+    fn plain_key(&self) -> FrameKey {
+        match self {
+            Self::Number(number) => FrameKey::Number(*number),
+            Self::Name(name) => FrameKey::Name(name.clone()),
+        }
     }
-    let frames = frames.into_iter();
-    Ok(Detections {
-        joints,
-        frames: frames
-            .map(|(key, people)| DetectedFrame { key, people })
-            .collect(),
-    })
 }

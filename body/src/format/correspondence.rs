@@ -18,16 +18,14 @@
 //! A skeleton whose names do not mean anything is understood by its structure: two chains to the
 //! ground are legs, and so on.
 
-use crate::BodyError;
-use ga_anim::retarget::{JointMap, Source};
+use super::Model;
+use super::names::Names;
+use crate::{BodyError, landmarks};
+use ga_anim::retarget::JointMap;
 use ga_anim::skeleton::Skeleton;
-use ga_runtime::cga3::Motor;
 
 /// A pose has a place and an orientation.
 const NEEDED: usize = 3;
-
-/// The points that detectors find and skeletons do not have, without their sides.
-const OF_THE_SKIN: [&str; 6] = ["nose", "eye", "ear", "bigtoe", "smalltoe", "heel"];
 
 /// For each name the index of the joint of the skeleton that it means; `None` for points of the
 /// skin and joints that this skeleton does not have.
@@ -99,42 +97,8 @@ fn alias<'a>(name: &'a str, skeleton: &Skeleton) -> &'a str {
 
 /// Whether a detector has a point of this name.
 fn is_known(name: &str) -> bool {
-    let of_coco = super::coco::JOINTS.iter();
-    let of_openpose = super::openpose::BODY_25.iter();
-    if of_coco.chain(of_openpose).any(|known| *known == name) {
-        return true;
-    }
-    let name = name.to_ascii_lowercase();
-    let bare = name.trim_start_matches("left").trim_start_matches("right");
-    OF_THE_SKIN.contains(&bare.trim_start_matches('_'))
-}
-
-/// Names without a hierarchy and without motion.
-#[derive(Debug)]
-struct Names<'a>(Vec<&'a str>);
-
-impl Source for Names<'_> {
-    fn names(&self) -> Vec<&str> {
-        self.0.clone()
-    }
-
-    fn parents(&self) -> Vec<Option<usize>> {
-        vec![None; self.0.len()]
-    }
-
-    fn rest_positions(&self) -> Vec<[f64; 3]> {
-        vec![[0.0; 3]; self.0.len()]
-    }
-
-    fn frame_count(&self) -> usize {
-        0
-    }
-
-    fn frame_time(&self) -> f64 {
-        1.0
-    }
-
-    fn frames_of_joints(&self, _: usize) -> Option<Vec<Motor<f64>>> {
-        None
-    }
+    landmarks::is_known(name)
+        || Model::ALL
+            .iter()
+            .any(|model| model.joints().iter().any(|known| known == name))
 }

@@ -1,6 +1,9 @@
 //! What is wrong with files of joints.
 
 use ga_camera::format::CameraFileError;
+use ga_files::table::TableError;
+
+use super::Model;
 
 /// What is wrong with a file of joints.
 #[derive(Debug, thiserror::Error)]
@@ -74,17 +77,143 @@ pub enum JointsError {
         /// What is wrong with it.
         problem: JointProblem,
     },
-    /// A person has numbers that are not a whole number of joints, or not as many as there are.
-    #[error("{frame}, person {person}: {found} numbers, and {expected} are needed")]
+    /// A person has numbers that are not three for each joint.
+    #[error("{frame}, person {person}: {found} numbers are not three for each joint")]
     Numbers {
         /// The picture.
         frame: String,
         /// Which person of the picture, from 0.
         person: usize,
-        /// How many numbers there should be.
-        expected: String,
         /// How many there are.
         found: usize,
+    },
+    /// The number of joints tells no model, and none is given.
+    #[error(
+        "{frame}, person {person}: {found} joints do not say which model they are of; models are {}",
+        Model::listed()
+    )]
+    UnknownCount {
+        /// The picture.
+        frame: String,
+        /// Which person of the picture, from 0.
+        person: usize,
+        /// How many joints there are.
+        found: usize,
+    },
+    /// A person has another number of joints than the model that is given.
+    #[error(
+        "{frame}, person {person}: {found} joints, and the model {model} has {}",
+        model.joints().len()
+    )]
+    OfModel {
+        /// The picture.
+        frame: String,
+        /// Which person of the picture, from 0.
+        person: usize,
+        /// The model.
+        model: Model,
+        /// How many joints there are.
+        found: usize,
+    },
+    /// A person has another number of joints than the file names.
+    #[error("{frame}, person {person}: {found} joints, and {expected} are named")]
+    Named {
+        /// The picture.
+        frame: String,
+        /// Which person of the picture, from 0.
+        person: usize,
+        /// How many joints are named.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// A joint of a person is not as many numbers as it should be.
+    #[error("{frame}, person {person}, joint {index}: {found} numbers are not {expected}")]
+    Nesting {
+        /// The picture.
+        frame: String,
+        /// Which person of the picture, from 0.
+        person: usize,
+        /// Which joint, from 0.
+        index: usize,
+        /// How many numbers there are.
+        found: usize,
+        /// What the numbers should be.
+        expected: &'static str,
+    },
+    /// A person has another number of scores than of joints.
+    #[error("{frame}, person {person}: {joints} joints and {scores} scores")]
+    Scores {
+        /// The picture.
+        frame: String,
+        /// Which person of the picture, from 0.
+        person: usize,
+        /// How many joints there are.
+        joints: usize,
+        /// How many scores there are.
+        scores: usize,
+    },
+    /// An entry of a list of MMPose is neither a frame nor a person.
+    #[error(
+        "entry {index} has neither frame_id and instances nor keypoints and keypoint_scores, or \
+         others have the other"
+    )]
+    Entry {
+        /// Which entry, from 0.
+        index: usize,
+    },
+    /// A film has a frame twice.
+    #[error("there are two frames {0}")]
+    SameFrame(i64),
+    /// A file in a folder is not that of one picture.
+    #[error("{frame}: not the people of one picture, as the files of a folder are")]
+    NotOnePicture {
+        /// The file.
+        frame: String,
+    },
+    /// A table is damaged.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A row at the head of a table of DeepLabCut is another one.
+    #[error("line {line} begins with {found:?}, and {wanted} is needed")]
+    DeepLabCut {
+        /// The line, from 1; 0 where there is none.
+        line: usize,
+        /// With what it should begin.
+        wanted: &'static str,
+        /// With what it begins.
+        found: String,
+    },
+    /// A column of a table of DeepLabCut is not one of those of a joint, or is there twice.
+    #[error(
+        "line {line}, column {column}: {found:?} of {joint:?} is not x, y or likelihood, or is \
+         there twice"
+    )]
+    Coordinate {
+        /// The line, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+        /// The name of the joint.
+        joint: String,
+        /// What the column should be.
+        found: String,
+    },
+    /// A joint of a table of DeepLabCut has not both coordinates.
+    #[error("line {line}: there are no columns x and y of {joint:?}")]
+    NoCoordinate {
+        /// The line, from 1.
+        line: usize,
+        /// The name of the joint.
+        joint: String,
+    },
+    /// Two rows of a table of DeepLabCut are of one frame.
+    #[error("line {line}: another line is of the frame {name:?} too")]
+    SameRow {
+        /// The line, from 1.
+        line: usize,
+        /// The number or name of the frame.
+        name: String,
     },
     /// A joint of a person is wrong.
     #[error("{frame}, person {person}, joint {joint:?} ({index}): {problem}")]
@@ -124,14 +253,25 @@ pub enum JointsError {
         /// The name of the view.
         view: String,
     },
-    /// The files of an OpenPose folder are of several kinds of bodies.
-    #[error("{frame}, person {person}: {found} numbers, and the first person has {expected}")]
+    /// Views state different frame rates.
+    #[error(
+        "the view {:?} has {} frames a second, and the view {:?} has {}",
+        views[0], rates[0], views[1], rates[1]
+    )]
+    FrameRates {
+        /// The names of the views.
+        views: [String; 2],
+        /// What they state.
+        rates: [f64; 2],
+    },
+    /// People of one view have joints of several models.
+    #[error("{frame}, person {person}: {found} joints, and the first person has {expected}")]
     Kind {
-        /// The file.
+        /// The picture.
         frame: String,
-        /// Which person of the file, from 0.
+        /// Which person of the picture, from 0.
         person: usize,
-        /// How many numbers the first person of all has.
+        /// How many joints the first person of all has.
         expected: usize,
         /// How many this one has.
         found: usize,
@@ -176,7 +316,7 @@ pub enum JointProblem {
     /// Its standard deviation is not positive and finite.
     #[error("{0} px is not a standard deviation")]
     Deviation(f64),
-    /// Its confidence is negative or not finite.
+    /// Its confidence is not finite.
     #[error("{0} is not a confidence")]
     Confidence(f64),
     /// It is neither `null` nor two or three numbers.

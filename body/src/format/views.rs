@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{JointProblem, JointsError};
+use super::{JointProblem, JointsError, JointsNote};
 use crate::{JointPixel, Observation};
 
 /// The joints of one person in all frames of several views.
@@ -45,6 +45,7 @@ pub struct JointViews {
     joints: Vec<String>,
     frames_per_second: Option<f64>,
     views: Vec<JointView>,
+    notes: Vec<JointsNote>,
 }
 
 /// The joints of one person in all frames of a view.
@@ -121,7 +122,13 @@ impl JointViews {
             joints,
             frames_per_second,
             views,
+            notes: Vec::new(),
         })
+    }
+
+    /// The same with what a user should know of where it is from.
+    pub(super) fn with_notes(self, notes: Vec<JointsNote>) -> Self {
+        Self { notes, ..self }
     }
 
     /// Reads the text of a file.
@@ -216,6 +223,13 @@ impl JointViews {
     #[must_use]
     pub fn views(&self) -> &[JointView] {
         &self.views
+    }
+
+    /// What a user should know of how detections became these joints, such as frames that were
+    /// added. They are not written into a file.
+    #[must_use]
+    pub fn notes(&self) -> &[JointsNote] {
+        &self.notes
     }
 
     /// How many frames each view has; at least 1.

@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use ga_body::format::JointViews;
 use ga_camera::Camera;
+use ga_camera::format::NamedCamera;
 use ga_runtime::cga3::Motor;
 
 use crate::camera_file::{ChosenPair, about};
 
 /// The file with the cameras.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct CameraFiles {
+pub(crate) struct CameraFiles {
     /// The cameras of one or two views, of a file of any format: a camera for one and a stereo rig
     /// for two. The person stands in the frame of the first camera with y up.
     #[arg(
@@ -30,46 +31,74 @@ pub(super) struct CameraFiles {
     views: Option<PathBuf>,
 }
 
+/// The camera of a view.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ViewCamera {
+    pub(crate) camera: Camera,
+    /// Columns and rows of its pictures, where the file says them.
+    pub(crate) size: Option<[usize; 2]>,
+}
+
 impl CameraFiles {
-    pub(super) fn path(&self) -> Option<&PathBuf> {
+    /// Whether the cameras stand in a world of their own, and not in the frame of one of them.
+    pub(crate) fn has_world(&self) -> bool {
+        self.views.is_some()
+    }
+
+    pub(crate) fn path(&self) -> Option<&PathBuf> {
         self.rig.as_ref().or(self.views.as_ref())
     }
 
     /// The camera of each view of the joints. The world of a rig has y up.
-    pub(super) fn read(&self, joints: &JointViews) -> Result<Vec<Camera>> {
+    pub(crate) fn read(&self, joints: &JointViews) -> Result<Vec<ViewCamera>> {
         match (&self.rig, &self.views) {
             (Some(path), _) => of_rig(path, &self.chosen, joints.views().len()),
             (None, Some(path)) => {
                 self.chosen.refuse_names(
                     "it chooses cameras of --rig; those of --views have the names of views",
                 )?;
-                let cameras = joints.match_cameras(&self.chosen.read_all(path)?.cameras);
-                cameras.with_context(|| path.display().to_string())
+                let all = self.chosen.read_all(path)?.cameras;
+                let named = joints.match_named(&all);
+                let named = named.with_context(|| path.display().to_string())?;
+                let cameras = named.into_iter().map(|named| {
+                    let camera = named.camera().map_err(|error| about(path, error))?;
+                    let size = named.size;
+                    Ok(ViewCamera { camera, size })
+                });
+                cameras.collect()
             }
             (None, None) => bail!("--rig or --views is needed: the cameras"),
         }
     }
 }
 
-fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<Camera>> {
-    let found = match views {
+fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<ViewCamera>> {
+    let upright = |camera: Camera, named: &NamedCamera| ViewCamera {
+        camera: camera.in_world_with_y_up(),
+        size: named.size,
+    };
+    match views {
         1 => {
-            let intrinsics = chosen.read_one(path)?.intrinsics();
-            vec![Camera {
+            let named = chosen.read_one(path)?;
+            let intrinsics = named.intrinsics();
+            let camera = Camera {
                 intrinsics: intrinsics.map_err(|error| about(path, error))?,
                 world_to_camera: Motor::default(),
-            }]
+            };
+            Ok(vec![upright(camera, &named)])
         }
         2 => {
-            let rig = chosen.read(path)?.rig;
-            vec![rig.left, rig.right]
+            let rig = chosen.read(path)?;
+            let [left, right] = &rig.cameras;
+            Ok(vec![
+                upright(rig.rig.left, left),
+                upright(rig.rig.right, right),
+            ])
         }
         _ => bail!(
             "{}: the joints are in {views} views, and --rig has one camera or two; --views has any \
              number",
             path.display()
         ),
-    };
-    let upright = found.into_iter().map(Camera::in_world_with_y_up);
-    Ok(upright.collect())
+    }
 }

@@ -228,9 +228,11 @@ fn a_bad_fit_is_doubtful() {
     let bad: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(bad["verdict"], "doubtful");
     let warnings = bad["warnings"].as_array().unwrap();
-    let of_frame = |warning: &&Value| warning["frame"] == 2;
-    let warning = warnings.iter().find(of_frame).unwrap();
+    let of_frames = |warning: &&Value| warning["frame"].is_number();
+    let warning = warnings.iter().find(of_frames).unwrap();
     assert_eq!(warning["kind"], "large_error");
+    let message = warning["message"].as_str().unwrap();
+    assert!(message.contains("the worst is 2,"), "{message}");
 }
 
 #[test]
@@ -509,7 +511,9 @@ fn joints_of_detectors_are_fitted() {
     let found = report(&fit_with(folder.path(), &given));
     assert_eq!(found["joints"].as_array().unwrap().len(), 12);
     let without = found["joints_without_counterpart"].as_array().unwrap();
-    assert_eq!((without.len(), &without[0]), (5, &json!("nose")));
+    assert!(without.is_empty());
+    let skin = found["points_of_the_skin"].as_array().unwrap();
+    assert_eq!((skin.len(), &skin[0]), (5, &json!("nose")));
     assert!(number(&found, "/reprojection_rms_px") < 0.3);
     let lost = [&given[..], &["--person", "2"]].concat();
     let lost = fit_with(folder.path(), &lost);
@@ -519,4 +523,82 @@ fn joints_of_detectors_are_fitted() {
         &[&given[..5], &["--deviation", "0"]].concat(),
     );
     assert_failure(&zero, &["--deviation 0"]);
+}
+
+/// A view of AlphaPose with the joints of Halpe, whose pictures have plain numbers, without those
+/// in which nobody was found.
+#[test]
+fn frames_without_people_keep_their_times_and_are_warned_of() {
+    const HALPE: [(usize, &str); 4] = [
+        (5, "LeftUpperArm"),
+        (6, "RightUpperArm"),
+        (11, "LeftUpperLeg"),
+        (12, "RightUpperLeg"),
+    ];
+    const NOBODY: [usize; 3] = [5, 6, 7];
+    let folder = inputs();
+    for view in 0..2 {
+        let picture = |frame: usize| {
+            let mut numbers = vec![0.0; 3 * 26];
+            for (joint, name) in HALPE {
+                let index = JOINTS.iter().position(|other| *other == name).unwrap();
+                let [u, v] = pixel(truth()[frame][index], view);
+                numbers[3 * joint..3 * joint + 3].copy_from_slice(&[u, v, 1.0]);
+            }
+            json!({"image_id": format!("{frame}.jpg"), "category_id": 1, "keypoints": numbers})
+        };
+        let seen = (0..12).filter(|frame| !NOBODY.contains(frame));
+        let text = Value::from(seen.map(picture).collect::<Vec<_>>()).to_string();
+        std::fs::write(folder.path().join(format!("{view}.json")), text).unwrap();
+    }
+    let given = "--joints 0.json 1.json --rig rig.yml --deviation 0.05 --fps 25";
+    let given: Vec<&str> = given.split(' ').collect();
+    let found = report(&fit_with(folder.path(), &given));
+    assert_eq!(found["frames"], 12);
+    assert!(number(&found, "/reprojection_rms_px") < 0.3);
+    let all = found["joints"].as_array().unwrap().len();
+    for frame in 0..12 {
+        let unseen = found["per_frame"][frame]["joints_unseen"]
+            .as_array()
+            .unwrap();
+        let is_seen = unseen.len() < all;
+        assert_eq!(is_seen, !NOBODY.contains(&frame), "{frame}");
+    }
+    let warnings = found["warnings"].as_array().unwrap();
+    for view in ["0", "1"] {
+        let mut warnings = warnings.iter();
+        let warning = warnings.find(|warning| warning["view"] == view).unwrap();
+        assert_eq!(warning["kind"], "frames_without_people");
+        assert_eq!(warning["count"], 3);
+    }
+}
+
+#[test]
+fn the_model_of_a_detector_can_be_given() {
+    let folder = inputs();
+    let list = |count: usize| {
+        let numbers: Vec<f64> = vec![1.0; 3 * count];
+        json!([{"image_id": 0, "keypoints": numbers}]).to_string()
+    };
+    std::fs::write(folder.path().join("16.json"), list(16)).unwrap();
+    let with = |more: &[&str]| fit(folder.path(), "16.json", "camera.yml", more);
+    assert_failure(
+        &with(&[]),
+        &[
+            "16.json",
+            "picture 0",
+            "16 joints",
+            "mpii16 (16)",
+            "--model",
+        ],
+    );
+    let wrong = with(&["--model", "halpe26"]);
+    assert_failure(&wrong, &["16.json", "16 joints", "halpe26 has 26"]);
+    let unknown = with(&["--model", "coco19"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(
+        text(&unknown.stderr).contains("body25b"),
+        "{}",
+        text(&unknown.stderr)
+    );
 }

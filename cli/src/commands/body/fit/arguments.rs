@@ -2,12 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-use ga_body::Lengths;
-use ga_body::format::DetectorOptions;
-
-use super::cameras::CameraFiles;
 use crate::frame::Check;
+use crate::person::{CameraFiles, FitLengths, JointFiles};
 
 /// Fit a character to the joints of a person that calibrated views show, one or more.
 ///
@@ -16,8 +12,13 @@ use crate::frame::Check;
 /// and joints do not accelerate more than the clip shows them to; with --independent each is fitted
 /// by itself. The character has the size of the person, in metres, or is given it by --fit-lengths.
 ///
-/// The joints are in one file for all views, or in a file or folder of COCO or OpenPose for each
-/// view. The file for all views is
+/// The joints are in one file for all views, or in a detector's file or folder for each view: lists
+/// of COCO and AlphaPose, a folder of OpenPose (JSON of one frame a file, as Pose2Sim writes it too)
+/// or MMPose, a film of MMPose or MediaPipe Pose, or CSV of DeepLabCut. What a file is follows from
+/// what it holds, and the names of joints from the file or their number: 17 (coco17), 18 (coco18),
+/// 25 (body25), 26 (halpe26), 33 (mediapipe), 133 (coco133), 135 (body135) or 136 (halpe136).
+/// --model names others. Numbers of pictures that a detector left out are frames in which no joint
+/// is seen; warnings say how many. The file for all views is
 ///
 ///   {"version": 1, "frames_per_second": 120, "deviation_px": 2, "joints": ["Hips", "Head", …],
 ///    "views": [{"name": "left", "frames": [[[640.5, 360.2], null, …], …]},
@@ -59,10 +60,8 @@ use crate::frame::Check;
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The joints in the views: one file, or a file or folder for each view. Names, or patterns
-    /// with `*`, `?` or `[abc]`, whose files are sorted by the numbers in their names.
-    #[arg(long, value_name = "J.json or GLOB", required = true, num_args = 1..)]
-    pub(super) joints: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(super) joints: JointFiles,
     #[command(flatten)]
     pub(super) cameras: CameraFiles,
     /// The character: a skinned mesh in glTF, or `mannequin` for the person of `nullcone demo`.
@@ -82,39 +81,9 @@ pub(crate) struct Arguments {
         default_missing_value = "bones"
     )]
     pub(super) fit_lengths: Option<FitLengths>,
-    /// Frames a second, where the joints do not state it; 30 where nothing does.
-    #[arg(long, value_name = "RATE")]
-    pub(super) fps: Option<f64>,
-    /// The standard deviation of a detector's joints of confidence 1, for COCO and OpenPose.
-    #[arg(long, value_name = "PX", default_value_t = DetectorOptions::default().deviation_px)]
-    pub(super) deviation: f64,
-    /// Which person of each picture, from 0 in the order of the file, for COCO and OpenPose; by
-    /// default the one with the greatest sum of confidences.
-    #[arg(long, value_name = "N")]
-    pub(super) person: Option<usize>,
     /// Fit each frame by itself.
     #[arg(long)]
     pub(super) independent: bool,
     #[command(flatten)]
     pub(super) check: Check,
 }
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum FitLengths {
-    /// One factor for the whole body.
-    Size,
-    /// A factor for each bone.
-    Bones,
-}
-
-impl From<FitLengths> for Lengths {
-    fn from(lengths: FitLengths) -> Self {
-        match lengths {
-            FitLengths::Size => Self::OneFactor,
-            FitLengths::Bones => Self::EachBone,
-        }
-    }
-}
-
-/// The name of the person that the program makes itself.
-pub(super) const MANNEQUIN: &str = "mannequin";

@@ -4,12 +4,14 @@ use std::path::Path;
 
 use ga_anim::motion_file::Loss;
 use ga_body::character::{CharacterReport, FittedCharacter};
+use ga_body::format::JointsNote;
 use serde::Serialize;
 
 use super::Arguments;
 use crate::format::Format;
 use crate::frame::{self, Verdict, Warning};
 use crate::motion_file::lost;
+use crate::person::{judged, noted};
 use crate::shell::quoted;
 
 #[derive(Serialize)]
@@ -26,27 +28,16 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// With a warning of each view and frame whose pixels are farther from their projections than
-    /// the deviations of the pixels explain, and of what of the poses is not in the file.
-    pub(super) fn new(arguments: &Arguments, fitted: FittedCharacter, losses: &[Loss]) -> Self {
-        let warning = |what: &str, value: f64| {
-            let deviations = "standard deviations from its pixels, as the root mean square";
-            Warning::new("large_error", format!("{what} is {value:.1} {deviations}"))
-        };
-        let of_views = fitted.agreement.bad_views().map(|(view, value)| {
-            let name = &fitted.report.per_view[view].name;
-            Warning {
-                view: Some(name.clone()),
-                ..warning(&format!("the view {name}"), value)
-            }
-        });
-        let of_frames = fitted.agreement.bad_frames();
-        let of_frames = of_frames.map(|(frame, value)| Warning {
-            frame: Some(frame),
-            ..warning(&format!("frame {frame}"), value)
-        });
-        let mut warnings: Vec<Warning> = of_views.chain(of_frames).collect();
-        let verdict = Verdict::of(&warnings);
+    /// With warnings of what was found of the person, of what was done with the detections, and of what of
+    /// the poses is not in the file.
+    pub(super) fn new(
+        arguments: &Arguments,
+        fitted: FittedCharacter,
+        notes: &[JointsNote],
+        losses: &[Loss],
+    ) -> Self {
+        let (verdict, mut warnings) = judged(&fitted.findings);
+        warnings.extend(notes.iter().map(noted));
         warnings.extend(losses.iter().map(|loss| lost(loss, &arguments.out)));
         Self {
             character: arguments.character.display().to_string(),

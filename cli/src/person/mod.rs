@@ -1,0 +1,14 @@
+//! A person in views, as several commands read it: joints, cameras, and the character that is
+//! fitted.
+
+mod cameras;
+mod character;
+mod findings;
+mod joints;
+mod lengths;
+
+pub(crate) use cameras::{CameraFiles, ViewCamera};
+pub(crate) use character::{CharacterFile, MANNEQUIN};
+pub(crate) use findings::{judged, noted};
+pub(crate) use joints::JointFiles;
+pub(crate) use lengths::FitLengths;
