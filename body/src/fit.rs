@@ -5,12 +5,9 @@ use crate::normal::Normal;
 use ga_anim::pose::Pose;
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
-use rayon::prelude::*;
 
 use super::chain::{Chain, State};
-use super::clip::{self, tracks};
 use super::descent::{Found, Search, descend, log_determinant};
-use super::ground::Anchor;
 use super::likelihood::{Likelihood, Near, OUTLIER, Observed};
 use super::start::{Links, Start, WRONG, starts};
 use super::{BodyModel, Observation};
@@ -23,7 +20,7 @@ const FAR: Search = Search {
     steps: 100,
     tolerance: 1e-6,
 };
-const NEAR: Search = Search { steps: 10, ..FAR };
+pub(super) const NEAR: Search = Search { steps: 10, ..FAR };
 /// From drawn places of the points to a pose that is about as likely as any around it: farther
 /// searches make the mean of such poses no better.
 const DRAWN: Search = Search {
@@ -33,8 +30,6 @@ const DRAWN: Search = Search {
 const TO_PLACES: Search = Search { steps: 2, ..DRAWN };
 /// How many places of the points are drawn from which a fit begins.
 const SAMPLES: usize = 12;
-/// Frames of a clip within this time, in seconds, show one pose, for which rest counts once.
-const ONE_POSE: f64 = 0.15;
 /// Poses are the same whose points are nowhere farther apart, in metres.
 const SAME: f64 = 0.01;
 /// A probability that does not matter.
@@ -48,21 +43,13 @@ pub struct BodyFit<'a> {
 }
 
 /// A state that was found from a start.
-struct Candidate {
-    found: Found,
+pub(super) struct Candidate {
+    pub(super) found: Found,
     points: Vec<Vector<f64>>,
     /// The logarithm of the determinant of the equations there.
     determinant: f64,
     /// The views that are wrong, each with a point.
     wrong: Vec<(usize, usize)>,
-}
-
-/// Frames that follow one another.
-struct Stretch {
-    /// `None` before the first frame that has a pose.
-    states: Vec<Option<State>>,
-    /// Why the first frame has no pose by itself that has none.
-    error: Option<BodyError>,
 }
 
 /// A pose that was fitted.
@@ -145,100 +132,15 @@ impl<'a> BodyFit<'a> {
         &self.likelihood
     }
 
-    /// The most likely poses for what the views show in a clip, as a whole: joints and body move
-    /// with accelerations of a size that the clip itself shows.
-    ///
-    /// Between frames the second differences of every joint's rotation vector and of the
-    /// translation are Gaussian, each with a variance of its own (a discrete white noise of
-    /// accelerations; the most likely motion is a smoothing spline: G. Wahba, 1978). The variances
-    /// follow from how second differences over more than one frame grow beyond those over one,
-    /// which are mostly noise, so there is nothing to tune. Long clips are fitted in stretches that
-    /// overlap.
-    ///
-    /// Frames may show fewer points than a pose needs, or none: they follow from those around. The
-    /// frame rate only matters for clips of less than eight frames, which do not show how large
-    /// accelerations are: then they are those of a human who moves without haste.
-    ///
-    /// # Errors
-    /// [`BodyError::Frame`] with the first frame that does not fit the cameras and the model, or
-    /// with the first one of all, where no frame by itself has a pose; [`BodyError::FrameRate`] for
-    /// a rate that is not positive and finite.
-    pub fn clip(
-        &self,
-        observations: &[Observation],
-        frames_per_second: f64,
-    ) -> Result<Vec<FittedPose>, BodyError> {
-        let states = self.begin(observations, frames_per_second)?;
-        let states = self.smooth(observations, states, frames_per_second, &[]);
-        self.poses(observations, &states)
+    pub(super) fn links(&self) -> &Links {
+        &self.links
     }
 
-    /// States that are near to those of a clip: of each frame, by pixels that are smoothed over
-    /// time, and near to the frame before.
-    ///
-    /// # Errors
-    /// Those of [`clip`](Self::clip).
-    pub(crate) fn begin(
-        &self,
-        observations: &[Observation],
-        frames_per_second: f64,
-    ) -> Result<Vec<State>, BodyError> {
-        if !(frames_per_second > 0.0 && frames_per_second.is_finite()) {
-            return Err(BodyError::FrameRate(frames_per_second).of_frame(0));
-        }
-        for (frame, observation) in observations.iter().enumerate() {
-            let checked = self.check(observation);
-            checked.map_err(|error| error.of_frame(frame))?;
-        }
-        self.one_by_one(&tracks::smoothed(observations))
-    }
-
-    /// The most likely states of a clip, from states that are near, with points that are held.
-    pub(crate) fn smooth(
-        &self,
-        observations: &[Observation],
-        states: Vec<State>,
-        frames_per_second: f64,
-        anchors: &[Vec<Anchor>],
-    ) -> Vec<State> {
-        let single = self.by_themselves(observations, &states);
-        let likelihood = Likelihood {
-            rest: 1.0 / (ONE_POSE * frames_per_second).max(1.0),
-            ..self.likelihood.clone()
-        };
-        clip::smooth(
-            &likelihood,
-            observations,
-            states,
-            &single,
-            frames_per_second,
-            anchors,
-        )
-    }
-
-    /// States as poses, with what remains in the pictures.
-    ///
-    /// # Errors
-    /// [`BodyError::Frame`] where a camera does not see a point that it observes.
-    pub(crate) fn poses(
-        &self,
-        observations: &[Observation],
-        states: &[State],
-    ) -> Result<Vec<FittedPose>, BodyError> {
-        let frames = observations.iter().zip(states).enumerate();
-        frames
-            .map(|(frame, (observation, state))| {
-                let fitted = self.fitted(observation, state);
-                fitted.map_err(|error| error.of_frame(frame))
-            })
-            .collect()
-    }
-
-    fn normal(&self) -> Normal {
+    pub(super) fn normal(&self) -> Normal {
         Normal::new(self.likelihood.chain.count)
     }
 
-    fn observed<'o>(&'o self, observation: &'o Observation) -> Observed<'o, 'a> {
+    pub(super) fn observed<'o>(&'o self, observation: &'o Observation) -> Observed<'o, 'a> {
         Observed {
             likelihood: &self.likelihood,
             observation,
@@ -246,17 +148,35 @@ impl<'a> BodyFit<'a> {
     }
 
     /// The best states that are found from all starts, first the one of the least cost.
-    fn search(
+    pub(super) fn search(
         &self,
         observation: &Observation,
         samples: usize,
         normal: &mut Normal,
     ) -> Result<Vec<Candidate>, BodyError> {
+        let (mut all, is_sampled) = self.minima(observation, samples, normal)?;
+        // Samples stand for all poses, others only for the best one.
+        if !is_sampled {
+            all.truncate(1);
+        }
+        Ok(all)
+    }
+
+    /// All states that are found, first the one of the least cost, and whether their starts were
+    /// drawn.
+    ///
+    /// # Errors
+    /// Those of [`frame`](Self::frame).
+    pub(super) fn minima(
+        &self,
+        observation: &Observation,
+        samples: usize,
+        normal: &mut Normal,
+    ) -> Result<(Vec<Candidate>, bool), BodyError> {
         let Likelihood { chain, cameras, .. } = &self.likelihood;
         let starts = starts(chain, &self.links, cameras, observation, samples)?;
         let mut all: Vec<Candidate> = Vec::with_capacity(starts.len());
         let mut error = BodyError::NoPose;
-        // Samples stand for all poses, others only for the best one.
         let is_sampled = starts.iter().all(|start| start.places.is_some());
         for start in starts {
             let Some(found) = self.descend_from(&start, observation, normal) else {
@@ -280,15 +200,12 @@ impl<'a> BodyFit<'a> {
         if all.is_empty() {
             return Err(error);
         }
-        if !is_sampled {
-            all.truncate(1);
-        }
-        Ok(all)
+        Ok((all, is_sampled))
     }
 
     /// The best state near to a start: first one whose points are at their places, and from there
     /// the most likely one, without views that are wrong.
-    fn descend_from(
+    pub(super) fn descend_from(
         &self,
         start: &Start,
         observation: &Observation,
@@ -355,88 +272,8 @@ impl<'a> BodyFit<'a> {
         found.map_or_else(|| best.state.clone(), |found| found.state)
     }
 
-    /// The states of all frames by themselves.
-    fn one_by_one(&self, observations: &[Observation]) -> Result<Vec<State>, BodyError> {
-        /// How many frames follow one another; stretches are independent.
-        const STRETCH: usize = 96;
-        // One view leaves several poses open, of which a clip has one.
-        let stretch = match self.likelihood.cameras.len() {
-            1 => observations.len().max(1),
-            _ => STRETCH,
-        };
-        let stretches = observations.par_chunks(stretch).enumerate();
-        let found: Vec<Stretch> = stretches
-            .map(|(index, frames)| self.stretch(index * stretch, frames))
-            .collect();
-        let states = || found.iter().flat_map(|stretch| &stretch.states);
-        let Some(first) = states().flatten().next() else {
-            let error = found.iter().find_map(|stretch| stretch.error.clone());
-            return error.map_or(Ok(Vec::new()), Err);
-        };
-        // Frames before the first pose begin with that, and others with the one before.
-        let filled = states().scan(first, |last, state| {
-            *last = state.as_ref().unwrap_or(*last);
-            Some((*last).clone())
-        });
-        Ok(filled.collect())
-    }
-
-    /// The states that explain each frame best near to given ones.
-    fn by_themselves(&self, observations: &[Observation], states: &[State]) -> Vec<State> {
-        let frames = observations.par_iter().zip(states);
-        let found = frames.map_init(
-            || self.normal(),
-            |normal, (observation, state)| {
-                let found = descend(&self.observed(observation), state.clone(), NEAR, normal);
-                found.map_or_else(|| state.clone(), |found| found.state)
-            },
-        );
-        found.collect()
-    }
-
-    /// Frames one after the other, each near to the one before where that is as good. Frames
-    /// without a pose of their own have that of the one before.
-    fn stretch(&self, first: usize, observations: &[Observation]) -> Stretch {
-        /// A cost for each coordinate of a pixel that is no longer that of noise.
-        const BAD: f64 = 3.0;
-        /// How often all poses are searched.
-        const SEARCHED: usize = 8;
-        let normal = &mut self.normal();
-        let mut states: Vec<Option<State>> = Vec::with_capacity(observations.len());
-        let mut last: Option<State> = None;
-        let mut first_error = None;
-        for (index, observation) in observations.iter().enumerate() {
-            let near = last
-                .clone()
-                .and_then(|last| descend(&self.observed(observation), last, NEAR, normal));
-            let count = observation.views.iter().flatten().flatten().count();
-            // With one view the frame before decides between poses that explain a view equally
-            // well.
-            let is_search = index % SEARCHED == 0 && self.likelihood.cameras.len() > 1;
-            let is_good = |found: &Found| !is_search && found.cost <= BAD * (2 * count) as f64;
-            let found = match near {
-                Some(near) if is_good(&near) => Some(near),
-                near => match (self.search(observation, 0, normal).map(least), near) {
-                    (Ok(found), Some(near)) if near.cost <= found.cost => Some(near),
-                    (Ok(found), _) => Some(found),
-                    (Err(error), near) => {
-                        let frame = first + index;
-                        first_error.get_or_insert(error.of_frame(frame));
-                        near
-                    }
-                },
-            };
-            last = found.map(|found| found.state).or(last);
-            states.push(last.clone());
-        }
-        Stretch {
-            states,
-            error: first_error,
-        }
-    }
-
     /// Whether an observation fits the cameras and the model, with finite pixels.
-    fn check(&self, observation: &Observation) -> Result<(), BodyError> {
+    pub(super) fn check(&self, observation: &Observation) -> Result<(), BodyError> {
         let (expected, found) = (self.likelihood.cameras.len(), observation.views.len());
         if expected != found {
             return Err(BodyError::Views { expected, found });
@@ -474,7 +311,11 @@ impl<'a> BodyFit<'a> {
     }
 
     /// A state as a pose, with what remains in the pictures.
-    fn fitted(&self, observation: &Observation, state: &State) -> Result<FittedPose, BodyError> {
+    pub(super) fn fitted(
+        &self,
+        observation: &Observation,
+        state: &State,
+    ) -> Result<FittedPose, BodyError> {
         let Likelihood { chain, cameras, .. } = &self.likelihood;
         let points: Vec<Point<f64>> = {
             let places = chain.places(state);
@@ -509,10 +350,6 @@ impl<'a> BodyFit<'a> {
             root_mean_square_px: (sum / f64::from(count.max(1))).sqrt(),
         })
     }
-}
-
-fn least(mut found: Vec<Candidate>) -> Found {
-    found.swap_remove(0).found
 }
 
 fn is_same(a: &[Vector<f64>], b: &[Vector<f64>]) -> bool {

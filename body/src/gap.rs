@@ -27,6 +27,13 @@ pub(crate) fn gap_in_pixels(cameras: [&Camera; 2], rays: [Ray<f64>; 2]) -> f64 {
 /// where this is larger. `None` where no point is seen by two views.
 pub(crate) fn noise(cameras: &[Camera], observations: &[Observation]) -> Option<f64> {
     let stated = median(&mut deviations(observations))?;
+    let mut gaps = gaps(cameras, observations);
+    gaps.retain(|gap| gap.is_finite());
+    Some(stated.max(median(&mut gaps)?))
+}
+
+/// The gaps of all points between all pairs of views.
+fn gaps(cameras: &[Camera], observations: &[Observation]) -> Vec<f64> {
     let mut gaps: Vec<f64> = Vec::new();
     for observation in observations {
         for (a, b) in pairs_of_views(cameras.len()) {
@@ -42,8 +49,55 @@ pub(crate) fn noise(cameras: &[Camera], observations: &[Observation]) -> Option<
             }
         }
     }
-    gaps.retain(|gap| gap.is_finite());
-    Some(stated.max(median(&mut gaps)?))
+    gaps
+}
+
+/// A view disagrees with others where its rays miss theirs by so many times what these miss each
+/// other.
+const DISAGREES: f64 = 4.0;
+
+/// The views whose rays miss those of all others by far, where these meet each other. Two views
+/// are always kept: which of them is wrong cannot be told.
+pub(crate) fn disagreeing(cameras: &[Camera], observations: &[Observation]) -> Vec<usize> {
+    let Some(stated) = median(&mut deviations(observations)) else {
+        return Vec::new();
+    };
+    let gaps: Vec<((usize, usize), f64)> = pairs_of_views(cameras.len())
+        .filter_map(|(a, b)| {
+            let of_two = |observation: &Observation| Observation {
+                views: [a, b].map(|view| observation.views[view].clone()).to_vec(),
+            };
+            let of_two: Vec<Observation> = observations.iter().map(of_two).collect();
+            let gaps = &mut gaps(&[cameras[a], cameras[b]], &of_two);
+            // Rays that meet behind a view miss each other by far.
+            Some(((a, b), median(gaps)?))
+        })
+        .collect();
+    let mut left_out: Vec<usize> = Vec::new();
+    while cameras.len() - left_out.len() > 2 {
+        let kept = (0..cameras.len()).filter(|view| !left_out.contains(view));
+        let is_kept = |(a, b): (usize, usize)| !left_out.contains(&a) && !left_out.contains(&b);
+        let of_view = |view: usize, own: bool| {
+            let pairs = gaps.iter().filter(|(pair, _)| is_kept(*pair));
+            let pairs = pairs.filter(|((a, b), _)| (*a == view || *b == view) == own);
+            pairs.map(|(_, gap)| *gap).collect::<Vec<f64>>()
+        };
+        let worst = kept
+            .filter_map(|view| {
+                let nearest = of_view(view, true)
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min);
+                let others = median(&mut of_view(view, false))?.max(stated);
+                let times = nearest / others;
+                (times > DISAGREES).then_some((view, times))
+            })
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        match worst {
+            Some((view, _)) => left_out.push(view),
+            None => break,
+        }
+    }
+    left_out
 }
 
 /// The deviations of all pixels.

@@ -7,10 +7,12 @@
 //! | [`Observation`] | for each view the pixels of these points, as far as they were seen |
 //! | [`BodyFit`] | the expected pose of a frame by itself, the most likely poses of a clip |
 //! | [`FittedPose`] | motors, points and what remains in the pictures |
-//! | [`character`] | a character in the poses of a person in views |
+//! | [`character`] | a character in the poses of a person in views, and what is doubtful of them |
+//! | [`registration`] | how views stand to each other in space and time |
+//! | [`ground`] | which way is up, how high the floor is, and when feet stand |
 //! | [`marked`] | bodies with coloured dots on their skin, in pictures |
 //! | [`marker`] | painted discs that say which point they are |
-//! | [`format`](mod@format) | files of joints in pictures: COCO's, OpenPose's and our own |
+//! | [`format`](mod@format) | files of joints in pictures, of all common detectors and our own |
 //! | [`evaluation`], [`pose_error`] | how far reconstructed bodies and joints are from true ones |
 //!
 //! A pose has the rotation R of each joint and the translation t of the body. It takes a point x at
@@ -81,6 +83,7 @@ pub mod evaluation;
 mod example;
 mod fit;
 pub mod format;
+mod frames;
 mod gap;
 pub mod ground;
 mod landmarks;
@@ -91,6 +94,7 @@ pub mod marker;
 mod mean_square;
 mod model;
 mod normal;
+mod one_view;
 mod person;
 pub mod pose_error;
 pub mod registration;

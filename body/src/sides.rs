@@ -3,8 +3,8 @@
 //! A detector that sees a person from behind, or for a moment does not see the face, may name the
 //! joints of the left side as those of the right one, for a while and without less confidence. In
 //! each view every frame is as it should be or exchanged; the most likely sequence of both is found
-//! exactly (A. Viterbi, "Error bounds for convolutional codes and an asymptotically optimum decoding
-//! algorithm", 1967). It is likely that
+//! exactly (A. Viterbi, "Error bounds for convolutional codes and an asymptotically optimum
+//! decoding algorithm", 1967). It is likely that
 //!
 //! - nothing is exchanged, and that this seldom changes,
 //! - joints are near to where they were in the frame before,

@@ -16,8 +16,6 @@ use crate::{FittedPose, Observation};
 /// the person in the pictures, and the result is not to be used where it is more than the other.
 const DOUBTFUL: f64 = 0.03;
 const FAILED: f64 = 0.08;
-/// A view disagrees with the others where its median is so many times theirs.
-const DISAGREES: f64 = 3.0;
 /// What is found of cameras and times is said where it is more than three standard deviations, and
 /// more than this, in degrees and in frames.
 const ROTATION: f64 = 0.3;
@@ -92,6 +90,8 @@ pub(super) struct Found<'a> {
     /// In a world with y up where the ground is known.
     pub(super) cameras: &'a [Camera],
     pub(super) observations: &'a [Observation],
+    /// The views that the poses do not depend on.
+    pub(super) left_out: &'a [usize],
     pub(super) is_synchronised: bool,
     pub(super) is_refined: bool,
 }
@@ -175,15 +175,12 @@ fn views(found: &Found<'_>) -> Vec<Finding> {
             .copied()
             .flatten()
             .unwrap_or(0.0);
-        if let Some(others) = median(&mut others)
-            && per_view.len() > 2
-            && own > DISAGREES * others
-            && of_view > OUTLIER
-        {
+        if found.left_out.contains(&index) {
+            let others = median(&mut others).unwrap_or_default();
             let message = format!(
-                "the view {} disagrees with the others: half of its joints are more than {own:.1} \
-                 px off, and {others:.1} px in the others: look at its camera, its time and its \
-                 joints, or leave it out",
+                "the view {} disagrees with the others and is left out: half of its joints are \
+                 more than {own:.1} px off, and {others:.1} px in the others: look at its camera, \
+                 its time and its joints",
                 view.name
             );
             bad.push(Finding::new("bad_view", Severity::Doubtful, message).of_view(&view.name));

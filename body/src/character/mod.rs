@@ -16,7 +16,7 @@ use ga_anim::recording::RecordingError;
 use ga_camera::Camera;
 use ga_mesh::gltf::Document;
 use ga_numerics::order_statistics::median;
-use ga_runtime::cga3::Motor;
+use ga_runtime::cga3::{Motor, Point};
 use ga_runtime::vga3::Vector;
 
 use self::findings::Found;
@@ -24,6 +24,7 @@ use crate::agreement::Agreement;
 use crate::fit::FittedPose;
 use crate::format::correspondence::correspondence;
 use crate::format::{JointView, JointViews};
+use crate::gap::disagreeing;
 use crate::ground::{Ground, GroundOptions};
 use crate::landmarks::{Anatomy, SkinPoint};
 use crate::lengths::Lengths;
@@ -32,7 +33,7 @@ use crate::model::BodyPoint;
 use crate::person::{FittedPerson, Person};
 use crate::registration::{Registration, RegistrationOptions, register, resampled};
 use crate::sides::{Exchanged, pairs};
-use crate::{BodyError, BodyModel, Observation};
+use crate::{BodyError, BodyModel, JointPixel, Observation};
 
 /// The fit of a character to the joints of a person.
 ///
@@ -219,7 +220,8 @@ impl<'a> CharacterFit<'a> {
     /// these, `done` is told how many frames of how many are fitted.
     ///
     /// # Errors
-    /// Those of [`BodyFit::clip`](crate::BodyFit::clip), [`BodyError::FrameRate`] among them; where a frame cannot be
+    /// Those of [`BodyFit::clip`](crate::BodyFit::clip), [`BodyError::FrameRate`] among them; where
+    /// a frame cannot be
     /// fitted by itself, [`BodyError::Frame`].
     pub fn fit(
         mut self,
@@ -234,18 +236,24 @@ impl<'a> CharacterFit<'a> {
         if self.exchanged.is_none() && !independent {
             self.put_sides_right();
         }
+        let left_out = match independent {
+            true => Vec::new(),
+            false => disagreeing(&self.cameras, &self.observations),
+        };
+        let used = without_views(&self.observations, &left_out);
         let person = Person::new(
             &self.model,
             &self.skin,
             &self.cameras,
-            &self.observations,
+            &used,
             frames_per_second,
         );
-        let fitted = match independent {
+        let mut fitted = match independent {
             false => person.fit(self.lengths, self.ground.as_ref())?,
             true => person.fit_frames(self.lengths, &mut done)?,
         };
         let seconds = begin.elapsed().as_secs_f64();
+        self.measure_views(&left_out, &mut fitted);
         let character = match &fitted.proportions {
             Some(proportions) => self.character.with_lengths(&proportions.factors())?,
             None => self.character.clone(),
@@ -281,6 +289,7 @@ impl<'a> CharacterFit<'a> {
             poses: &poses,
             cameras: &cameras,
             observations: &fitted.observations,
+            left_out: &left_out,
             is_synchronised: self.is_synchronised,
             is_refined: self.is_refined,
         });
@@ -294,6 +303,22 @@ impl<'a> CharacterFit<'a> {
             character,
             poses,
         })
+    }
+
+    /// What views that were left out show of the poses.
+    fn measure_views(&self, views: &[usize], fitted: &mut FittedPerson) {
+        for (frame, pose) in fitted.poses.iter_mut().enumerate() {
+            for &view in views {
+                let pixels = &self.observations[frame].views[view];
+                let distance = |(pixel, point): (&Option<JointPixel>, &Point<f64>)| {
+                    let [u, v] = self.cameras[view].project(*point).ok()?;
+                    let position = (*pixel)?.position;
+                    Some((u - position[0]).hypot(v - position[1]))
+                };
+                pose.residuals_px[view] = pixels.iter().zip(&pose.points).map(distance).collect();
+                fitted.observations[frame].views[view].clone_from(pixels);
+            }
+        }
     }
 
     /// The frames of a view in which sides were exchanged, by the views alone or by the body.
@@ -401,6 +426,17 @@ impl<'a> CharacterFit<'a> {
             points_of_the_skin: of_kind(true),
         }
     }
+}
+
+/// The same without what some views show.
+fn without_views(observations: &[Observation], views: &[usize]) -> Vec<Observation> {
+    let mut used = observations.to_vec();
+    for observation in &mut used {
+        for &view in views {
+            observation.views[view].fill(None);
+        }
+    }
+    used
 }
 
 /// The lengths of bones.

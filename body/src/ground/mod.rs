@@ -1,4 +1,5 @@
-//! The ground on which a person stands: which way is up, how high the floor is, and when feet stand.
+//! The ground on which a person stands: which way is up, how high the floor is, and when feet
+//! stand.
 
 mod contact;
 mod up;

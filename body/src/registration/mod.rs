@@ -9,7 +9,8 @@
 //! ```
 //!
 //! over all views v that show a joint at the point x, which is free, with the twist G and the
-//! offset d of the view, in frames, the pixel u and its velocity u̇ (bundle adjustment: B. Triggs et
+//! offset d of the view, in frames, the pixel u and its velocity u̇ (bundle adjustment: B. Triggs
+//! et
 //! al., "Bundle adjustment – a modern synthesis", 2000). No body and no smoothness is assumed.
 //! How many of the errors are independent follows from how long they last. Rotations and
 //! displacements stay near to what the calibration says, within deviations that are

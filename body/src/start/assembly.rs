@@ -137,7 +137,7 @@ fn towards(
 }
 
 /// How many joints a joint is below another one.
-fn depth_below(chain: &Chain<'_>, joint: usize, other: usize) -> Option<usize> {
+pub(super) fn depth_below(chain: &Chain<'_>, joint: usize, other: usize) -> Option<usize> {
     let joints = chain.model.skeleton().joints();
     let mut above = Some(joint);
     let mut depth = 0;

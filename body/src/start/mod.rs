@@ -10,9 +10,11 @@ mod assembly;
 mod candidates;
 mod depths;
 mod links;
+mod mirrored;
 
 use depths::{Depths, Places};
 pub(super) use links::{Link, Links};
+pub(super) use mirrored::mirrored;
 
 use super::Observation;
 use super::chain::{Chain, State, rotated};

@@ -7,6 +7,7 @@ mod evaluation;
 mod fit;
 mod format;
 mod marker;
+mod person;
 mod pictures;
 mod pose_error;
 mod studio;

@@ -3,6 +3,7 @@
 
 mod lengths;
 mod made;
+mod one_view;
 mod recorded;
 mod refused;
 
