@@ -4,7 +4,7 @@ use clap::Command;
 
 /// How commands are called, after the name of the program. The example of a command with others
 /// below it is the first of theirs.
-const EXAMPLES: [&str; 45] = [
+const EXAMPLES: [&str; 46] = [
     "demo --bones --trails LeftFoot,RightHand --film walk.png",
     "animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
     "body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
@@ -29,6 +29,7 @@ const EXAMPLES: [&str; 45] = [
     "mesh info bunny.obj --json",
     "mesh subdivide cube.obj --levels 3 --out smooth.obj",
     "mesh bake --fine scan.obj --coarse game.obj --maps normal,colour --out baked",
+    "people a.mp4 b.mp4 --joints a.json b.json --views views.json --out person",
     "quality compare original.y4m compressed.y4m --csv frames.csv --plot frames.svg",
     "quality fit scores.csv --report fit.html",
     "quality ratings table.csv --screen --report ratings.html",

@@ -13,6 +13,7 @@ pub(crate) mod draw;
 pub(crate) mod expand;
 pub(crate) mod man;
 pub(crate) mod mesh;
+pub(crate) mod people;
 pub(crate) mod quality;
 pub(crate) mod render;
 pub(crate) mod skin;

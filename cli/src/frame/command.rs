@@ -1,5 +1,7 @@
 //! What a command is, and what it says at the end.
 
+use std::path::PathBuf;
+
 use anyhow::{Error, Result};
 use ga_draw::document::Page;
 use ga_files::Staged;
@@ -8,6 +10,12 @@ use serde::Serialize;
 use super::context::Context;
 use super::verdict::Verdict;
 use super::warning::Warning;
+
+/// Files in which a report is kept.
+pub(crate) struct Kept {
+    pub(crate) page: PathBuf,
+    pub(crate) json: PathBuf,
+}
 
 /// A command with its arguments.
 pub(crate) trait Command {
@@ -58,6 +66,11 @@ pub(crate) trait Report: Serialize {
 
     /// The page of `--report`, where it is another than one with the text and the values.
     fn page(&self) -> Option<Page> {
+        None
+    }
+
+    /// Where the page and the object of JSON are written as well, whatever the options are.
+    fn kept(&self) -> Option<Kept> {
         None
     }
 

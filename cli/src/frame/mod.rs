@@ -11,12 +11,13 @@ mod shown;
 mod verdict;
 mod warning;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::Result;
 use serde::Serialize;
 
-pub(crate) use command::{Command, Report};
+pub(crate) use command::{Command, Kept, Report};
 pub(crate) use context::{Context, Options};
 pub(crate) use group::{Execute, group};
 pub(crate) use next::command_line;
@@ -59,13 +60,13 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         (own, of_files) => Some([own.unwrap_or_default(), of_files].concat()),
     };
     let warnings = warnings.as_deref();
-    let verdict = match report.verdict() {
-        // What is said of files is in doubt for every command.
-        Some(Verdict::Good) if !of_files.is_empty() => Some(Verdict::Doubtful),
-        verdict => verdict,
-    };
+    let verdict = report.verdict().map(Verdict::with_files);
     let mut files = report.files();
-    if let Some(path) = context.report() {
+    let kept = report.kept();
+    let of_option = context.report().into_iter();
+    let paths = of_option.chain(kept.as_ref().map(|kept| kept.page.as_path()));
+    let paths: Vec<&Path> = paths.collect();
+    if !paths.is_empty() {
         let page = match report.page() {
             Some(page) => page::with_warnings(page, &of_files),
             None => page::of(
@@ -75,7 +76,19 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
                 &context.title(),
             )?,
         };
-        output::stage(&mut files, path, page.into_html().as_bytes())?;
+        let html = page.into_html();
+        for path in paths {
+            output::stage(&mut files, path, html.as_bytes())?;
+        }
+    }
+    let object = Object {
+        verdict,
+        report: &report,
+        warnings,
+    };
+    if let Some(kept) = &kept {
+        let text = serde_json::to_string_pretty(&object)? + "\n";
+        output::stage(&mut files, &kept.json, text.as_bytes())?;
     }
     files.finish()?;
     if !context.is_quiet() {
@@ -83,11 +96,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     }
     if context.is_json() {
         if !report.is_printed_as_json() {
-            output::print_json(&Object {
-                verdict,
-                report: &report,
-                warnings,
-            })?;
+            output::print_json(&object)?;
         }
     } else if report.is_result() || !context.is_quiet() {
         let next = report.next().filter(|_| !context.is_quiet());

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Warning;
+use super::warning::{Warning, of_files};
 
 /// The verdict of a command that judges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -22,6 +22,14 @@ impl Verdict {
         match warnings {
             [] => Self::Good,
             _ => Self::Doubtful,
+        }
+    }
+
+    /// The verdict with what is said of files, which is in doubt for every command.
+    pub(crate) fn with_files(self) -> Self {
+        match self {
+            Self::Good if !of_files().is_empty() => Self::Doubtful,
+            verdict => verdict,
         }
     }
 

@@ -102,7 +102,7 @@ pub(crate) fn print(warnings: &[Warning]) {
 
 impl Warning {
     /// The sentence, after the file that it is about.
-    pub(super) fn line_of_text(&self) -> String {
+    pub(crate) fn line_of_text(&self) -> String {
         match &self.file {
             Some(file) => format!("{file}: {}", self.message),
             None => self.message.clone(),

@@ -13,12 +13,12 @@ use tempfile::{TempDir, tempdir};
 use crate::common::{assert_failure, assert_success, names, nullcone, number, text};
 
 /// Not the rate of files that state none.
-const RATE: f64 = 25.0;
-const FRAMES: usize = 20;
+pub(crate) const RATE: f64 = 25.0;
+pub(crate) const FRAMES: usize = 20;
 /// The walk is in front of the left camera, in metres.
-const PLACE: [f64; 3] = [0.3, -0.9, -4.5];
+pub(crate) const PLACE: [f64; 3] = [0.3, -0.9, -4.5];
 /// The joints that are seen: all but the toes.
-const JOINTS: [&str; 19] = [
+pub(crate) const JOINTS: [&str; 19] = [
     "Hips",
     "Spine",
     "Chest",
@@ -41,7 +41,7 @@ const JOINTS: [&str; 19] = [
 ];
 
 /// Where the joints are in all frames, with y up and the cameras looking along −z.
-fn truth() -> &'static [Vec<[f64; 3]>] {
+pub(crate) fn truth() -> &'static [Vec<[f64; 3]>] {
     static TRUTH: OnceLock<Vec<Vec<[f64; 3]>>> = OnceLock::new();
     TRUTH.get_or_init(|| {
         let (skeleton, walk) = (Human::new().skeleton, walk(1));
@@ -320,7 +320,7 @@ fn rigs_of_all_formats_are_fitted_alike() {
 
 /// Three cameras in the world of the walk, at the heights and in the directions of the angles, as
 /// a file of views: of pictures that are not there.
-fn views(folder: &Path) -> Vec<[[f64; 4]; 3]> {
+pub(crate) fn views(folder: &Path) -> Vec<[[f64; 4]; 3]> {
     let cameras: Vec<[[f64; 4]; 3]> = [0.0_f64, 1.2, 3.0]
         .map(|angle| {
             let (s, c) = angle.sin_cos();
@@ -347,13 +347,18 @@ fn views(folder: &Path) -> Vec<[[f64; 4]; 3]> {
     cameras
 }
 
-fn seen_by(camera: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 2] {
+pub(crate) fn seen_by(camera: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 2] {
     let [u, v, depth] = camera.map(|[a, b, c, t]| a * x + b * y + c * z + t);
     [960.0 + 1000.0 * u / depth, 540.0 + 1000.0 * v / depth]
 }
 
 /// The joints in views of these names, `factor` times as far from the ground and each other.
-fn in_views(cameras: &[[[f64; 4]; 3]], names: &[&str], factor: f64, deviation: f64) -> String {
+pub(crate) fn in_views(
+    cameras: &[[[f64; 4]; 3]],
+    names: &[&str],
+    factor: f64,
+    deviation: f64,
+) -> String {
     let views = names.iter().zip(cameras).map(|(name, camera)| {
         let pixel = |place: &[f64; 3]| {
             seen_by(

@@ -32,6 +32,7 @@ mod mesh_subdivide;
 mod outputs;
 mod pages;
 mod patterns;
+mod people;
 mod pictures;
 mod quality;
 mod quality_opinion;

@@ -15,6 +15,7 @@
 //! | [`Appearance`], [`texture::Mipmap`] | the appearance of surfaces |
 //! | [`View`], [`ViewDirection`] | from where it is seen: of a [`ga_camera::Camera`], or from a
 //! side |
+//! | [`Segment`] | lines and dots over a picture that is there already |
 //! | [`Viewpoint`] | the same as text, and the views of a turntable |
 //! | [`view_file`] | views as cameras of files |
 //! | [`Style`], [`Lighting`] | size, light and colours of the picture |
@@ -61,6 +62,7 @@ pub mod panel;
 mod raster;
 mod resolve;
 mod scene;
+mod segment;
 mod shade;
 mod shadow;
 mod shadow_map;
@@ -87,6 +89,7 @@ pub use depth::DepthMap;
 pub use error::RenderError;
 pub use ground::Ground;
 pub use scene::{Attribute, Dot, MaterialChoice, Normals, Object, Polyline, Scene, Visibility};
+pub use segment::Segment;
 pub use shade::{Light, Lighting};
 pub use style::{Shading, Style};
 pub use view::{View, ViewDirection};

@@ -5,6 +5,7 @@ use ga_image::colour::LinearColour;
 use rayon::prelude::*;
 
 use crate::scene::{Scene, Visibility};
+use crate::segment::Segment;
 use crate::surface::{NO_TRIANGLE, Samples};
 use crate::view::View;
 use crate::world::World;
@@ -57,12 +58,11 @@ pub(crate) fn draw(
     });
 }
 
-/// A segment on the picture with round ends; a dot where both ends are one place.
+/// A segment on the picture, with its place in space.
 struct Stroke {
-    ends: [[f64; 2]; 2],
+    segment: Segment,
     /// 1 / depth at both ends; on the picture it is linear between them.
     inverse_depth: [f64; 2],
-    radius: f64,
     colour: LinearColour,
     visibility: Visibility,
 }
@@ -82,9 +82,11 @@ fn strokes(scene: &Scene, style: &Style, surfaces: &Surfaces) -> Vec<Stroke> {
         let inverse_depth = ends.map(|end| 1.0 / end.e3);
         let place = |i: usize| lens.project([ends[i].e1, ends[i].e2], inverse_depth[i]);
         Some(Stroke {
-            ends: [place(0), place(1)],
+            segment: Segment {
+                ends: [place(0), place(1)],
+                radius: width / 2.0,
+            },
             inverse_depth,
-            radius: width / 2.0,
             colour,
             visibility,
         })
@@ -157,66 +159,20 @@ struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    /// Everything within the radius of the segment, with a soft edge one pixel wide.
+    /// Everything that the segment covers.
     fn draw(&mut self, stroke: &Stroke) {
-        let [a, b] = stroke.ends;
-        let reach = stroke.radius + 1.0;
-        // A cast from float saturates, so that ends far outside the picture leave an empty or a
-        // clamped range.
-        let range = |low: f64, high: f64, begin: usize, end: usize| {
-            let start = ((low - reach).max(0.0) as usize).max(begin);
-            start..((high + reach).max(0.0) as usize).min(end)
-        };
-        let last = self.first + self.light.len() / self.width;
-        let rows = range(a[1].min(b[1]), a[1].max(b[1]), self.first, last);
-        for row in rows {
-            let [low, high] = span(a, b, row as f64 + 0.5, reach);
-            for column in range(low, high, 0, self.width) {
-                let place = [column as f64 + 0.5, row as f64 + 0.5];
-                let along = nearest(place, a, b);
-                let foot = lerp(a, b, along);
-                let distance = (place[0] - foot[0]).hypot(place[1] - foot[1]);
-                let cover = (stroke.radius + 0.5 - distance).clamp(0.0, 1.0);
-                let [near, far] = stroke.inverse_depth;
-                let inverse_depth = near + (far - near) * along;
-                if cover == 0.0
-                    || stroke.visibility == Visibility::Hidden
-                        && self.surfaces.hide(foot, inverse_depth)
-                {
-                    continue;
-                }
-                let pixel = &mut self.light[(row - self.first) * self.width + column];
-                *pixel = pixel.lerp(stroke.colour, cover);
+        let (width, first) = (self.width, self.first);
+        let rows = first..first + self.light.len() / width;
+        stroke.segment.covered(rows, width, |[column, row], cover| {
+            let [near, far] = stroke.inverse_depth;
+            let inverse_depth = near + (far - near) * cover.along;
+            if stroke.visibility == Visibility::Hidden
+                && self.surfaces.hide(cover.foot, inverse_depth)
+            {
+                return;
             }
-        }
+            let pixel = &mut self.light[(row - first) * width + column];
+            *pixel = pixel.lerp(stroke.colour, cover.share);
+        });
     }
-}
-
-/// The least and the greatest column of the part of a segment within `reach` of a row.
-fn span(a: [f64; 2], b: [f64; 2], row: f64, reach: f64) -> [f64; 2] {
-    let fall = b[1] - a[1];
-    let at = |row: f64| {
-        let along = ((row - a[1]) / fall).clamp(0.0, 1.0);
-        a[0] + (b[0] - a[0]) * along
-    };
-    if fall.abs() <= reach {
-        return [a[0].min(b[0]), a[0].max(b[0])];
-    }
-    let (p, q) = (at(row - reach), at(row + reach));
-    [p.min(q), p.max(q)]
-}
-
-/// Where on a segment the place nearest to `p` lies, from 0 at `a` to 1 at `b`.
-fn nearest(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
-    let (ab, ap) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let squared = ab[0] * ab[0] + ab[1] * ab[1];
-    if squared > 0.0 {
-        ((ap[0] * ab[0] + ap[1] * ab[1]) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    }
-}
-
-fn lerp(a: [f64; 2], b: [f64; 2], t: f64) -> [f64; 2] {
-    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
 }

@@ -79,7 +79,8 @@ impl Weight {
     }
 }
 
-fn blend(below: u8, ink: u8, share: u8) -> u8 {
+/// A colour over another one, of which it covers a share from 0 to 255.
+pub(crate) fn blend(below: u8, ink: u8, share: u8) -> u8 {
     let (below, ink, share) = (u32::from(below), u32::from(ink), u32::from(share));
     // A mean of two bytes is a byte.
     ((below * (255 - share) + ink * share + 127) / 255) as u8

@@ -13,7 +13,7 @@ use crate::person::{CameraFiles, FitLengths, JointFiles};
 /// by itself. The character has the size of the person, in metres, or is given it by --fit-lengths.
 ///
 /// The joints are in one file for all views, or in a detector's file or folder for each view: lists
-/// of COCO and AlphaPose, a folder of OpenPose (JSON of one frame a file, as Pose2Sim writes it too)
+/// of COCO and AlphaPose, a folder of OpenPose (JSON of one frame a file, as Pose2Sim writes too)
 /// or MMPose, a film of MMPose or MediaPipe Pose, or CSV of DeepLabCut. What a file is follows from
 /// what it holds, and the names of joints from the file or their number: 17 (coco17), 18 (coco18),
 /// 25 (body25), 26 (halpe26), 33 (mediapipe), 133 (coco133), 135 (body135) or 136 (halpe136).

@@ -28,7 +28,8 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// With warnings of what was found of the person, of what was done with the detections, and of what of
+    /// With warnings of what was found of the person, of what was done with the detections, and of
+    /// what of
     /// the poses is not in the file.
     pub(super) fn new(
         arguments: &Arguments,

@@ -1,0 +1,287 @@
+//! `nullcone people`: from films of a person, with joints, to an animated character.
+
+mod arguments;
+mod drawing;
+mod figure;
+mod films;
+mod overlay;
+mod page;
+mod report;
+mod tables;
+
+pub(crate) use arguments::Arguments;
+
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result};
+use ga_anim::clip::Clip;
+use ga_anim::motion_file::{Format as MotionFormat, WriteOptions, Written};
+use ga_anim::recording::Recording;
+use ga_body::character::{CharacterFit, FittedCharacter};
+use ga_body::format::JointViews;
+use ga_body::ground::GroundOptions;
+use ga_body::registration::RegistrationOptions;
+use ga_files::Staged;
+use ga_mesh::gltf;
+
+use crate::files::{Files, expanded};
+use crate::frame::{Command, Context, Progress, Verdict, Warning};
+use crate::motion_file::lost;
+use crate::output;
+use crate::person::{CharacterFile, FitLengths, ViewCamera};
+use crate::person::{judged, noted};
+use drawing::{Drawn, Task};
+use figure::Figure;
+use films::ViewFilm;
+use overlay::Overlay;
+use page::Contents;
+use report::Report;
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = Self {
+            films: expanded("FILM", &self.films)?,
+            joints: self.joints.expanded()?,
+            ..self.clone()
+        };
+        arguments.make(context)
+    }
+}
+
+impl Arguments {
+    fn make(&self, context: &Context) -> Result<Report> {
+        let character = CharacterFile(&self.character);
+        let mut files = self.files(&character, context)?;
+        let progress = context.progress(5 + self.films.len() as u64);
+        progress.step("reading");
+        let joints = self.joints.read()?;
+        let cameras = self.cameras.read(&joints)?;
+        let mut films = films::open(&self.films, joints.views())?;
+        let outputs = self.overlays(&joints, &films);
+        let names = outputs.iter().filter_map(|path| path.file_name());
+        files.write_folder("--out", &self.out, names)?;
+        for (film, path) in films.iter_mut().zip(&outputs) {
+            film.overlay = Some(path.clone());
+        }
+        let of_film = films.iter().find_map(ViewFilm::rate);
+        let rate = self.joints.rate(&joints, of_film)?;
+        let stated = (!self.joints.has_rate()).then_some(rate);
+        let of_films = films::doubts(&films, &joints, &cameras, stated);
+
+        let fitted = self.fit(&character, &joints, &cameras, rate, &progress)?;
+        let (verdict, mut warnings) = judged(&fitted.findings);
+        let verdict = match verdict {
+            Verdict::Good if !of_films.is_empty() => Verdict::Doubtful,
+            verdict => verdict,
+        };
+        warnings.extend(of_films);
+        warnings.extend(joints.notes().iter().map(noted));
+        warnings.extend(without_film(&joints, &films));
+
+        progress.step("making the character");
+        let mut staged = Staged::default();
+        let figure = Figure::new(&fitted)?;
+        let mut written = self.stage_motion(&fitted, &mut staged, &mut warnings)?;
+        for (name, text) in [
+            (report::CSV, tables::csv(&figure, rate)),
+            (report::TRC, tables::trc(&figure, rate, report::TRC)),
+        ] {
+            let path = self.out.join(name);
+            output::stage(&mut staged, &path, text.as_bytes())?;
+            written.push(path);
+        }
+        let known = films.iter().map(|film| (film.path.clone(), film.frames));
+        let known: Vec<(PathBuf, usize)> = known.collect();
+        let sizes = cameras.iter().enumerate().map(|(view, camera)| {
+            let of_film = films.get(view).map(|film| film.size);
+            camera.size.or(of_film)
+        });
+        let sizes: Vec<Option<[usize; 2]>> = sizes.collect();
+        let drawn = self.draw(films, &figure, &fitted, &sizes, &mut staged, &progress)?;
+        written.extend(outputs);
+        written.extend([report::PAGE, report::JSON].map(|name| self.out.join(name)));
+        warnings.extend(drawn.iter().filter_map(|drawn| drawn.warning.clone()));
+
+        progress.step("writing");
+        let page = page::page(Contents {
+            title: &context.title(),
+            verdict: verdict.with_files(),
+            warnings: &warnings,
+            figure: &figure,
+            fitted: &fitted,
+            sizes: &sizes,
+            films: drawn,
+        })?;
+        let mut report = Report::new(&self.character, &self.out, fitted.report, &known, &written);
+        (report.verdict, report.warnings) = (verdict, warnings);
+        (report.page, report.staged) = (Some(page), staged);
+        Ok(report)
+    }
+
+    /// The files that are read, and those of the folder that are always written.
+    fn files(&self, character: &CharacterFile<'_>, context: &Context) -> Result<Files> {
+        let inputs = self.joints.paths().iter().chain(self.cameras.path());
+        let mut files = context
+            .files(inputs.chain(&self.films))?
+            .and_reading(character.path());
+        let names = [
+            report::CHARACTER,
+            report::MOTION,
+            report::CSV,
+            report::TRC,
+            report::PAGE,
+            report::JSON,
+        ];
+        files.write_folder("--out", &self.out, names)?;
+        Ok(files)
+    }
+
+    /// Where the films with the body over them are written.
+    fn overlays(&self, joints: &JointViews, films: &[ViewFilm]) -> Vec<PathBuf> {
+        if self.no_overlay {
+            return Vec::new();
+        }
+        let mut names: Vec<String> = Vec::new();
+        for view in joints.views().iter().take(films.len()) {
+            let safe = file_name(&view.name);
+            let mut name = safe.clone();
+            let mut number = 2;
+            while names.iter().any(|other| other.eq_ignore_ascii_case(&name)) {
+                name = format!("{safe}-{number}");
+                number += 1;
+            }
+            names.push(name);
+        }
+        let ending = drawing::FORMAT.endings()[0];
+        let names = names.iter();
+        names
+            .map(|name| self.out.join(format!("overlay-{name}.{ending}")))
+            .collect()
+    }
+
+    fn fit(
+        &self,
+        character: &CharacterFile<'_>,
+        joints: &JointViews,
+        cameras: &[ViewCamera],
+        rate: f64,
+        progress: &Progress,
+    ) -> Result<FittedCharacter> {
+        let of_joints = || self.joints.names();
+        let cameras: Vec<_> = cameras.iter().map(|view| view.camera).collect();
+        let default = match cameras.len() {
+            1 => FitLengths::None,
+            _ => FitLengths::Bones,
+        };
+        let lengths = self.fit_lengths.unwrap_or(default);
+        let ground = GroundOptions {
+            up: self.up,
+            floor: self.floor,
+            has_upright_axis: self.cameras.has_world(),
+        };
+        let options = RegistrationOptions::default();
+        progress.step("finding how the views belong together");
+        let fit = CharacterFit::new(character.read()?, joints, &cameras);
+        let fit = fit.with_context(of_joints)?.with_lengths(lengths.into());
+        let fit = fit.registered(&options, self.refine_cameras, self.synchronise);
+        progress.step("fitting poses");
+        let done = |done, of| progress.at(done as u64, of as u64);
+        let fitted = fit.with_ground(ground).fit(rate, false, done);
+        fitted.with_context(of_joints)
+    }
+
+    /// Adds the character and its motion, and says where.
+    fn stage_motion(
+        &self,
+        fitted: &FittedCharacter,
+        staged: &mut Staged,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<PathBuf>> {
+        let [model, motion] = [report::CHARACTER, report::MOTION].map(|name| self.out.join(name));
+        let of_character = || self.character.display().to_string();
+        let document = fitted.to_document("fitted");
+        let (document, losses) = document.with_context(of_character)?;
+        warnings.extend(losses.iter().map(|loss| lost(loss, &model)));
+        let document = document.relocated(&self.character, &model)?;
+        let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
+        output::stage(staged, &model, &contents)?;
+
+        let poses = fitted.poses.iter().map(|fit| fit.pose.clone()).collect();
+        let clip = Clip::new(1.0 / fitted.report.frames_per_second, poses)?;
+        let recording = Recording::from_clip(fitted.character.skeleton(), &clip);
+        let recording = recording.with_context(of_character)?;
+        let options = WriteOptions::default();
+        let written = Written::new(&recording, MotionFormat::Bvh, &options, |_, _| ());
+        let written = written.with_context(of_character)?;
+        warnings.extend(written.losses.iter().map(|loss| lost(loss, &motion)));
+        output::stage(staged, &motion, &written.encode()?)?;
+        Ok(vec![model, motion])
+    }
+
+    /// Draws the films one after the other.
+    fn draw(
+        &self,
+        films: Vec<ViewFilm>,
+        figure: &Figure,
+        fitted: &FittedCharacter,
+        sizes: &[Option<[usize; 2]>],
+        staged: &mut Staged,
+        progress: &Progress,
+    ) -> Result<Vec<Drawn>> {
+        let count = films.len();
+        let views = fitted.report.per_view.iter();
+        let all = films.into_iter().zip(views).enumerate();
+        let drawn = all.map(|(view, (film, found))| {
+            progress.step("drawing over films");
+            let offset = match self.synchronise {
+                true => found.offset_frames.unwrap_or(0.0),
+                false => 0.0,
+            };
+            let overlay = Overlay {
+                figure,
+                fitted,
+                view,
+                size: sizes[view].unwrap_or(film.size),
+                offset,
+            };
+            let task = Task {
+                film,
+                overlay,
+                name: found.name.clone(),
+                rate: fitted.report.frames_per_second,
+                films: count,
+            };
+            task.draw(staged, progress)
+        });
+        drawn.collect()
+    }
+}
+
+/// Says which views have no film, where others have one.
+fn without_film(joints: &JointViews, films: &[ViewFilm]) -> Vec<Warning> {
+    let without = joints.views().iter().skip(films.len());
+    let without = without.filter(|_| !films.is_empty());
+    let warnings = without.map(|view| {
+        let message = format!("the view {} has no film, and is not drawn over", view.name);
+        Warning {
+            view: Some(view.name.clone()),
+            ..Warning::new("no_film", message)
+        }
+    });
+    warnings.collect()
+}
+
+/// The name of a view as that of a file.
+fn file_name(view: &str) -> String {
+    let safe = |letter: char| match letter {
+        letter if letter.is_alphanumeric() || "-_.".contains(letter) => letter,
+        _ => '_',
+    };
+    view.chars().map(safe).collect()
+}
