@@ -84,9 +84,8 @@ pub(crate) fn disagreeing(cameras: &[Camera], observations: &[Observation]) -> V
         };
         let worst = kept
             .filter_map(|view| {
-                let nearest = of_view(view, true)
-                    .into_iter()
-                    .fold(f64::INFINITY, f64::min);
+                // A view that shows no joint together with another one says nothing.
+                let nearest = of_view(view, true).into_iter().reduce(f64::min)?;
                 let others = median(&mut of_view(view, false))?.max(stated);
                 let times = nearest / others;
                 (times > DISAGREES).then_some((view, times))

@@ -76,8 +76,6 @@ pub(crate) struct SkinPoint {
     pub(crate) point: BodyPoint,
     /// The standard deviation of each coordinate of its place at rest, in the unit of the skeleton.
     pub(crate) deviation: f64,
-    /// Whether it is a joint of the skeleton, as detectors see it through the skin.
-    pub(crate) is_joint: bool,
 }
 
 /// The joints of a skeleton that carry landmarks, and the axes of the body at rest.
@@ -147,7 +145,6 @@ impl<'a> Anatomy<'a> {
             .find(|known| known.names.contains(&own.as_str()))?;
         let at = |joint: usize| Vector::from(self.skeleton.joints()[joint].head);
         let middle = |[a, b]: [usize; 2]| (at(a) + at(b)) * 0.5;
-        let parent = |joint: usize| self.skeleton.joints()[joint].parent;
         let (joint, from) = match landmark.part {
             Part::Head => (self.head?, at(self.head?)),
             Part::Foot => {
@@ -155,7 +152,7 @@ impl<'a> Anatomy<'a> {
                 (foot, at(foot))
             }
             Part::Shoulders => (self.carrier(self.arms)?, middle(self.arms)),
-            Part::Hips => (parent(self.legs[0])?, middle(self.legs)),
+            Part::Hips => (self.carrier(self.legs)?, middle(self.legs)),
         };
         let [left, up, forward] = landmark.at;
         let left = match side {
@@ -172,11 +169,10 @@ impl<'a> Anatomy<'a> {
                 joints: vec![(joint, 1.0)],
             },
             deviation: landmark.deviation * self.trunk,
-            is_joint: false,
         })
     }
 
-    /// The joints of the feet: ankles, and the joints below them.
+    /// The joints of the ankles.
     pub(crate) fn joints_of_feet(&self) -> Vec<usize> {
         self.feet.iter().copied().flatten().collect()
     }
@@ -246,24 +242,32 @@ pub(crate) fn is_known(name: &str) -> bool {
 
 /// 0 for the left side and 1 for the right one.
 fn side(name: &str) -> Option<usize> {
-    let other = opposite_name(name)?.to_ascii_lowercase();
-    let is_left = other.contains("right") || (!other.contains("left") && other.starts_with('r'));
-    Some(usize::from(!is_left))
+    let (word, _) = side_word(name)?;
+    Some(usize::from(word.starts_with('r')))
 }
 
 /// The small letters of a name without its side.
 fn bare(name: &str) -> String {
-    let letters = |text: &str| -> String {
-        let letters = text.chars().filter(|c| c.is_ascii_alphanumeric());
-        letters.map(|c| c.to_ascii_lowercase()).collect()
+    let own = match side_word(name) {
+        Some((word, at)) => format!("{}{}", &name[..at], &name[at + word.len()..]),
+        None => name.to_owned(),
     };
-    let own = letters(name);
-    let Some(_) = opposite_name(name) else {
-        return own;
-    };
-    let without = |word: &str| own.strip_prefix(word).or_else(|| own.strip_suffix(word));
-    let found = ["left", "right", "l", "r"].into_iter().find_map(without);
-    found.map_or_else(|| own.clone(), str::to_owned)
+    let letters = own.chars().filter(|c| c.is_ascii_alphanumeric());
+    letters.map(|c| c.to_ascii_lowercase()).collect()
+}
+
+/// The word by which a name tells its side, in small letters, and where it begins: where the name
+/// of the other side differs first.
+fn side_word(name: &str) -> Option<(&'static str, usize)> {
+    let other = opposite_name(name)?;
+    let mut letters = name.char_indices().zip(other.chars());
+    let ((at, _), _) = letters.find(|((_, own), other)| own != other)?;
+    let [own, other] = [&name[at..], &other[at..]].map(str::to_ascii_lowercase);
+    let pairs = [("left", "right"), ("right", "left"), ("l", "r"), ("r", "l")];
+    let found = pairs
+        .into_iter()
+        .find(|(word, opposite)| own.starts_with(word) && other.starts_with(opposite));
+    Some((found?.0, at))
 }
 
 #[cfg(test)]
@@ -278,6 +282,10 @@ mod tests {
             ("right_eye_inner", "eyeinner", Some(1)),
             ("mouth_left", "mouth", Some(0)),
             ("RBigToe", "bigtoe", Some(1)),
+            ("RHeel", "heel", Some(1)),
+            ("LHeel", "heel", Some(0)),
+            ("ear_L", "ear", Some(0)),
+            ("ear_R", "ear", Some(1)),
             ("left_foot_index", "footindex", Some(0)),
             ("MidHip", "midhip", None),
         ] {

@@ -114,8 +114,6 @@ pub(crate) struct Beside {
     pub(crate) axes: [Vector<f64>; 3],
     /// The standard deviation of each coordinate.
     pub(crate) deviation: f64,
-    /// Whether it is a joint, which is near to its place.
-    pub(crate) is_joint: bool,
 }
 
 /// How a person differs from a model.
@@ -186,8 +184,16 @@ impl Proportions {
         })
     }
 
-    /// The same where points may lie beside their places.
-    pub(crate) fn with_points_beside(mut self, beside: Vec<Option<Beside>>) -> Self {
+    /// How much larger the person is than the model.
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// The same where points may lie beside their places, with deviations in the unit of the model.
+    pub(crate) fn with_points_beside(mut self, mut beside: Vec<Option<Beside>>) -> Self {
+        for beside in beside.iter_mut().flatten() {
+            beside.deviation *= self.size;
+        }
         let shared = beside.iter().flatten().map(|beside| beside.shared + 1);
         self.displacements = vec![[0.0; 3]; shared.max().unwrap_or(0)];
         self.beside = beside;

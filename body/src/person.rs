@@ -240,7 +240,7 @@ impl<'a> Person<'a> {
         let mut own = observation.clone();
         for view in &mut own.views {
             for (pixel, beside) in view.iter_mut().zip(&self.beside) {
-                *pixel = pixel.filter(|_| beside.as_ref().is_none_or(|beside| beside.is_joint));
+                *pixel = pixel.filter(|_| beside.is_none());
             }
         }
         own
@@ -253,6 +253,7 @@ impl<'a> Person<'a> {
             .proportions
             .as_ref()
             .is_some_and(Proportions::has_points_beside);
+        let larger = known.proportions.as_ref().map_or(1.0, Proportions::size);
         let chain = Chain::new(&known.model);
         let of_frame = |(observation, state): (&Observation, &State)| {
             let mut own = observation.clone();
@@ -261,15 +262,13 @@ impl<'a> Person<'a> {
                 for (point, pixel) in view.iter_mut().enumerate() {
                     let Some(pixel) = pixel else { continue };
                     pixel.deviation *= known.noise;
-                    let beside = self.beside[point]
-                        .as_ref()
-                        .filter(|beside| !beside.is_joint);
+                    let beside = self.beside[point].as_ref();
                     if let (Some(places), Some(beside)) = (&places, beside) {
                         let place = Point::from(places[point]);
                         let [.., depth] = camera.world_to_camera.transform(place).coordinates();
                         let [x, y] = camera.intrinsics.focal();
                         let size = 0.5 * (x + y) / depth.abs();
-                        pixel.deviation = pixel.deviation.hypot(size * beside.deviation);
+                        pixel.deviation = pixel.deviation.hypot(size * larger * beside.deviation);
                     }
                 }
             }
@@ -354,7 +353,7 @@ impl<'a> Person<'a> {
             for (observation, points) in known.observations.iter().zip(frames) {
                 let pixels = observation.views[view].iter().zip(points).zip(&self.beside);
                 for ((pixel, at), beside) in pixels {
-                    let is_joint = beside.as_ref().is_none_or(|beside| beside.is_joint);
+                    let is_joint = beside.is_none();
                     if let (
                         Some(JointPixel {
                             position,
@@ -528,7 +527,6 @@ fn beside(model: &BodyModel, skin: &[Option<SkinPoint>]) -> Vec<Option<Beside>> 
             shared,
             axes,
             deviation: skin.deviation,
-            is_joint: skin.is_joint,
         }));
     }
     found

@@ -20,8 +20,11 @@ const FAILED: f64 = 0.08;
 /// more than this, in degrees and in frames.
 const ROTATION: f64 = 0.3;
 const OFFSET: f64 = 0.5;
-/// Feet that stand should not slide farther than this, in metres.
-const SLIDE: f64 = 0.03;
+/// A camera is upside down where its upper side points downwards by more than this.
+const UPSIDE_DOWN: f64 = -0.5;
+/// Feet that stand should not slide farther than this, in metres: an ankle moves by 3 cm while the
+/// heel rises.
+const SLIDE: f64 = 0.05;
 /// A direction that is up should be known to this, in degrees.
 const UP: f64 = 3.0;
 
@@ -94,6 +97,10 @@ pub(super) struct Found<'a> {
     pub(super) left_out: &'a [usize],
     pub(super) is_synchronised: bool,
     pub(super) is_refined: bool,
+    /// Whether it was found how views stand to each other.
+    pub(super) is_registered: bool,
+    /// Whether the ground was found, where it was asked for.
+    pub(super) is_on_ground: bool,
 }
 
 /// What was found, the worst first.
@@ -106,6 +113,7 @@ pub(super) fn of(found: &Found<'_>) -> Vec<Finding> {
         cameras(found),
         times(found),
         ground(found),
+        not_done(found),
     ]
     .concat();
     all.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
@@ -254,7 +262,7 @@ fn cameras(found: &Found<'_>) -> Vec<Finding> {
         let down = camera
             .world_to_camera
             .transform(Direction::new(0.0, -1.0, 0.0));
-        if found.report.ground.is_some() && down.vector()[1] < 0.0 {
+        if found.report.ground.is_some() && down.vector()[1] < UPSIDE_DOWN {
             let message = format!(
                 "the camera of the view {} is upside down beside the person: a flat board has two \
                  poses that look alike, and the calibration may have taken the wrong one",
@@ -324,6 +332,38 @@ fn ground(found: &Found<'_>) -> Vec<Finding> {
             ..finding.at_frame(Some(contact.start))
         }
     }));
+    findings
+}
+
+/// What was asked for and could not be done, and what one view does not show.
+fn not_done(found: &Found<'_>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let is_asked = found.is_synchronised || found.is_refined;
+    if is_asked && !found.is_registered && found.cameras.len() > 1 {
+        let message = "how the views stand to each other could not be found: neither cameras nor \
+                       times are changed";
+        let finding = Finding::new("not_registered", Severity::Doubtful, message.to_owned());
+        findings.push(finding);
+    }
+    let views = found.report.per_view.iter();
+    let unknown = views.filter(|view| view.offset_frames.is_none());
+    for view in unknown.filter(|_| found.is_synchronised && found.is_registered) {
+        let message = format!(
+            "the motion does not show when the view {} begins: it is not shifted",
+            view.name
+        );
+        let finding = Finding::new("unknown_offset", Severity::Doubtful, message);
+        findings.push(finding.of_view(&view.name));
+    }
+    if !found.is_on_ground {
+        let message = "the character has not two arms and two legs: the result stays in the world \
+                       of the cameras";
+        findings.push(Finding::new(
+            "no_ground",
+            Severity::Doubtful,
+            message.to_owned(),
+        ));
+    }
     if found.cameras.len() == 1 && !found.poses.is_empty() {
         let message = "one view shows neither the size of the person nor, for sure, which limbs \
                        point towards the camera";

@@ -31,7 +31,7 @@ use crate::lengths::Lengths;
 use crate::mean_square::MeanSquare;
 use crate::model::BodyPoint;
 use crate::person::{FittedPerson, Person};
-use crate::registration::{Registration, RegistrationOptions, register, resampled};
+use crate::registration::{RegisteredView, Registration, RegistrationOptions, register, resampled};
 use crate::sides::{Exchanged, pairs};
 use crate::{BodyError, BodyModel, JointPixel, Observation};
 
@@ -115,12 +115,16 @@ impl<'a> CharacterFit<'a> {
     /// [names](mod@crate::format::correspondence).
     ///
     /// # Errors
-    /// [`BodyError::UnknownJoint`] and [`BodyError::TooFewJoints`].
+    /// [`BodyError::Views`], [`BodyError::UnknownJoint`] and [`BodyError::TooFewJoints`].
     pub fn new(
         character: Rigged,
         joints: &'a JointViews,
         cameras: &[Camera],
     ) -> Result<Self, BodyError> {
+        let (expected, found) = (cameras.len(), joints.views().len());
+        if expected != found {
+            return Err(BodyError::Views { expected, found });
+        }
         let skeleton = character.skeleton();
         let found = correspondence(joints.joints(), skeleton)?;
         let anatomy = Anatomy::new(skeleton);
@@ -197,7 +201,7 @@ impl<'a> CharacterFit<'a> {
             self.cameras.clone_from(&found.cameras);
         }
         if synchronise {
-            let offsets = found.views.iter().map(|view| view.offset_frames);
+            let offsets = found.views.iter().map(RegisteredView::known_offset);
             self.observations = resampled(&self.observations, &offsets.collect::<Vec<_>>());
         }
         self
@@ -221,8 +225,7 @@ impl<'a> CharacterFit<'a> {
     ///
     /// # Errors
     /// Those of [`BodyFit::clip`](crate::BodyFit::clip), [`BodyError::FrameRate`] among them; where
-    /// a frame cannot be
-    /// fitted by itself, [`BodyError::Frame`].
+    /// a frame cannot be fitted by itself, [`BodyError::Frame`].
     pub fn fit(
         mut self,
         frames_per_second: f64,
@@ -253,6 +256,7 @@ impl<'a> CharacterFit<'a> {
             true => person.fit_frames(self.lengths, &mut done)?,
         };
         let seconds = begin.elapsed().as_secs_f64();
+        let agreement = Agreement::new(&fitted.poses, &fitted.observations);
         self.measure_views(&left_out, &mut fitted);
         let character = match &fitted.proportions {
             Some(proportions) => self.character.with_lengths(&proportions.factors())?,
@@ -275,7 +279,6 @@ impl<'a> CharacterFit<'a> {
                 *point = to_world.transform(*point);
             }
         }
-        let agreement = Agreement::new(&poses, &fitted.observations);
         let names: Vec<&str> = self
             .joints
             .views()
@@ -292,6 +295,8 @@ impl<'a> CharacterFit<'a> {
             left_out: &left_out,
             is_synchronised: self.is_synchronised,
             is_refined: self.is_refined,
+            is_registered: self.registration.is_some(),
+            is_on_ground: self.ground.is_none() || report.ground.is_some() || independent,
         });
         Ok(FittedCharacter {
             points: self.point_names(),
@@ -324,7 +329,7 @@ impl<'a> CharacterFit<'a> {
     /// The frames of a view in which sides were exchanged, by the views alone or by the body.
     fn exchanged_frames(&self, view: usize, fitted: &FittedPerson) -> Vec<usize> {
         let offset = match (&self.registration, self.is_synchronised) {
-            (Some(found), true) => found.views[view].offset_frames.round() as i64,
+            (Some(found), true) => found.views[view].known_offset().round() as i64,
             _ => 0,
         };
         let by_views = self.exchanged.as_ref().map(|exchanged| &exchanged.0[view]);

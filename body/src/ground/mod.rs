@@ -36,7 +36,7 @@ pub struct Ground {
     /// How high the floor is along it, in metres; `None` where no foot stands, and it was not
     /// given.
     pub floor: Option<f64>,
-    /// When feet stand, first those of the left one.
+    /// When feet stand, in the order of the points of the person.
     pub contacts: Vec<Contact>,
 }
 

@@ -21,9 +21,8 @@ const PLANE: f64 = 0.012;
 const POSTURE: f64 = 6.0 * std::f64::consts::PI / 180.0;
 /// Feet say more than the posture where they know the direction to this part of its deviation.
 const KNOWN: f64 = 0.5;
-/// An axis of the world is up where it is nearer than this to what feet and posture say, in
-/// radians.
-const AXIS: f64 = 12.0 * std::f64::consts::PI / 180.0;
+/// An axis of the world is up where it is within so many deviations of what feet and posture say.
+const AXIS: f64 = 3.0;
 const ROUNDS: usize = 5;
 
 /// The mean posture of a person.
@@ -94,7 +93,7 @@ impl Upright {
             .sqrt()
             .recip();
         let found = Vector::from(<[f64; 3]>::from(up));
-        if has_upright_axis && let Some(axis) = nearest_axis(found) {
+        if has_upright_axis && let Some(axis) = nearest_axis(found, AXIS * deviation) {
             return Self {
                 up: axis,
                 deviation: 0.0,
@@ -123,11 +122,11 @@ impl Upright {
     }
 }
 
-fn nearest_axis(up: Vector<f64>) -> Option<Vector<f64>> {
+fn nearest_axis(up: Vector<f64>, within: f64) -> Option<Vector<f64>> {
     let axes = [Vector::X, Vector::Y, Vector::Z];
     let all = axes.into_iter().flat_map(|axis| [axis, -axis]);
     let best = all.max_by(|a, b| a.dot(up).total_cmp(&b.dot(up)))?;
-    (best.dot(up) > AXIS.cos()).then_some(best)
+    (best.dot(up) > within.cos()).then_some(best)
 }
 
 #[cfg(test)]

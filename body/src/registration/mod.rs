@@ -10,11 +10,10 @@
 //!
 //! over all views v that show a joint at the point x, which is free, with the twist G and the
 //! offset d of the view, in frames, the pixel u and its velocity u̇ (bundle adjustment: B. Triggs
-//! et
-//! al., "Bundle adjustment – a modern synthesis", 2000). No body and no smoothness is assumed.
+//! et al., "Bundle adjustment – a modern synthesis", 2000). No body and no smoothness is assumed.
 //! How many of the errors are independent follows from how long they last. Rotations and
-//! displacements stay near to what the calibration says, within deviations that are
-//! given; all displacements together do not change the size of the rig, which joints do not show.
+//! displacements stay near to what the calibration says, within deviations that are given; all
+//! displacements together do not change the size of the rig, which joints do not show.
 
 mod bundle;
 mod correlation;
@@ -61,6 +60,15 @@ pub struct Registration {
 }
 
 impl RegisteredView {
+    /// The offset in frames; 0 where the motion does not show it.
+    #[must_use]
+    pub fn known_offset(&self) -> f64 {
+        match self.offset_deviation.is_finite() {
+            true => self.offset_frames,
+            false => 0.0,
+        }
+    }
+
     /// The angle of the rotation in radians.
     #[must_use]
     pub fn angle(&self) -> f64 {
@@ -125,7 +133,7 @@ fn registration(
             rotation: [x, y, z],
             rotation_deviation: deviations[view][..3].iter().copied().fold(0.0, f64::max),
             displacement: (to - from).into(),
-            offset_frames: offsets[view],
+            offset_frames: if view == 0 { 0.0 } else { offsets[view] },
             offset_deviation: match deviations[view][OFFSET] {
                 _ if view == 0 => 0.0,
                 known if known < UNKNOWN => known,

@@ -53,6 +53,9 @@ pub(super) fn whole(
         .par_iter()
         .map(|&views| of_pair(cameras, &rays, views, most, scale))
         .collect();
+    // Views that never show a joint together say nothing.
+    let is_seen = |costs: &Costs| costs.of_lags.iter().any(|cost| cost.is_finite());
+    let costs: Vec<Costs> = costs.into_iter().filter(is_seen).collect();
     let total = |offsets: &[i64]| -> f64 {
         let pairs = costs.iter().map(|costs| {
             let (a, b) = costs.views;

@@ -21,8 +21,7 @@
 //! Names are the projects' own in the form of COCO's, and as OpenPose has them for its models
 //! `coco18` and `body25`. `head_top` is the top of the head, which Halpe calls `head`; `hip` and
 //! `pelvis` are the middle of the hips, `neck` is between the shoulders, `upper_neck` where the
-//! head
-//! begins, and `thorax` the middle of the shoulders.
+//! head begins, and `thorax` the middle of the shoulders.
 //!
 //! ```
 //! use ga_body::format::Model;
