@@ -5,9 +5,10 @@
 //!  "frames": [[[509.31, 444.11, 0.9999], …], null, …]}
 //! ```
 //!
-//! A frame is a list of `[u, v, confidence]` for each joint, in pixels, or `null` where nobody was
-//! found; a joint may be `null` too. MediaPipe's own landmarks have `visibility` as the confidence,
-//! and x and y from 0 to 1, which are to be multiplied by the width and height of the picture.
+//! A frame is a list of `[u, v, confidence]` for each joint, in pixels, or `null` where no person
+//! was found; a joint may be `null` too. MediaPipe's own landmarks have `visibility` as the
+//! confidence, and x and y from 0 to 1, which are to be multiplied by the width and height of the
+//! picture.
 //!
 //! Joints have the names of a list `joints` where there is one, or those of the [`Model`] that
 //! their number tells. `width`, `height` and `frames_per_second` may be left out.

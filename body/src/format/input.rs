@@ -175,7 +175,7 @@ fn folder(path: &Path, model: Option<Model>) -> Result<Detections, JointsReadErr
         let label = FrameKey::Name((*name).to_owned()).to_string();
         let people = ga_files::read(file, |bytes| {
             let text = bytes.trim_ascii_start();
-            // The people of a picture in MMPose's form, also nobody.
+            // A list holds the people of a picture in MMPose's form, and may be empty.
             let is_list = text.starts_with(b"[");
             if !is_list && matches!(kind(bytes)?, Kind::OpenPose) {
                 return openpose::File::parse(bytes)?.people(&label);

@@ -1,7 +1,7 @@
 //! Which pictures of several views were taken at one time, and the frames between them.
 //!
-//! Detectors' lists leave out the pictures in which they find nobody. Numbers of pictures say where
-//! such frames are: those that are missing between the first and the last are frames in which no
+//! The lists of detectors leave out pictures without people. The numbers of pictures say where such
+//! frames are: those that are missing between the first and the last are frames in which no
 //! joint is seen.
 
 use std::collections::HashMap;

@@ -21,6 +21,7 @@ pub(crate) use command::{Command, Kept, Report};
 pub(crate) use context::{Context, Options};
 pub(crate) use group::{Execute, group};
 pub(crate) use next::command_line;
+pub(crate) use page::judge;
 pub(crate) use progress::Progress;
 pub(crate) use shown::Shown;
 pub(crate) use verdict::{Check, Verdict};

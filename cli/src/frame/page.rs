@@ -24,6 +24,14 @@ pub(super) fn of(
     title: &str,
 ) -> Result<Page> {
     let mut page = Page::new(title);
+    judge(&mut page, verdict, warnings);
+    page.code(report.text().trim_end());
+    page.values(&serde_json::to_value(report)?);
+    Ok(page)
+}
+
+/// Adds the verdict and the warnings in words.
+pub(crate) fn judge(page: &mut Page, verdict: Option<Verdict>, warnings: &[Warning]) {
     if let Some(verdict) = verdict {
         let text = format!("The result is {}.", verdict.word());
         match verdict {
@@ -34,9 +42,6 @@ pub(super) fn of(
     for warning in warnings {
         page.warning(&warning.line_of_text());
     }
-    page.code(report.text().trim_end());
-    page.values(&serde_json::to_value(report)?);
-    Ok(page)
 }
 
 #[cfg(test)]

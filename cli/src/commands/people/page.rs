@@ -9,7 +9,7 @@ use ga_runtime::cga3::Point;
 
 use super::drawing::Drawn;
 use super::figure::Figure;
-use crate::frame::{Verdict, Warning, command_line};
+use crate::frame::{Verdict, Warning, command_line, judge};
 
 /// How far from the centre of a camera the base of its pyramid is, in metres.
 const PYRAMID: f64 = 0.3;
@@ -58,14 +58,7 @@ pub(super) fn page(contents: Contents<'_>) -> Result<Page> {
 
 /// The result in words.
 fn say(page: &mut Page, verdict: Verdict, warnings: &[Warning], report: &CharacterReport) {
-    let text = format!("The result is {}.", verdict.word());
-    match verdict {
-        Verdict::Good => page.paragraph(&text),
-        Verdict::Doubtful | Verdict::Failed => page.warning(&text),
-    }
-    for warning in warnings {
-        page.warning(&warning.line_of_text());
-    }
+    judge(page, Some(verdict), warnings);
     let ground = match &report.ground {
         Some(ground) if ground.floor.is_some() => "It stands on the floor, with y up.",
         Some(_) => "y is up; how high the floor is could not be found.",
