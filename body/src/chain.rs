@@ -7,13 +7,14 @@ use ga_runtime::vga3::Vector;
 
 use super::branched::Above;
 use super::model::{BodyModel, BodyPoint};
+use super::posture::{Spread, spreads};
 use super::skinned::Skinned;
 
 /// The columns of the translation, which come first.
 pub(super) const TRANSLATION: usize = 3;
 
-/// The standard deviation of a joint's rotation from rest in radians, where nothing else is known:
-/// about that of a human's limbs. It is weak beside pixels and decides what they leave open.
+/// The standard deviation of a joint's rotation from its mean in radians, where nothing else is
+/// known: about that of a human's limbs. It is weak beside pixels and decides what they leave open.
 const LIMB: f64 = 0.7;
 /// That of joints of the trunk, which carry more than a third of the body's points and several
 /// ends, and of bones that begin where their parent does: pelvis and shoulders hardly deform.
@@ -53,7 +54,9 @@ pub(super) struct Chain<'a> {
     movers: Vec<Vec<Mover>>,
     /// For each unknown the one above it, where those that move a point are always one chain.
     pub(super) above: Option<Above>,
-    /// For each joint the standard deviation of its rotation from rest in radians.
+    /// For each joint the mean of its rotations.
+    means: Vec<Rotor<f64>>,
+    /// For each joint the standard deviation of its rotation from the mean in radians.
     pub(super) deviations: Vec<f64>,
     /// The points that follow several joints by a blend of motors.
     skinned: Option<Skinned>,
@@ -110,9 +113,11 @@ impl<'a> Chain<'a> {
             }
         });
         let columns: Vec<Columns> = columns.collect();
+        let (means, deviations) = spread(model, &movers, &columns);
         Self {
             above: above(model, &movers, &columns),
-            deviations: deviations(model, &movers),
+            means,
+            deviations,
             columns,
             offsets: offsets.collect(),
             levers: levers.collect(),
@@ -189,11 +194,36 @@ impl<'a> Chain<'a> {
         self.model.skeleton().joints()[joint].parent.is_none()
     }
 
-    pub(super) fn rest(&self) -> State {
+    /// The body where it is at rest, with all joints at the means of their rotations.
+    pub(super) fn usual(&self) -> State {
         State {
             translation: Vector::default(),
-            rotors: vec![Rotor::default(); self.offsets.len()],
+            rotors: self.means.clone(),
         }
+    }
+
+    /// The rotation of a joint's bone from rest in the usual posture, where that above is rotated.
+    pub(super) fn usual_rotor(&self, joint: usize, above: Rotor<f64>) -> Rotor<f64> {
+        above * self.means[joint]
+    }
+
+    /// The rotation vector of a joint from the mean of its rotations.
+    pub(super) fn deviation(&self, state: &State, joint: usize) -> Vector<f64> {
+        rotation_vector(state.rotors[joint] * self.means[joint].reverse())
+    }
+
+    /// The joints that rotate relative to one above them.
+    pub(super) fn rotating(&self) -> impl Iterator<Item = usize> + '_ {
+        let joints = 0..self.columns.len();
+        joints.filter(|&joint| self.columns[joint].count > 0 && !self.is_root(joint))
+    }
+
+    /// The squared deviations of all joints from the means of their rotations, in variances.
+    pub(super) fn unusual(&self, state: &State) -> f64 {
+        let squares = self.rotating().map(|joint| {
+            self.deviation(state, joint).length_squared() / self.deviations[joint].powi(2)
+        });
+        squares.sum()
     }
 
     pub(super) fn pose_of(&self, state: &State) -> Pose {
@@ -419,6 +449,37 @@ fn deviations(model: &BodyModel, movers: &[Vec<Mover>]) -> Vec<f64> {
         if is_trunk || is_branch { TRUNK } else { LIMB }
     };
     (0..joints.len()).map(of_joint).collect()
+}
+
+/// The means and the standard deviations of rotations from rest.
+fn spread(
+    model: &BodyModel,
+    movers: &[Vec<Mover>],
+    columns: &[Columns],
+) -> (Vec<Rotor<f64>>, Vec<f64>) {
+    let joints = model.skeleton().joints();
+    let mut means = vec![Rotor::default(); joints.len()];
+    let mut deviations = deviations(model, movers);
+    for Spread {
+        joint,
+        mean,
+        deviation,
+    } in spreads(model.skeleton())
+    {
+        // What rotates nothing beside its parent is rotated by that.
+        let mut own = Some(joint);
+        while let Some(fixed) = own.filter(|&own| columns[own].count == 0) {
+            own = joints[fixed].parent;
+            own = own.filter(|&parent| joints[parent].head == joints[fixed].head);
+        }
+        let Some(own) = own.filter(|&own| joints[own].parent.is_some()) else {
+            continue;
+        };
+        let limits = model.limits();
+        means[own] = limits.map_or(mean, |limits| limits.clamp(own, mean));
+        deviations[own] = deviation;
+    }
+    (means, deviations)
 }
 
 /// The joints that move a point, from the root on. A joint does not move what is at its own head.

@@ -65,7 +65,7 @@ pub struct FittedPose {
     /// The root mean square of these distances.
     pub root_mean_square_px: f64,
     /// The points that no view shows: where they are follows from the other points, and what these
-    /// do not determine from rest and, in a clip, from the frames before and after.
+    /// do not determine from the usual posture and, in a clip, from the frames before and after.
     pub unseen: Vec<usize>,
 }
 
@@ -105,12 +105,16 @@ impl<'a> BodyFit<'a> {
     /// likely as it is: its points have the least expected squared error. Where the views do not
     /// agree on a point and the lengths of bones say which is wrong, that one is left out.
     ///
-    /// With one view it begins at rest, in the orientations in which rest explains the view best,
-    /// and takes the best of what it finds.
+    /// With one view it begins in the usual posture, in the orientations in which that explains the
+    /// view best, and takes the best of what it finds.
     ///
-    /// Joints rotate from rest with a standard deviation of 0.7 rad, as a human's limbs do, and of
-    /// 0.2 rad in the trunk and between bones that begin in one place: where the pixels leave a
-    /// rotation open, such as the twist of a bone with nothing beside it, it stays at rest.
+    /// Rotations of joints are spread about rest with a standard deviation of 0.7 rad, and of
+    /// 0.2 rad in the trunk and between bones that begin in one place. Where the skeleton is that
+    /// of a person who stands at rest, known by the names or the structure of its joints, those of
+    /// limbs are spread about a usual posture: thighs and upper arms hang a little to the front,
+    /// and knees and elbows bend one way, by 40° and 50° in the mean. What the pixels leave open is
+    /// as there: the twist of a bone with nothing beside it, the side to which a knee bends that no
+    /// view shows.
     ///
     /// # Errors
     /// [`BodyError::Views`], [`BodyError::Points`], [`BodyError::Pixel`], [`BodyError::Deviation`],

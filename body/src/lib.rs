@@ -97,6 +97,7 @@ mod normal;
 mod one_view;
 mod person;
 pub mod pose_error;
+mod posture;
 pub mod registration;
 mod sides;
 mod skinned;

@@ -4,7 +4,7 @@ use crate::BodyError;
 use crate::normal::{Normal, PointError};
 use ga_runtime::vga3::Vector;
 
-use super::chain::{Chain, State, rotation_vector};
+use super::chain::{Chain, State};
 use super::descent::Cost;
 use super::{JointPixel, Observation};
 use ga_camera::Camera;
@@ -20,7 +20,7 @@ pub(super) struct Likelihood<'a> {
     pub(super) chain: Chain<'a>,
     pub(super) cameras: &'a [Camera],
     pub(super) loss: Loss,
-    /// How much it counts that joints are near rest.
+    /// How much it counts that joints are near the means of their rotations.
     pub(super) rest: f64,
 }
 
@@ -92,35 +92,25 @@ impl Likelihood<'_> {
         BodyError::NoPose
     }
 
-    /// The residuals of joints from rest, each with its column and its derivative.
+    /// The residuals of joints from the means of their rotations, each with its column and its
+    /// derivative.
     pub(super) fn rest_residuals(&self, state: &State, mut add: impl FnMut(usize, f64, f64)) {
-        for (joint, (columns, rotor)) in self.chain.columns.iter().zip(&state.rotors).enumerate() {
-            if !self.chain.is_root(joint) {
-                let slope = self.rest.sqrt() / self.chain.deviations[joint];
-                let vector = rotation_vector(*rotor);
-                for k in 0..columns.count {
-                    add(
-                        columns.first + k,
-                        vector.dot(columns.direction(k)) * slope,
-                        slope,
-                    );
-                }
+        for joint in self.chain.rotating() {
+            let slope = self.rest.sqrt() / self.chain.deviations[joint];
+            let vector = self.chain.deviation(state, joint);
+            let columns = &self.chain.columns[joint];
+            for k in 0..columns.count {
+                let residual = vector.dot(columns.direction(k)) * slope;
+                add(columns.first + k, residual, slope);
             }
         }
     }
 
     fn prior_cost(&self, state: &State) -> f64 {
-        let joints = self.chain.columns.iter().zip(&state.rotors);
-        let rotating = joints
-            .enumerate()
-            .filter(|(joint, (columns, _))| columns.count > 0 && !self.chain.is_root(*joint));
-        let squares = rotating.map(|(joint, (_, rotor))| {
-            rotation_vector(*rotor).length_squared() / self.chain.deviations[joint].powi(2)
-        });
-        self.rest * squares.sum::<f64>()
+        self.rest * self.chain.unusual(state)
     }
 
-    /// Rotations of joints are near rest. That of the whole body is not.
+    /// Rotations of joints are near their means. That of the whole body is not.
     fn add_prior(&self, state: &State, normal: &mut Normal) {
         // A rotation vector is an eigenvector of its derivatives by rotations.
         self.rest_residuals(state, |row, residual, slope| {
@@ -151,13 +141,13 @@ impl Cost for Observed<'_, '_> {
 }
 
 /// The squared distances of points from given places in units of `DISTANCE`, beside the rotations
-/// from rest.
+/// of joints from their means.
 pub(super) struct Near<'l, 'a> {
     pub(super) likelihood: &'l Likelihood<'a>,
     pub(super) places: &'l [Option<Vector<f64>>],
 }
 
-/// A distance in metres that counts as much as a rotation from rest by a standard deviation.
+/// A distance in metres that counts as much as a rotation from its mean by a standard deviation.
 const DISTANCE: f64 = 1e-3;
 
 impl Cost for Near<'_, '_> {

@@ -89,7 +89,7 @@ mod tests {
     fn accelerated(chain: &Chain<'_>, count: usize) -> Vec<State> {
         let frame = |t: usize| {
             let half = 0.5 * (t * t) as f64;
-            let mut state = chain.rest();
+            let mut state = chain.usual();
             state.translation = Vector::new(0.02, -0.01, 0.03) * half;
             state.rotors[1] =
                 Rotor::from_rotation_vector([0.0, 0.004 * half, 0.0]).expect("finite");

@@ -6,14 +6,14 @@ use ga_runtime::vga3::Vector;
 use super::links::Links;
 use crate::chain::{Chain, State, rotated};
 
-/// How much a joint's rotation from its parent counts beside the places that it should reach: just
-/// enough to decide what they leave open, such as the twist of a bone.
+/// How much it counts, beside the places that it should reach, that a joint rotates from its parent
+/// by its usual rotation: just enough to decide what they leave open, such as the twist of a bone.
 const STRAIGHT: f64 = 0.01;
 /// How much points count for the whole body that move relative to its first joint.
 const DISTANT: f64 = 1e-3;
 
 /// Joint by joint from the root on, each with the rotation that takes the nearest points below it
-/// best towards their places (Wahba's problem) and rotates least from its parent. `None` where too
+/// best towards their places (Wahba's problem) and is nearest to its usual one. `None` where too
 /// few places are known to orient the body.
 pub(super) fn assemble(
     chain: &Chain<'_>,
@@ -21,7 +21,7 @@ pub(super) fn assemble(
     places: &[Option<Vector<f64>>],
 ) -> Option<State> {
     let joints = chain.model.skeleton().joints();
-    let mut state = chain.rest();
+    let mut state = chain.usual();
     let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(joints.len());
     let mut heads: Vec<Vector<f64>> = Vec::with_capacity(joints.len());
     for (index, joint) in joints.iter().enumerate() {
@@ -44,7 +44,8 @@ pub(super) fn assemble(
         }
         let mut rotor = above;
         if chain.columns[index].count > 0 && joint.parent.is_some() {
-            rotor = towards(chain, links, places, index, above, head).unwrap_or(above);
+            let usual = chain.usual_rotor(index, above);
+            rotor = towards(chain, links, places, index, usual, head).unwrap_or(usual);
             let relative = above.reverse() * rotor;
             let relative = match chain.model.limits() {
                 Some(limits) => limits.clamp(index, relative),
@@ -101,7 +102,7 @@ fn towards(
     links: &Links,
     places: &[Option<Vector<f64>>],
     joint: usize,
-    above: Rotor<f64>,
+    usual: Rotor<f64>,
     head: Vector<f64>,
 ) -> Option<Rotor<f64>> {
     let points = chain.model.points();
@@ -129,7 +130,7 @@ fn towards(
         pairs.push((
             weight,
             axis.coordinates(),
-            rotated(above, axis).coordinates(),
+            rotated(usual, axis).coordinates(),
         ));
     }
     let fit = Rotor::from_weighted_direction_pairs(&pairs).ok()?;

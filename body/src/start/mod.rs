@@ -1,10 +1,11 @@
-//! Where a fit begins: at points that are triangulated one by one, or at rest in front of a camera.
+//! Where a fit begins: at points that are triangulated one by one, or in the usual
+//! posture in front of a camera.
 
 use ga_numerics::order_statistics::median;
 use ga_runtime::cga3::{Direction, Point, Rotor};
 use ga_runtime::vga3::Vector;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 
 mod assembly;
 mod candidates;
@@ -26,6 +27,8 @@ use ga_camera::triangulation::{TriangulationError, triangulate_views};
 const NEEDED: usize = 3;
 /// How many of the starts in front of one camera are followed.
 const FOLLOWED: usize = 6;
+/// How many places are drawn for each one from which a fit begins.
+const DRAWN: usize = 8;
 /// The seed of the places that are drawn: equal pixels give equal poses.
 const SEED: u64 = 0;
 
@@ -63,19 +66,20 @@ pub(super) fn starts(
             .map(|target| (target.weight > 0.0).then(|| target.position.into()));
         let places: Vec<Option<Vector<f64>>> = places.collect();
         let depths = Depths::new(links, cameras, observation, &places, WRONG);
-        let mut all = vec![depths.best()];
-        if samples > 0 {
-            let random = &mut ChaCha8Rng::seed_from_u64(SEED);
-            all.extend(depths.samples(samples, random));
-        }
-        let starts = all.into_iter().filter_map(|places| {
+        let start = |places: Places| {
             let state = assembly::assemble(chain, links, &places.points)?;
             Some(Start {
                 state,
                 places: Some(places),
             })
-        });
-        let starts: Vec<Start> = starts.collect();
+        };
+        let mut starts: Vec<Start> = start(depths.best()).into_iter().collect();
+        if samples > 0 {
+            let random = &mut ChaCha8Rng::seed_from_u64(SEED);
+            let drawn = depths.samples(DRAWN * samples, random);
+            let drawn = drawn.into_iter().filter_map(start).collect();
+            starts.extend(resampled(chain, drawn, samples, random));
+        }
         if !starts.is_empty() {
             return Ok(starts);
         }
@@ -86,6 +90,27 @@ pub(super) fn starts(
         places: None,
     });
     Ok(starts.collect())
+}
+
+/// Some of several starts, drawn without replacement by how likely the rotations of their joints
+/// are: the places were drawn without regard to these (D. Rubin, "The calculation of posterior
+/// distributions by data augmentation: comment", Journal of the American Statistical Association
+/// 82, 1987). Those are drawn first whose exponential variables, with weights as rates, are least
+/// (P. Efraimidis, P. Spirakis, "Weighted random sampling with a reservoir", 2006).
+fn resampled(
+    chain: &Chain<'_>,
+    starts: Vec<Start>,
+    count: usize,
+    random: &mut ChaCha8Rng,
+) -> impl Iterator<Item = Start> {
+    let with_logarithms = starts.into_iter().map(|start| {
+        let uniform = (f64::from(random.next_u32()) + 0.5) / 2.0_f64.powi(32);
+        let rate = -0.5 * chain.unusual(&start.state);
+        ((-uniform.ln()).ln() - rate, start)
+    });
+    let mut all: Vec<(f64, Start)> = with_logarithms.collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().take(count).map(|(_, start)| start)
 }
 
 /// How many places at rest are seen in some view.
@@ -182,22 +207,23 @@ pub(super) fn size<'o>(
     median(&mut ratios).filter(|ratio| *ratio > 0.0)
 }
 
-/// The body at rest, in the orientations and at the place that best explain the view that sees most
-/// points: first those with the least error.
+/// The body in its usual posture, in the orientations and at the place that best explain the view
+/// that sees most points: first those with the least error.
 fn in_front(chain: &Chain<'_>, cameras: &[Camera], observation: &Observation) -> Vec<State> {
     let count = |view: &&(&Camera, &Vec<_>)| view.1.iter().flatten().count();
     let views: Vec<_> = cameras.iter().zip(&observation.views).collect();
     let Some((camera, pixels)) = views.iter().max_by_key(count) else {
         return Vec::new();
     };
-    let points = chain.model.points().iter().zip(pixels.iter());
+    let usual = chain.places(&chain.usual()).points;
+    let points = usual.into_iter().zip(pixels.iter());
     let seen = points.filter_map(|(point, pixel)| {
         let [x, y, z] = camera
             .intrinsics
             .direction(pixel.as_ref()?.position)
             .ok()?
             .vector();
-        (z > 0.0).then(|| (Vector::from(point.at_rest), Vector::new(x / z, y / z, 1.0)))
+        (z > 0.0).then(|| (point, Vector::new(x / z, y / z, 1.0)))
     });
     let seen: Vec<(Vector<f64>, Vector<f64>)> = seen.collect();
     let mut states: Vec<(f64, State)> = quarter_turns()
@@ -208,8 +234,9 @@ fn in_front(chain: &Chain<'_>, cameras: &[Camera], observation: &Observation) ->
     states.into_iter().map(|(_, state)| state).collect()
 }
 
-/// The body at rest in an orientation relative to a camera: its points have the mean and the extent
-/// of the directions in which they are seen. Also what remains, as a part of that extent.
+/// The body in its usual posture in an orientation relative to a camera: its points have the mean
+/// and the extent of the directions in which they are seen. Also what remains, as a part of that
+/// extent.
 fn placed(
     chain: &Chain<'_>,
     camera: &Camera,
@@ -222,8 +249,8 @@ fn placed(
         .fold([Vector::default(); 2], |[a, b], (x, y)| [a + *x, b + *y]);
     let [middle, mean] = sum.map(|sum| sum / count);
     let (mut mixed, mut own, mut total) = (0.0, 0.0, 0.0);
-    for (at_rest, direction) in seen {
-        let [x, y, _] = rotated(rotor, *at_rest - middle).coordinates();
+    for (point, direction) in seen {
+        let [x, y, _] = rotated(rotor, *point - middle).coordinates();
         let [u, v, _] = (*direction - mean).coordinates();
         mixed += x * u + y * v;
         own += x * x + y * y;
@@ -236,7 +263,7 @@ fn placed(
     let to_world = camera.world_to_camera.reverse();
     let goal: Vector<f64> = to_world.transform(Point::from(mean / size)).into();
     let rotor = to_world.rotor() * rotor;
-    let mut state = chain.rest();
+    let mut state = chain.usual();
     let joints = chain.model.skeleton().joints();
     for (index, own) in state.rotors.iter_mut().enumerate() {
         if chain.is_root(index) {

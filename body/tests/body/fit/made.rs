@@ -27,6 +27,35 @@ fn exact_pixels_give_the_exact_pose() {
     }
 }
 
+/// Hip and ankle leave the knee a circle, on which a knee is in front.
+#[test]
+fn knees_that_no_view_shows_are_in_front() {
+    let skeleton = biped();
+    let model = BodyModel::of_distinct_joints(skeleton.clone()).unwrap();
+    for facing in [0.0, 0.6, 1.2] {
+        let mut rotors = vec![Rotor::default(); skeleton.len()];
+        rotors[0] = turned([0.0, 1.0, 0.0], facing);
+        for (hip, [raised, bent]) in [(3, [-0.3, 0.8]), (6, [0.1, 0.6])] {
+            rotors[hip] = turned([1.0, 0.0, 0.0], raised);
+            rotors[hip + 1] = turned([1.0, 0.0, 0.0], bent);
+        }
+        let truth = heads(
+            &skeleton,
+            &Pose::from_rotors(&skeleton, Motor::default(), &rotors).unwrap(),
+        );
+        let cameras = rig(std::slice::from_ref(&truth), 2);
+        let mut observed = seen(&cameras, &truth, 0.0, 0.0, 1);
+        for view in &mut observed.views {
+            (view[4], view[7]) = (None, None);
+        }
+        let fit = BodyFit::new(&model, &cameras).unwrap();
+        let found = fit.frame(&observed).unwrap();
+        assert_eq!(found.unseen, [4, 7]);
+        let error = greatest_error(&truth, &found.points);
+        assert!(error < 0.03, "{facing}: {error}");
+    }
+}
+
 #[test]
 fn the_fit_moves_with_cameras_and_world() {
     let skeleton = biped();

@@ -110,9 +110,14 @@ fn single_frames(recording: &Recording, missing: f64) -> (Vec<Vec<Point<f64>>>, 
 #[test]
 fn missing_joints_follow_from_others() {
     let Some(recording) = recording() else { return };
-    let (truth, fits) = single_frames(&recording, 0.2);
-    let found = of_fits(&truth, &fits);
-    assert!(found[0] <= 40.0 && found[1] <= 37.0, "{found:?}");
+    let [whole, found] = [0.0, 0.2].map(|missing| {
+        let (truth, fits) = single_frames(&recording, missing);
+        of_fits(&truth, &fits)
+    });
+    assert!(
+        found[1] <= 1.5 * whole[1],
+        "{found:?}, of whole ones {whole:?}"
+    );
 }
 
 #[test]
