@@ -5,7 +5,7 @@
 //! al., "Anthropometric survey of U.S. army personnel", 1989): in the axes of the body at rest, and
 //! times the length of the trunk. Where a person has them is estimated with the lengths of bones.
 
-use ga_anim::clip::opposite_name;
+use ga_anim::clip::{Side, side_of_name};
 use ga_anim::retarget::JointMap;
 use ga_anim::skeleton::Skeleton;
 use ga_runtime::vga3::Vector;
@@ -148,7 +148,7 @@ impl<'a> Anatomy<'a> {
         let (joint, from) = match landmark.part {
             Part::Head => (self.head?, at(self.head?)),
             Part::Foot => {
-                let foot = self.feet[side?]?;
+                let foot = self.feet[usize::from(side? == Side::Right)]?;
                 (foot, at(foot))
             }
             Part::Shoulders => (self.carrier(self.arms)?, middle(self.arms)),
@@ -156,8 +156,8 @@ impl<'a> Anatomy<'a> {
         };
         let [left, up, forward] = landmark.at;
         let left = match side {
-            Some(0) => left,
-            Some(_) => -left,
+            Some(Side::Left) => left,
+            Some(Side::Right) => -left,
             None => 0.0,
         };
         let [x, y, z] = self.axes;
@@ -240,34 +240,17 @@ pub(crate) fn is_known(name: &str) -> bool {
         .any(|known| known.names.contains(&own.as_str()))
 }
 
-/// 0 for the left side and 1 for the right one.
-fn side(name: &str) -> Option<usize> {
-    let (word, _) = side_word(name)?;
-    Some(usize::from(word.starts_with('r')))
+/// The side that a name tells.
+fn side(name: &str) -> Option<Side> {
+    Some(side_of_name(name)?.0)
 }
 
 /// The small letters of a name without its side.
 fn bare(name: &str) -> String {
-    let own = match side_word(name) {
-        Some((word, at)) => format!("{}{}", &name[..at], &name[at + word.len()..]),
-        None => name.to_owned(),
-    };
-    let letters = own.chars().filter(|c| c.is_ascii_alphanumeric());
+    let word = side_of_name(name).map_or(0..0, |(_, word)| word);
+    let own = name[..word.start].chars().chain(name[word.end..].chars());
+    let letters = own.filter(char::is_ascii_alphanumeric);
     letters.map(|c| c.to_ascii_lowercase()).collect()
-}
-
-/// The word by which a name tells its side, in small letters, and where it begins: where the name
-/// of the other side differs first.
-fn side_word(name: &str) -> Option<(&'static str, usize)> {
-    let other = opposite_name(name)?;
-    let mut letters = name.char_indices().zip(other.chars());
-    let ((at, _), _) = letters.find(|((_, own), other)| own != other)?;
-    let [own, other] = [&name[at..], &other[at..]].map(str::to_ascii_lowercase);
-    let pairs = [("left", "right"), ("right", "left"), ("l", "r"), ("r", "l")];
-    let found = pairs
-        .into_iter()
-        .find(|(word, opposite)| own.starts_with(word) && other.starts_with(opposite));
-    Some((found?.0, at))
 }
 
 #[cfg(test)]
@@ -278,15 +261,15 @@ mod tests {
     fn names_of_all_detectors_are_understood() {
         for (name, expected, on) in [
             ("nose", "nose", None),
-            ("LEar", "ear", Some(0)),
-            ("right_eye_inner", "eyeinner", Some(1)),
-            ("mouth_left", "mouth", Some(0)),
-            ("RBigToe", "bigtoe", Some(1)),
-            ("RHeel", "heel", Some(1)),
-            ("LHeel", "heel", Some(0)),
-            ("ear_L", "ear", Some(0)),
-            ("ear_R", "ear", Some(1)),
-            ("left_foot_index", "footindex", Some(0)),
+            ("LEar", "ear", Some(Side::Left)),
+            ("right_eye_inner", "eyeinner", Some(Side::Right)),
+            ("mouth_left", "mouth", Some(Side::Left)),
+            ("RBigToe", "bigtoe", Some(Side::Right)),
+            ("RHeel", "heel", Some(Side::Right)),
+            ("LHeel", "heel", Some(Side::Left)),
+            ("ear_L", "ear", Some(Side::Left)),
+            ("ear_R", "ear", Some(Side::Right)),
+            ("left_foot_index", "footindex", Some(Side::Left)),
             ("MidHip", "midhip", None),
         ] {
             assert_eq!((bare(name).as_str(), side(name)), (expected, on), "{name}");

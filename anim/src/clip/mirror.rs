@@ -8,7 +8,8 @@ use super::Clip;
 use crate::clip::ClipError;
 use crate::pose::Pose;
 use crate::recording::RecordingError;
-use crate::retarget::convention::{Side, word_ranges};
+pub use crate::retarget::convention::Side;
+use crate::retarget::convention::word_ranges;
 use crate::skeleton::Skeleton;
 
 ga_runtime::ga! { ga_runtime::cga3;
@@ -193,6 +194,21 @@ pub fn opposite_name(name: &str) -> Option<String> {
     other_side(name).map(|other| other.name)
 }
 
+/// The side of the body that the name of a joint tells, and where in the name the word for it is.
+///
+/// ```
+/// use ga_anim::clip::{Side, side_of_name};
+///
+/// assert_eq!(side_of_name("mouth_left"), Some((Side::Left, 6..10)));
+/// assert_eq!(side_of_name("RElbow"), Some((Side::Right, 0..1)));
+/// assert_eq!(side_of_name("nose"), None);
+/// ```
+#[must_use]
+pub fn side_of_name(name: &str) -> Option<(Side, Range<usize>)> {
+    let (range, _) = side_word(name)?;
+    Some((Side::of_word(&name[range.clone()])?, range))
+}
+
 /// The name that the counterpart of a joint would have.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Counterpart {
@@ -203,26 +219,27 @@ pub(crate) struct Counterpart {
 
 /// The counterpart of a joint, where its name tells a side.
 pub(crate) fn other_side(name: &str) -> Option<Counterpart> {
+    let (range, is_certain) = side_word(name)?;
+    let other = opposite(&name[range.clone()]);
+    Some(Counterpart {
+        name: format!("{}{other}{}", &name[..range.start], &name[range.end..]),
+        is_certain,
+    })
+}
+
+/// Where in a name the word for a side is, and whether the joint is on one side for sure.
+fn side_word(name: &str) -> Option<(Range<usize>, bool)> {
     let after_colon = name.rfind(':').map_or(0, |colon| colon + 1);
     let ranges = word_ranges(name);
     // What stands before a colon is the name of a scene or a rig, which seldom tells a side.
     let (before, own): (Vec<_>, Vec<_>) = ranges
         .into_iter()
         .partition(|range| range.start < after_colon);
-    let with = |range: Range<usize>, is_certain| Counterpart {
-        name: format!(
-            "{}{}{}",
-            &name[..range.start],
-            opposite(&name[range.clone()]),
-            &name[range.end..]
-        ),
-        is_certain,
-    };
     let words = || own.iter().chain(&before);
     if let Some(range) = words().find(|&range| Side::of_word(&name[range.clone()]).is_some()) {
         let after = name.as_bytes().get(range.end);
         let is_numbered = range.len() == 1 && after.is_some_and(u8::is_ascii_digit);
-        return Some(with(range.clone(), !is_numbered));
+        return Some((range.clone(), !is_numbered));
     }
     let first = own.first()?;
     let prefix = ["left", "right"].into_iter().find_map(|side| {
@@ -231,7 +248,7 @@ pub(crate) fn other_side(name: &str) -> Option<Counterpart> {
             .eq_ignore_ascii_case(side)
             .then_some(first.start..first.start + side.len())
     })?;
-    Some(with(prefix, false))
+    Some((prefix, false))
 }
 
 /// The word for the other side, in the same case.
@@ -255,7 +272,7 @@ fn opposite(word: &str) -> String {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
-    use super::other_side;
+    use super::{Side, other_side, side_of_name};
 
     #[test]
     fn names_of_the_usual_conventions() {
@@ -286,6 +303,18 @@ mod tests {
                 assert_eq!(
                     (found.name.as_str(), found.is_certain),
                     (expected, is_certain)
+                );
+            }
+            for (name, expected) in [(left, Side::Left), (right, Side::Right)] {
+                let (side, word) = side_of_name(name).unwrap();
+                assert_eq!(side, expected);
+                let words: &[&str] = match side {
+                    Side::Left => &["l", "left"],
+                    Side::Right => &["r", "right"],
+                };
+                assert!(
+                    words.contains(&name[word].to_lowercase().as_str()),
+                    "{name}"
                 );
             }
         }

@@ -28,7 +28,7 @@ pub use cross_fade::CrossFade;
 pub use error::ClipError;
 pub use event::{EventTrack, ScalarTracks};
 pub use layering::{Layer, overlay};
-pub use mirror::{Mirror, opposite_name};
+pub use mirror::{Mirror, Side, opposite_name, side_of_name};
 pub(crate) use mirror::{other_side, reflected};
 pub(crate) use root_motion::about;
 pub use root_motion::{GroundMotion, RootMotion};

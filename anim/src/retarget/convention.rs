@@ -4,10 +4,12 @@
 
 use std::ops::Range;
 
-/// Left or right.
+/// A side of a body, as its own left and right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Side {
+pub enum Side {
+    /// The left one.
     Left,
+    /// The right one.
     Right,
 }
 

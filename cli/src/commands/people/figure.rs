@@ -1,7 +1,7 @@
 //! The fitted body as points and bones.
 
 use anyhow::Result;
-use ga_anim::clip::opposite_name;
+use ga_anim::clip::{self, opposite_name, side_of_name};
 use ga_anim::skeleton::Skeleton;
 use ga_body::character::FittedCharacter;
 use ga_draw::document::{Bone, Side};
@@ -58,14 +58,10 @@ impl Figure {
 
 /// The side of a joint whose counterpart is there as well.
 fn side(skeleton: &Skeleton, name: &str) -> Side {
-    let other = opposite_name(name).filter(|other| skeleton.index(other).is_some());
-    let Some(other) = other else {
-        return Side::Middle;
-    };
-    // The names of both sides differ first where one begins with an l and the other with an r.
-    let mut letters = name.chars().zip(other.chars());
-    match letters.find(|(own, other)| own != other) {
-        Some(('l' | 'L', _)) => Side::Left,
-        _ => Side::Right,
+    let is_paired = opposite_name(name).is_some_and(|other| skeleton.index(&other).is_some());
+    match side_of_name(name).filter(|_| is_paired) {
+        Some((clip::Side::Left, _)) => Side::Left,
+        Some((clip::Side::Right, _)) => Side::Right,
+        None => Side::Middle,
     }
 }
