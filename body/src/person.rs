@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use crate::chain::{Chain, State};
 use crate::ground::{
-    Anchor, Contact, Ground, GroundOptions, Leaning, Stance, Upright, anchors, stances,
+    Anchor, Contact, Ground, GroundOptions, Leaning, Stance, Upright, anchors, diameter, stances,
 };
 use crate::landmarks::{Anatomy, SkinPoint};
 use crate::lengths::{Beside, Lengths, Proportions, spread};
@@ -474,12 +474,11 @@ fn ground(
             .iter()
             .map(|heads| heads[joint]);
         let of_joint: Vec<Vector<f64>> = of_joint.collect();
-        let from = |a: &Vector<f64>| of_joint.iter().map(|b| a.distance(*b)).fold(0.0, f64::max);
         Some(Contact {
             joint: joints[joint].name.clone(),
             start: *stance.frames.start(),
             end: *stance.frames.end(),
-            slide_metres: of_joint.iter().map(from).fold(0.0, f64::max),
+            slide_metres: diameter(&of_joint),
         })
     });
     Ground {

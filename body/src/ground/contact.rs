@@ -93,6 +93,43 @@ pub(crate) fn anchors(stances: &[Stance], frames: usize) -> Vec<Vec<Anchor>> {
     anchors
 }
 
+/// The greatest distance of two of the places; 0 where there are fewer.
+///
+/// From a place the farthest one is taken, and from that one again, until the distance does not
+/// grow. Two places in the ball that has this distance as its diameter are no farther apart, so
+/// that only those outside of it, which are few, are asked for the place farthest from them
+/// (G. Malandain and J.-D. Boissonnat, "Computing the diameter of a point set", International
+/// Journal of Computational Geometry & Applications 12, 2002).
+pub(crate) fn diameter(places: &[Vector<f64>]) -> f64 {
+    let farthest = |from: Vector<f64>, among: &[Vector<f64>]| {
+        let all = among.iter().map(|place| (from.distance(*place), *place));
+        all.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
+    };
+    let mut open = places.to_vec();
+    let mut from = places.first().copied().unwrap_or_default();
+    let (mut greatest, mut middle) = (0.0, from);
+    loop {
+        let mut own = 0.0;
+        loop {
+            open.retain(|place| *place != from);
+            let (distance, to) = farthest(from, places);
+            if distance <= own {
+                break;
+            }
+            if distance > greatest {
+                (greatest, middle) = (distance, (from + to) * 0.5);
+            }
+            (own, from) = (distance, to);
+        }
+        let (distance, next) = farthest(middle, &open);
+        // A place on the ball is in it, however its distance is rounded.
+        if distance <= 0.5 * greatest * (1.0 + 1e-12) {
+            return greatest;
+        }
+        from = next;
+    }
+}
+
 /// The median place of a point, coordinate by coordinate.
 fn middle(places: &[Vec<Vector<f64>>], point: usize) -> Vector<f64> {
     let coordinate = |k: usize| {
@@ -104,6 +141,9 @@ fn middle(places: &[Vec<Vector<f64>>], point: usize) -> Vector<f64> {
 
 #[cfg(test)]
 mod tests {
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::{Rng, SeedableRng};
+
     use super::*;
 
     #[test]
@@ -130,6 +170,55 @@ mod tests {
         }
         let held = anchors(&found, 60);
         assert!(held[10].len() == 1 && held[30].is_empty());
+    }
+
+    #[test]
+    fn the_diameter_is_that_of_all_pairs() {
+        let random = &mut ChaCha8Rng::seed_from_u64(1);
+        let mut uniform = || f64::from(random.next_u32()) / 2.0_f64.powi(32) - 0.5;
+        assert_eq!(diameter(&[]), 0.0);
+        assert_eq!(diameter(&[Vector::X; 3]), 0.0);
+        for (count, stretch) in [(2, 1.0), (7, 1.0), (60, 1.0), (60, 0.0), (400, 5.0)] {
+            for _ in 0..50 {
+                let place = |_| Vector::new(stretch * uniform(), uniform(), 0.1 * uniform());
+                let mut places: Vec<Vector<f64>> = (0..count).map(place).collect();
+                // Some of them twice.
+                places.extend_from_within(..count / 2);
+                let of =
+                    |a: &Vector<f64>| places.iter().map(|b| a.distance(*b)).fold(0.0, f64::max);
+                let expected = places.iter().map(of).fold(0.0, f64::max);
+                let found = diameter(&places);
+                assert!(
+                    (found - expected).abs() < 1e-11,
+                    "{count}: {found} {expected}"
+                );
+            }
+        }
+        // The corners of a regular tetrahedron and one more, of which no two are a diameter's ball.
+        let s = 0.5_f64.sqrt();
+        let corners = [
+            [1.0, 0.0, -s],
+            [-1.0, 0.0, -s],
+            [0.0, 1.0, s],
+            [0.0, -1.0, s],
+        ];
+        let mut places = corners.map(Vector::from).to_vec();
+        places.push(Vector::new(0.0, 1.01, s));
+        let expected = places[4].distance(places[3]);
+        assert!((diameter(&places) - expected).abs() < 1e-12);
+    }
+
+    /// All pairs of so many places would take minutes.
+    #[test]
+    fn a_foot_that_stands_for_hours_is_measured_at_once() {
+        let random = &mut ChaCha8Rng::seed_from_u64(2);
+        let mut uniform = || f64::from(random.next_u32()) / 2.0_f64.powi(32) - 0.5;
+        let mut places: Vec<Vector<f64>> = (0..300_000)
+            .map(|_| Vector::new(0.02 * uniform(), 0.01 * uniform(), 0.02 * uniform()))
+            .collect();
+        let ends = [[0.05, 0.0, 0.01], [-0.04, 0.01, 0.0]].map(Vector::from);
+        (places[70_000], places[200_000]) = (ends[0], ends[1]);
+        assert_eq!(diameter(&places), ends[0].distance(ends[1]));
     }
 
     #[test]

@@ -4,7 +4,7 @@
 mod contact;
 mod up;
 
-pub(crate) use contact::{Anchor, Stance, anchors, stances};
+pub(crate) use contact::{Anchor, Stance, anchors, diameter, stances};
 pub(crate) use up::{Leaning, Upright};
 
 use ga_runtime::cga3::{Motor, Rotor, Translator};
