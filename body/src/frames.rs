@@ -32,9 +32,18 @@ impl BodyFit<'_> {
     /// which are mostly noise, so there is nothing to tune. Long clips are fitted in stretches that
     /// overlap.
     ///
+    /// The search begins at poses of the frames for pixels that are smoothed over time. With two
+    /// views or more, these are near to the pose of the frame before. One view leaves several poses
+    /// open: a bone that points towards the camera is seen almost as one that points away from it.
+    /// There, one frame in each tenth of a second is searched from rest and with bones mirrored,
+    /// the poses that are found are carried to all frames before and after, and each frame begins
+    /// at the likeliest of those that it has. Where two poses explain the view equally well, it may
+    /// be the wrong one, and neighbours may differ.
+    ///
     /// Frames may show fewer points than a pose needs, or none: they follow from those around. The
-    /// frame rate only matters for clips of less than eight frames, which do not show how large
-    /// accelerations are: then they are those of a human who moves without haste.
+    /// frame rate says which frames of one view are searched, and how many frames show one pose,
+    /// for which rest counts once: those within 0.15 s. Clips of less than eight frames do not show
+    /// how large accelerations are: then they are those of a human who moves without haste.
     ///
     /// # Errors
     /// [`BodyError::Frame`] with the first frame that does not fit the cameras and the model, or

@@ -18,7 +18,7 @@ use ga_runtime::geometry::ray::Ray;
 
 use crate::gap::{deviations, gap_in_pixels, pairs_of_views};
 use crate::model::BodyPoint;
-use crate::{JointPixel, Observation};
+use crate::Observation;
 
 /// The cost of an exchange that begins or ends, in squared standard deviations.
 const CHANGE: f64 = 16.0;
@@ -59,21 +59,11 @@ impl Exchanged {
         if pairs.is_empty() || cameras.len() > TOGETHER {
             return Self::none(observations);
         }
-        let changes = changes(cameras.len(), observations, pairs);
         let meetings = Meetings::new(cameras, observations, pairs);
-        let count = 1_usize << cameras.len();
-        let unary = |frame: usize, state: usize| {
-            EXCHANGED * f64::from(state.count_ones()) + meetings.cost(frame, state)
-        };
-        let change = |frame: usize, changed: usize| {
-            let views = changes.iter().enumerate();
-            views
-                .map(|(view, costs)| costs[frame][changed >> view & 1])
-                .sum()
-        };
-        let path = least_path(observations.len(), count, unary, change);
-        let of_view = |view: usize| path.iter().map(|state| state >> view & 1 == 1).collect();
-        Self((0..cameras.len()).map(of_view).collect())
+        let changes = changes(cameras.len(), observations, pairs);
+        Self(likeliest(&changes, |frame, state| {
+            meetings.cost(frame, state)
+        }))
     }
 
     /// By a body: for each view, frame and point, the pixel at which it should be seen.
@@ -85,31 +75,24 @@ impl Exchanged {
         let views = observations.first().map_or(0, |first| first.views.len());
         let changes = changes(views, observations, pairs);
         let of_view = |view: usize| {
-            let unary = |frame: usize, state: usize| {
+            let cost = |frame: usize, state: usize| {
                 let pixels = &observations[frame].views[view];
-                let pixel = |point: usize| expected[view][frame][point];
-                let distance = |seen: Option<JointPixel>, at: Option<[f64; 2]>| {
-                    let (Some(seen), Some(at)) = (seen, at) else {
+                let distance = |seen: usize, at: usize| {
+                    let (Some(seen), Some(at)) = (pixels[seen], expected[view][frame][at]) else {
                         return 0.0;
                     };
                     LOSS.of(squared(seen.position, at) / seen.deviation.powi(2))
                         .0
                 };
                 let of_pairs = pairs.iter().map(|&[left, right]| match state {
-                    0 => {
-                        distance(pixels[left], pixel(left)) + distance(pixels[right], pixel(right))
-                    }
-                    _ => {
-                        distance(pixels[left], pixel(right)) + distance(pixels[right], pixel(left))
-                    }
+                    0 => distance(left, left) + distance(right, right),
+                    _ => distance(left, right) + distance(right, left),
                 });
-                of_pairs.sum::<f64>() + EXCHANGED * state as f64
+                of_pairs.sum()
             };
-            let change = |frame: usize, changed: usize| changes[view][frame][changed];
-            let path = least_path(observations.len(), 2, unary, change);
-            path.into_iter().map(|state| state == 1).collect()
+            likeliest(&changes[view..=view], cost)
         };
-        Self((0..views).map(of_view).collect())
+        Self((0..views).flat_map(of_view).collect())
     }
 
     /// What views show with the names of the sides put right.
@@ -132,6 +115,24 @@ impl Exchanged {
         }
         right
     }
+}
+
+/// For each of some views and each frame whether it is exchanged, as is most likely for all of them
+/// together. `changes` has for each view what [`changes`] says, and `cost` says what a state costs
+/// in a frame: the number whose bits are the views that are exchanged.
+fn likeliest(changes: &[Vec<[f64; 2]>], cost: impl Fn(usize, usize) -> f64) -> Vec<Vec<bool>> {
+    let frames = changes.first().map_or(0, Vec::len);
+    let unary =
+        |frame: usize, state: usize| EXCHANGED * f64::from(state.count_ones()) + cost(frame, state);
+    let change = |frame: usize, changed: usize| {
+        let views = changes.iter().enumerate();
+        views
+            .map(|(view, costs)| costs[frame][changed >> view & 1])
+            .sum()
+    };
+    let path = least_path(frames, 1 << changes.len(), unary, change);
+    let of_view = |view: usize| path.iter().map(|state| state >> view & 1 == 1).collect();
+    (0..changes.len()).map(of_view).collect()
 }
 
 /// The states of the least sum of costs: of a state in a frame, and from the frame before with the
