@@ -35,7 +35,7 @@ fn knees_that_no_view_shows_are_in_front() {
     for facing in [0.0, 0.6, 1.2] {
         let mut rotors = vec![Rotor::default(); skeleton.len()];
         rotors[0] = turned([0.0, 1.0, 0.0], facing);
-        for (hip, [raised, bent]) in [(3, [-0.3, 0.8]), (6, [0.1, 0.6])] {
+        for (hip, [raised, bent]) in [(3, [-0.9, 1.2]), (6, [-0.7, 1.1])] {
             rotors[hip] = turned([1.0, 0.0, 0.0], raised);
             rotors[hip + 1] = turned([1.0, 0.0, 0.0], bent);
         }
