@@ -32,6 +32,12 @@ pub(crate) fn noise(cameras: &[Camera], observations: &[Observation]) -> Option<
     Some(stated.max(median(&mut gaps)?))
 }
 
+/// The median of the gaps of all points; infinite where most rays meet behind a view, and `None`
+/// where no point is seen by two views.
+pub(crate) fn median_gap(cameras: &[Camera], observations: &[Observation]) -> Option<f64> {
+    median(&mut gaps(cameras, observations))
+}
+
 /// The gaps of all points between all pairs of views.
 fn gaps(cameras: &[Camera], observations: &[Observation]) -> Vec<f64> {
     let mut gaps: Vec<f64> = Vec::new();
@@ -68,9 +74,7 @@ pub(crate) fn disagreeing(cameras: &[Camera], observations: &[Observation]) -> V
                 views: [a, b].map(|view| observation.views[view].clone()).to_vec(),
             };
             let of_two: Vec<Observation> = observations.iter().map(of_two).collect();
-            let gaps = &mut gaps(&[cameras[a], cameras[b]], &of_two);
-            // Rays that meet behind a view miss each other by far.
-            Some(((a, b), median(gaps)?))
+            Some(((a, b), median_gap(&[cameras[a], cameras[b]], &of_two)?))
         })
         .collect();
     let mut left_out: Vec<usize> = Vec::new();

@@ -5,11 +5,12 @@ use std::ops::RangeInclusive;
 
 use ga_camera::Camera;
 use ga_numerics::order_statistics::median;
-use ga_runtime::cga3::Direction;
+use ga_runtime::vga3::Vector;
 
 use super::report::CharacterReport;
 use crate::agreement::{Agreement, OUTLIER};
-use crate::ground::UpSource;
+use crate::ground::{Ground, UpSource};
+use crate::registration::{Registration, is_upside_down};
 use crate::{FittedPose, Observation};
 
 /// Distances from pixels are doubtful where their median is more than this part of the height of
@@ -20,8 +21,8 @@ const FAILED: f64 = 0.08;
 /// more than this, in degrees and in frames.
 const ROTATION: f64 = 0.3;
 const OFFSET: f64 = 0.5;
-/// A camera is upside down where its upper side points downwards by more than this.
-const UPSIDE_DOWN: f64 = -0.5;
+/// A camera that is lower than this beside the floor, in metres, cannot see it from above.
+const BELOW: f64 = -0.2;
 /// Feet that stand should not slide farther than this, in metres: an ankle moves by 3 cm while the
 /// heel rises.
 const SLIDE: f64 = 0.05;
@@ -95,10 +96,12 @@ pub(super) struct Found<'a> {
     pub(super) observations: &'a [Observation],
     /// The views that the poses do not depend on.
     pub(super) left_out: &'a [usize],
+    /// The views whose cameras are in the other pose of a planar board.
+    pub(super) mirrored: &'a [usize],
     pub(super) is_synchronised: bool,
     pub(super) is_refined: bool,
-    /// Whether it was found how views stand to each other.
-    pub(super) is_registered: bool,
+    /// How views stand to each other, where it was found.
+    pub(super) registration: Option<&'a Registration>,
     /// Whether the ground was found, where it was asked for.
     pub(super) is_on_ground: bool,
 }
@@ -242,7 +245,16 @@ fn exchanged(found: &Found<'_>) -> Vec<Finding> {
 
 /// Cameras that are rotated, or upside down beside the person.
 fn cameras(found: &Found<'_>) -> Vec<Finding> {
-    let mut findings = Vec::new();
+    let of_board = found.mirrored.iter().map(|&view| {
+        let view = found.views[view];
+        let message = format!(
+            "the camera of the view {view} is in the wrong one of two poses in which a flat board \
+             on the floor looks alike: the other one is taken, which the joints fit, but know to \
+             about a degree only: calibrate it with a board that is held in several directions"
+        );
+        Finding::new("mirrored_pose", Severity::Doubtful, message).of_view(view)
+    });
+    let mut findings: Vec<Finding> = of_board.collect();
     for (view, camera) in found.report.per_view.iter().zip(found.cameras) {
         if let (Some(angle), Some(deviation)) =
             (view.rotation_degrees, view.rotation_deviation_degrees)
@@ -259,10 +271,19 @@ fn cameras(found: &Found<'_>) -> Vec<Finding> {
             );
             findings.push(Finding::new("rotated_camera", severity, message).of_view(&view.name));
         }
-        let down = camera
-            .world_to_camera
-            .transform(Direction::new(0.0, -1.0, 0.0));
-        if found.report.ground.is_some() && down.vector()[1] < UPSIDE_DOWN {
+        let [_, height, _] = camera.centre().coordinates();
+        let is_on_floor = |ground: &Ground| ground.floor.is_some();
+        if found.report.ground.as_ref().is_some_and(is_on_floor) && height < BELOW {
+            let message = format!(
+                "the camera of the view {} is {:.1} m below the floor on which the person stands: \
+                 a flat board has two poses that look alike, and the calibration may have taken \
+                 the wrong one",
+                view.name, -height
+            );
+            let finding = Finding::new("below_floor", Severity::Doubtful, message);
+            findings.push(finding.of_view(&view.name));
+        }
+        if found.report.ground.is_some() && is_upside_down(camera, Vector::Y) {
             let message = format!(
                 "the camera of the view {} is upside down beside the person: a flat board has two \
                  poses that look alike, and the calibration may have taken the wrong one",
@@ -339,21 +360,34 @@ fn ground(found: &Found<'_>) -> Vec<Finding> {
 fn not_done(found: &Found<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
     let is_asked = found.is_synchronised || found.is_refined;
-    if is_asked && !found.is_registered && found.cameras.len() > 1 {
+    if is_asked && found.registration.is_none() && found.cameras.len() > 1 {
         let message = "how the views stand to each other could not be found: neither cameras nor \
                        times are changed";
         let finding = Finding::new("not_registered", Severity::Doubtful, message.to_owned());
         findings.push(finding);
     }
-    let views = found.report.per_view.iter();
-    let unknown = views.filter(|view| view.offset_frames.is_none());
-    for view in unknown.filter(|_| found.is_synchronised && found.is_registered) {
-        let message = format!(
-            "the motion does not show when the view {} begins: it is not shifted",
-            view.name
-        );
+    let registered = found.registration.map_or(&[][..], |found| &found.views);
+    for (view, registered) in found.views.iter().zip(registered) {
+        let message = match registered {
+            own if own.is_offset_at_limit => format!(
+                "the view {view} seems to begin {:.0} frames or more {} the view {}, farther than \
+                 is searched: by how many is not decided, and neither its time nor its camera is \
+                 changed: cut the films so that they begin nearly together",
+                own.offset_frames.abs(),
+                if own.offset_frames > 0.0 {
+                    "before"
+                } else {
+                    "after"
+                },
+                found.views[0]
+            ),
+            own if found.is_synchronised && own.offset_deviation.is_infinite() => {
+                format!("the motion does not show when the view {view} begins: it is not shifted")
+            }
+            _ => continue,
+        };
         let finding = Finding::new("unknown_offset", Severity::Doubtful, message);
-        findings.push(finding.of_view(&view.name));
+        findings.push(finding.of_view(view));
     }
     if !found.is_on_ground {
         let message = "the character has not two arms and two legs: the result stays in the world \

@@ -31,7 +31,9 @@ use crate::lengths::Lengths;
 use crate::mean_square::MeanSquare;
 use crate::model::BodyPoint;
 use crate::person::{FittedPerson, Person};
-use crate::registration::{RegisteredView, Registration, RegistrationOptions, register, resampled};
+use crate::registration::{
+    RegisteredView, Registration, RegistrationOptions, other_poses, register, resampled,
+};
 use crate::sides::{Exchanged, pairs};
 use crate::{BodyError, BodyModel, JointPixel, Observation};
 
@@ -83,6 +85,8 @@ pub struct CharacterFit<'a> {
     /// In which frames of the views sides were exchanged.
     exchanged: Option<Exchanged>,
     registration: Option<Registration>,
+    /// The views whose cameras are in the other pose of a planar board.
+    mirrored: Vec<usize>,
     ground: Option<GroundOptions>,
     is_refined: bool,
     is_synchronised: bool,
@@ -157,6 +161,7 @@ impl<'a> CharacterFit<'a> {
             skin,
             exchanged: None,
             registration: None,
+            mirrored: Vec::new(),
             ground: None,
             is_refined: false,
             is_synchronised: false,
@@ -177,6 +182,21 @@ impl<'a> CharacterFit<'a> {
     pub fn with_ground(self, ground: GroundOptions) -> Self {
         let ground = Some(ground);
         Self { ground, ..self }
+    }
+
+    /// Takes of the two poses in which a camera sees a planar board almost alike the one in which
+    /// it looks at the board from above without being upside down, where the joints fit that far
+    /// better. For worlds in which the board lies on the floor, in a plane of two axes through the
+    /// origin. To be asked for before [`registered`](Self::registered).
+    ///
+    /// Where the middle of the board is, is found by the joints, so that rotations are right to
+    /// about a degree. One view does not show it.
+    #[must_use]
+    pub fn with_board_poses(mut self) -> Self {
+        if let Some(found) = other_poses(&self.cameras, &self.observations) {
+            (self.cameras, self.mirrored) = found;
+        }
+        self
     }
 
     /// Puts left and right in order where views alone show that they are exchanged, and finds how
@@ -293,9 +313,10 @@ impl<'a> CharacterFit<'a> {
             cameras: &cameras,
             observations: &fitted.observations,
             left_out: &left_out,
+            mirrored: &self.mirrored,
             is_synchronised: self.is_synchronised,
             is_refined: self.is_refined,
-            is_registered: self.registration.is_some(),
+            registration: self.registration.as_ref(),
             is_on_ground: self.ground.is_none() || report.ground.is_some() || independent,
         });
         Ok(FittedCharacter {

@@ -34,6 +34,11 @@ impl Costs {
     }
 }
 
+/// How far is searched in clips with so many frames: at least half of these are seen together.
+pub(super) fn limit(frames: usize, most: usize) -> i64 {
+    most.min(frames / 4) as i64
+}
+
 /// For each view the number of its frame that shows what frame 0 of the first view shows.
 pub(super) fn whole(
     cameras: &[Camera],
@@ -42,8 +47,7 @@ pub(super) fn whole(
     scale: f64,
 ) -> Vec<i64> {
     let mut offsets = vec![0_i64; cameras.len()];
-    // At least half of the frames are seen together.
-    let most = most.min(observations.len() / 4) as i64;
+    let most = limit(observations.len(), most);
     if most == 0 {
         return offsets;
     }

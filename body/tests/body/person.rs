@@ -13,7 +13,7 @@ use ga_body::{JointPixel, Lengths};
 use ga_camera::observation::observe;
 use ga_camera::{Camera, Intrinsics};
 use ga_mannequin::Human;
-use ga_runtime::cga3::{Motor, Point, Rotor};
+use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
 const RATE: f64 = 30.0;
 const FRAMES: usize = 60;
@@ -216,6 +216,36 @@ fn views_that_begin_later_are_shifted_on_request() {
 }
 
 #[test]
+fn an_offset_at_the_limit_of_the_search_is_not_said_to_be_put_right() {
+    let cameras = cameras(3);
+    let views = joints(seen(&cameras, &[0, 6, 0], 7));
+    let options = RegistrationOptions {
+        most_frames: 4,
+        ..RegistrationOptions::default()
+    };
+    for synchronise in [false, true] {
+        let fitted = done(fit(&views, &cameras).registered(&options, true, synchronise));
+        assert_eq!(fitted.report.per_view[1].offset_frames, None);
+        let of_times = fitted.findings.iter();
+        let of_times: Vec<_> = of_times
+            .filter(|finding| finding.kind.contains("offset"))
+            .collect();
+        let [finding] = of_times.as_slice() else {
+            panic!("{of_times:?}");
+        };
+        assert_eq!(finding.kind, "unknown_offset");
+        assert_eq!(finding.severity, Severity::Doubtful);
+        assert_eq!(finding.view.as_deref(), Some("camera 2"));
+        assert!(
+            finding.message.contains("4 frames or more before"),
+            "{finding}"
+        );
+        // Nothing of that view is changed.
+        assert!(fitted.report.per_view[1].rotation_degrees.unwrap() < 1e-6);
+    }
+}
+
+#[test]
 fn a_rig_that_is_pitched_stands_on_its_floor() {
     let pitch = Rotor::from_axis_angle([1.0, 0.0, 0.3], 0.12).unwrap();
     let to_world = Motor::from(pitch);
@@ -249,6 +279,93 @@ fn a_rig_that_is_pitched_stands_on_its_floor() {
         let found = pose.pose.bones(fitted.character.skeleton()).unwrap()[foot][0][1];
         let truth = truth[foot].coordinates()[1];
         assert!((found - truth).abs() < 0.04, "{found} {truth}");
+    }
+}
+
+/// For each of `cameras(3)` the rotation vector and the translation of the other pose in which it
+/// sees the 6 × 5 corners of a board almost alike, with squares of 15 cm, from the origin along x
+/// and z: the local minimum of the squared distances of the corners, by
+/// `scipy.optimize.least_squares` from the reflected board. The distances are 4 to 6 px, RMS.
+const OTHER_POSES: [[[f64; 3]; 2]; 3] = [
+    [
+        [-0.453785, -0.156224, 0.110099],
+        [0.30724, 0.641415, 4.89969],
+    ],
+    [
+        [-0.426365, -1.125468, 0.436405],
+        [0.872907, 0.725009, 4.014432],
+    ],
+    [
+        [-0.233844, -2.456118, 0.854469],
+        [0.512539, 1.064072, 3.972255],
+    ],
+];
+
+#[test]
+fn cameras_in_the_other_pose_of_a_board_on_the_floor_are_turned_back() {
+    let right = cameras(3);
+    let views = joints(seen(&right, &[0; 3], 80));
+    let with_ground = GroundOptions {
+        has_upright_axis: true,
+        ..GroundOptions::default()
+    };
+    let fitted = |cameras: &[Camera]| {
+        let fit = fit(&views, cameras).with_board_poses();
+        let fit = fit.registered(&RegistrationOptions::default(), false, false);
+        done(fit.with_ground(with_ground))
+    };
+    let kinds = |fitted: &FittedCharacter, kind: &str| {
+        let own = fitted
+            .findings
+            .iter()
+            .filter(|finding| finding.kind == kind);
+        own.filter_map(|finding| finding.view.clone())
+            .collect::<Vec<String>>()
+    };
+    for wrong in [vec![0, 1, 2], vec![1]] {
+        let mut given = right.clone();
+        for &view in &wrong {
+            let [rotation, way] = OTHER_POSES[view];
+            let angle = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let rotor = Rotor::from_axis_angle(rotation, angle).unwrap();
+            given[view].world_to_camera = Translator::from_displacement(way) * rotor;
+        }
+        let found = fitted(&given);
+        let expected: Vec<String> = wrong.iter().map(|v| format!("camera {}", v + 1)).collect();
+        assert_eq!(kinds(&found, "mirrored_pose"), expected);
+        let ground = found.report.ground.as_ref().unwrap();
+        assert_eq!(ground.up, [0.0, 1.0, 0.0]);
+        assert!(kinds(&found, "below_floor").is_empty());
+        for (camera, truth) in found.cameras.iter().zip(&right) {
+            let (_, angle) = (camera.world_to_camera.rotor()
+                * truth.world_to_camera.rotor().reverse())
+            .canonical()
+            .to_axis_angle();
+            let apart = camera.centre().distance(truth.centre());
+            assert!(
+                angle.to_degrees() < 1.0,
+                "{wrong:?}: {}°",
+                angle.to_degrees()
+            );
+            assert!(apart < 0.1, "{wrong:?}: {apart} m");
+        }
+        assert!(error(&found) < 0.06, "{wrong:?}: {} m", error(&found));
+    }
+    // Right cameras stay, also those that hang upside down from a ceiling.
+    for angle in [0.0, std::f64::consts::PI] {
+        let rolled = Rotor::from_axis_angle([0.0, 0.0, 1.0], angle).unwrap();
+        let hung: Vec<Camera> = right
+            .iter()
+            .map(|camera| Camera {
+                world_to_camera: Motor::from(rolled) * camera.world_to_camera,
+                ..*camera
+            })
+            .collect();
+        let views = joints(seen(&hung, &[0; 3], 90));
+        let fit = fit(&views, &hung).with_board_poses();
+        let found = done(fit.with_ground(with_ground));
+        assert!(kinds(&found, "mirrored_pose").is_empty(), "{angle}");
+        assert!(error(&found) < 0.03, "{angle}: {} m", error(&found));
     }
 }
 
