@@ -97,6 +97,7 @@ fn shots(criterion: &mut Criterion) {
         sampling: Sampling::default(),
         bit_depth: 8,
         colours: YCbCr::default(),
+        pixel_aspect: [1, 1],
         frames_per_second: Some([24, 1]),
         frame_count: None,
     };

@@ -32,7 +32,7 @@ pub enum VideoError {
     },
     /// The file is of no format that this program reads.
     #[error(
-        "{}: not a video of a known format (Y4M, MP4, numbered pictures): it begins with \
+        "{}: not a video of a known format (Y4M, MP4, other films by ffmpeg, numbered pictures): it begins with \
          {start:02x?}",
         file.display()
     )]
@@ -42,16 +42,25 @@ pub enum VideoError {
         /// The first bytes.
         start: Vec<u8>,
     },
-    /// The program was built without the feature `mp4`.
+    /// The video is not decoded here, and the program ffmpeg, which does it, is not installed.
     #[error(
-        "{file}: MP4 is read where the program is built with the feature `mp4`; without it, let \
-         ffmpeg write to standard input, such as: ffmpeg -i {file} -f yuv4mpegpipe -pix_fmt \
-         yuv420p - | nullcone video keyframes -",
-        file = file.display()
+        "{file}: {problem}; where ffmpeg 5.1 or later is installed, it decodes the video, or let it \
+         write one that is read: ffmpeg -i {file} -fps_mode passthrough -strict -1 {y4m}",
+        file = file.display(), y4m = file.with_extension("y4m").display()
     )]
-    Mp4Feature {
+    NeedsFfmpeg {
         /// The file.
         file: PathBuf,
+        /// Why it is not decoded here.
+        problem: String,
+    },
+    /// The program ffmpeg does not read the video, or its pixels are not read here.
+    #[error("{}: {problem} (by ffmpeg)", file.display())]
+    Ffmpeg {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        problem: String,
     },
     /// The video has no frames.
     #[error("{}: the video has no frames", file.display())]
@@ -284,7 +293,8 @@ impl VideoError {
             | Self::Unmeasured { frame, .. } => Some(*frame),
             Self::Open { .. }
             | Self::UnknownFormat { .. }
-            | Self::Mp4Feature { .. }
+            | Self::NeedsFfmpeg { .. }
+            | Self::Ffmpeg { .. }
             | Self::Empty { .. }
             | Self::Interlaced { .. }
             | Self::Header { .. }

@@ -48,6 +48,8 @@ pub struct Properties {
     pub bit_depth: u32,
     /// Weights and range of the colours.
     pub colours: YCbCr,
+    /// Width and height of a pixel: 1 and 1 for a square.
+    pub pixel_aspect: [u32; 2],
     /// Frames in a second as numerator and denominator, where the video states one rate. Times of
     /// frames come from [`Frame::time_seconds`], also where the rate varies.
     pub frames_per_second: Option<[u32; 2]>,

@@ -122,6 +122,7 @@ impl ImageSource {
             sampling: Sampling::Full,
             bit_depth: 8,
             colours: COLOURS,
+            pixel_aspect: [1, 1],
             frames_per_second: rate,
             frame_count: Some(numbers.len()),
         };

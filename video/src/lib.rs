@@ -21,6 +21,7 @@ pub mod attention;
 #[cfg(feature = "comfort")]
 pub mod comfort;
 mod error;
+pub mod ffmpeg;
 pub mod frame;
 pub mod images;
 pub mod keyframe;

@@ -1,5 +1,6 @@
 //! Opening videos of any kind.
 
+use super::ffmpeg::{self, FfmpegSource};
 use super::images::{self, ImageSource};
 use super::y4m::Y4mSource;
 use crate::{Source, VideoError};
@@ -10,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// Opens a video: a Y4M file, or the standard input with Y4M where `path` is `-`; a folder of
 /// numbered pictures, a pattern such as `frame_%04d.png` or the first picture of a row (see
-/// [`ImageSource`]); H.264 in MP4 with the feature `mp4`.
+/// [`ImageSource`]); H.264 in MP4 with the feature `mp4`, where it is decoded exactly; and by the
+/// program ffmpeg, where that is installed, the films that it reads.
 ///
 /// ```
 /// use ga_image::plane::Plane;
@@ -35,7 +37,8 @@ use std::path::{Path, PathBuf};
 /// # Errors
 ///
 /// [`VideoError::Open`] when it cannot be read, [`VideoError::Empty`] for a file without bytes,
-/// [`VideoError::UnknownFormat`] when it is of another kind, and those of its format.
+/// [`VideoError::UnknownFormat`] when it is of another kind, [`VideoError::NeedsFfmpeg`] when only
+/// ffmpeg decodes it, and those of its format.
 pub fn open(path: impl AsRef<Path>) -> Result<Box<dyn Source + Send>, VideoError> {
     open_as(path.as_ref(), |path| ImageSource::new(path, None))
 }
@@ -74,16 +77,35 @@ fn open_as(
             Ok(Box::new(source))
         }
         Some(Kind::Picture) => Ok(Box::new(picture(path)?)),
-        #[cfg(feature = "mp4")]
-        Some(Kind::Mp4) => Ok(Box::new(super::mp4::Mp4Source::open(path)?)),
-        #[cfg(not(feature = "mp4"))]
-        Some(Kind::Mp4) => Err(VideoError::Mp4Feature { file: path.into() }),
+        Some(Kind::Mp4) => open_mp4(path),
+        Some(Kind::Film) => open_by_ffmpeg(path, "films of this kind are not decoded here".into()),
         None if start.is_empty() => Err(VideoError::Empty { file: path.into() }),
         None => Err(VideoError::UnknownFormat {
             file: path.into(),
             start: start[..start.len().min(8)].to_vec(),
         }),
     }
+}
+
+/// Opens an MP4: here, where it is decoded exactly, and otherwise by ffmpeg.
+fn open_mp4(path: &Path) -> Result<Box<dyn Source + Send>, VideoError> {
+    #[cfg(feature = "mp4")]
+    let problem = match super::mp4::Mp4Source::open(path) {
+        Err(VideoError::Mp4 { problem, .. }) => problem,
+        source => return Ok(Box::new(source?)),
+    };
+    #[cfg(not(feature = "mp4"))]
+    let problem = "MP4 is decoded here where the program is built with the feature `mp4`".into();
+    open_by_ffmpeg(path, problem)
+}
+
+/// Opens a video by ffmpeg, where it is installed; `problem` says why it is not decoded here.
+fn open_by_ffmpeg(path: &Path, problem: String) -> Result<Box<dyn Source + Send>, VideoError> {
+    if ffmpeg::is_installed() {
+        return Ok(Box::new(FfmpegSource::open(path)?));
+    }
+    let file = path.into();
+    Err(VideoError::NeedsFfmpeg { file, problem })
 }
 
 /// Bytes by which the kind of a file is known.
@@ -93,18 +115,43 @@ enum Kind {
     Y4m,
     Picture,
     Mp4,
+    /// Another container of films, or a stream without one.
+    Film,
 }
+
+/// How films of other kinds begin: Matroska, MPEG transport and program streams, streams of H.264
+/// and H.265, Flash, Ogg, ASF, MXF and IVF.
+const FILMS: [&[u8]; 9] = [
+    &[0x1a, 0x45, 0xdf, 0xa3],
+    &[0x47],
+    &[0, 0, 1],
+    &[0, 0, 0, 1],
+    b"FLV\x01",
+    b"OggS",
+    &[0x30, 0x26, 0xb2, 0x75],
+    &[0x06, 0x0e, 0x2b, 0x34],
+    b"DKIF",
+];
 
 impl Kind {
     fn of(start: &[u8]) -> Option<Self> {
         if start.starts_with(b"YUV4MPEG2") {
             return Some(Self::Y4m);
         }
-        // A box has its length before its name.
-        if start.get(4..8) == Some(b"ftyp") {
+        // A box has its length before its name. QuickTime may begin without a brand.
+        let is_box = |name: &[u8; 4]| start.get(4..8) == Some(name);
+        if [b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip"]
+            .into_iter()
+            .any(is_box)
+        {
             return Some(Self::Mp4);
         }
-        Format::detect(start).map(|_| Self::Picture)
+        if Format::detect(start).is_some() {
+            return Some(Self::Picture);
+        }
+        let is_avi = start.starts_with(b"RIFF") && start.get(8..12) == Some(b"AVI ");
+        let is_film = is_avi || FILMS.iter().any(|magic| start.starts_with(magic));
+        is_film.then_some(Self::Film)
     }
 }
 

@@ -130,6 +130,7 @@ fn properties(header: &Header) -> Properties {
         sampling: header.film.sampling,
         bit_depth: header.bit_depth,
         colours: header.film.colours,
+        pixel_aspect: header.film.pixel_aspect,
         frames_per_second: header.has_rate.then_some(header.film.frames_per_second),
         frame_count: None,
     }

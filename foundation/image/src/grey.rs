@@ -27,7 +27,7 @@ mod tests {
 
     #[test]
     fn integers_agree_with_the_weights() {
-        for luma in [Luma::Bt601, Luma::Bt709] {
+        for luma in [Luma::Bt601, Luma::Bt709, Luma::Bt2020] {
             for rgb in [
                 [1u8, 2, 3],
                 [255, 0, 0],

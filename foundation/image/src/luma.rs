@@ -25,6 +25,8 @@ pub enum Luma {
     Bt601,
     /// ITU-R BT.709, also the luminance of sRGB's primaries: 0.2126, 0.7152, 0.0722.
     Bt709,
+    /// ITU-R BT.2020 with luma that is not constant luminance: 0.2627, 0.678, 0.0593.
+    Bt2020,
 }
 
 impl Luma {
@@ -34,6 +36,7 @@ impl Luma {
         match self {
             Self::Bt601 => [0.299, 0.587, 0.114],
             Self::Bt709 => [0.2126, 0.7152, 0.0722],
+            Self::Bt2020 => [0.2627, 0.678, 0.0593],
         }
     }
 }
@@ -48,6 +51,7 @@ pub(crate) fn weighted_bytes(rgb: [u8; 3], luma: Luma) -> u8 {
     let [red, green, blue]: [u32; 3] = match luma {
         Luma::Bt601 => [9798, 19235, 3735],
         Luma::Bt709 => [6966, 23436, 2366],
+        Luma::Bt2020 => [8608, 22217, 1943],
     };
     let [r, g, b] = rgb.map(u32::from);
     ((red * r + green * g + blue * b + (1 << 14)) >> 15) as u8

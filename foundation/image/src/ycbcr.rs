@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn colours_survive_the_way_there_and_back() {
-        for luma in [Luma::Bt601, Luma::Bt709] {
+        for luma in [Luma::Bt601, Luma::Bt709, Luma::Bt2020] {
             for range in [Range::Limited, Range::Full] {
                 let video = YCbCr { luma, range };
                 for code in 0..4096u32 {

@@ -1,24 +1,23 @@
 //! H.264 in MP4 (feature `mp4`), read and written.
 
 mod boxes;
-mod sequence;
+mod stream;
 mod table;
 mod writer;
 
-use std::collections::VecDeque;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use ga_image::orientation::Orientation;
 use ga_image::plane::Plane;
 use ga_image::y4m::Sampling;
-use openh264::OpenH264API;
-use openh264::decoder::{DecodedYUV, Decoder, DecoderConfig, Flush};
-use openh264::formats::YUVSource;
+use rusty_h264_decoder::Decoder;
 
 use self::boxes::{Index, Node};
-use self::sequence::{Configuration, Sequence};
+use self::stream::{PictureSlices, Stream};
 use self::table::{Sample, Table};
 use super::{Frame, Planes, Properties, Samples, Source};
 use crate::VideoError;
@@ -27,9 +26,11 @@ pub use self::writer::Writer;
 
 /// A video in MP4, encoded with H.264: 8 bits, 4:2:0, not interlaced.
 ///
-/// Samples are read and decoded one after another. Frames come in the order in which they are
-/// shown, each at its own time; those that the edit list leaves out are decoded, not returned. Of
-/// an unreadable file, all frames that are shown before the first one that is lost are returned.
+/// Pictures are those of the encoder to the bit: a stream is refused that uses what the decoder
+/// does not do exactly, whose names the errors give. They are upright, as the file says. Samples
+/// are read and decoded one after another. Frames come in the order in which they are shown, each
+/// at its own time; those that the edit list leaves out are decoded, not returned. Of an unreadable
+/// file, all frames that are shown before the first one that is lost are returned.
 pub struct Mp4Source<R = File> {
     path: PathBuf,
     file: R,
@@ -37,27 +38,34 @@ pub struct Mp4Source<R = File> {
     length: u64,
     /// Samples in the order of decoding.
     samples: Vec<Sample>,
+    /// The place of each sample in the order in which they are shown.
+    places: Vec<usize>,
     /// The times of all samples, in the order in which they are shown.
     times: Vec<i64>,
     timescale: u32,
-    /// Which of the times are returned.
+    /// Which of the places are returned.
     shown: Range<usize>,
     /// Bytes of the lengths before units.
     length_bytes: usize,
+    orientation: Orientation,
     properties: Properties,
     decoder: Decoder,
     /// What the decoder is given next; before the first sample, the parameter sets.
     packet: Vec<u8>,
     next_sample: usize,
-    /// Frames that the decoder has returned.
-    decoded: usize,
-    /// Frames that were in the decoder at the end.
-    rest: VecDeque<Planes<u8>>,
+    next_place: usize,
+    /// Pictures that are decoded before others that are shown earlier, by their places.
+    waiting: BTreeMap<usize, Planes<u8>>,
     /// Why no more samples are decoded.
     failure: Option<Failure>,
-    is_flushed: bool,
     has_ended: bool,
 }
+
+/// The most pictures that are decoded before one that is shown earlier: H.264 has 16.
+const MOST_WAITING: usize = 17;
+
+/// Bytes within which the header of a slice ends.
+const HEADER: u64 = 512;
 
 /// A sample that cannot be decoded.
 enum Failure {
@@ -88,8 +96,7 @@ impl<R: Read + Seek> Mp4Source<R> {
     /// # Errors
     ///
     /// [`VideoError::Open`] when the index cannot be read, [`VideoError::Mp4`] when it is wrong or
-    /// the video is of a kind that is not decoded, [`VideoError::Interlaced`],
-    /// [`VideoError::Empty`].
+    /// the video is of a kind that is not decoded, [`VideoError::Empty`].
     pub fn new(mut file: R, path: impl AsRef<Path>) -> Result<Self, VideoError> {
         let path = path.as_ref();
         let unreadable = |source| VideoError::Open {
@@ -103,93 +110,112 @@ impl<R: Read + Seek> Mp4Source<R> {
         let length = file.seek(SeekFrom::End(0)).map_err(unreadable)?;
         let index = Index::read(&mut file, length).map_err(unreadable)?;
         let index = index.map_err(wrong)?;
-        let (configuration, table) = read_index(index.root(), length).map_err(wrong)?;
-        let sequence = sequence(&configuration).map_err(wrong)?;
-        if sequence.is_interlaced {
-            return Err(VideoError::Interlaced { file: path.into() });
+        let (stream, table) = read_index(index.root(), length).map_err(wrong)?;
+        let mut order: Vec<usize> = (0..table.samples.len()).collect();
+        order.sort_by_key(|&sample| table.samples[sample].time);
+        let mut places = vec![0; order.len()];
+        for (place, &sample) in order.iter().enumerate() {
+            places[sample] = place;
         }
-        let mut times: Vec<i64> = table.samples.iter().map(|sample| sample.time).collect();
-        times.sort_unstable();
+        let times: Vec<i64> = order
+            .iter()
+            .map(|&sample| table.samples[sample].time)
+            .collect();
         let shown = times.partition_point(|time| *time < table.shown.start)
             ..times.partition_point(|time| *time < table.shown.end);
         if shown.is_empty() {
             return Err(VideoError::Empty { file: path.into() });
         }
-        let settings = DecoderConfig::new().flush_after_decode(Flush::NoFlush);
-        let decoder = Decoder::with_api_config(OpenH264API::from_source(), settings)
-            .map_err(|error| wrong(format!("the decoder did not start: {error}")))?;
-        Ok(Self {
+        let mut source = Self {
             path: path.into(),
             file,
             length,
             properties: Properties {
-                size: sequence.size,
+                size: oriented(stream.size, stream.orientation),
                 sampling: Sampling::Quarter,
                 bit_depth: 8,
-                colours: sequence.colours,
+                colours: stream.colours,
+                pixel_aspect: match exchanges_sides(stream.orientation) {
+                    true => [table.pixel_aspect[1], table.pixel_aspect[0]],
+                    false => table.pixel_aspect,
+                },
                 frames_per_second: constant_rate(&times[shown.clone()], table.timescale),
                 frame_count: Some(shown.len()),
             },
             samples: table.samples,
+            places,
             times,
             timescale: table.timescale,
             shown,
-            length_bytes: configuration.length_bytes,
-            decoder,
-            packet: parameter_sets(&configuration),
+            length_bytes: stream.length_bytes,
+            orientation: stream.orientation,
+            decoder: Decoder::new(),
+            packet: parameter_sets(&stream),
             next_sample: 0,
-            decoded: 0,
-            rest: VecDeque::new(),
+            next_place: 0,
+            waiting: BTreeMap::new(),
             failure: None,
-            is_flushed: false,
             has_ended: false,
-        })
+        };
+        source.check(stream).map_err(|problem| VideoError::Mp4 {
+            file: path.into(),
+            problem,
+        })?;
+        Ok(source)
     }
 
-    /// Decodes until there is a frame. Returns whether there is one.
-    fn decode(&mut self, planes: &mut Planes<u8>) -> Result<bool, VideoError> {
-        loop {
-            if let Some(last) = self.rest.pop_front() {
-                *planes = last;
-                return Ok(true);
-            }
-            if self.is_flushed {
-                return Ok(false);
-            }
-            if self.failure.is_none() && self.next_sample < self.samples.len() {
-                if let Err(failure) = self.load_sample() {
-                    self.failure = Some(failure);
-                    continue;
+    /// Reads the headers of all samples that are in the file: whether they are decoded exactly.
+    fn check(&mut self, mut stream: Stream) -> Result<(), String> {
+        for (sample, &Sample { offset, size, .. }) in self.samples.iter().enumerate() {
+            let end = offset.saturating_add(u64::from(size));
+            let (mut at, mut picture) = (offset, PictureSlices::default());
+            while at < end {
+                let mut length = [0; 4];
+                let used = &mut length[4 - self.length_bytes..];
+                if read_at(&mut self.file, at, used).is_err() {
+                    return Ok(());
                 }
-                let decoded = self.decoder.decode(&self.packet);
-                self.packet.clear();
-                match decoded {
-                    Ok(frame) => {
-                        self.next_sample += 1;
-                        if let Some(frame) = frame {
-                            copy(&frame, planes);
-                            return Ok(true);
-                        }
-                    }
-                    Err(error) => self.failure = Some(Failure::Decoding(error.to_string())),
+                at += self.length_bytes as u64;
+                let length = u64::from(u32::from_be_bytes(length));
+                let mut unit = vec![0; length.min(HEADER) as usize];
+                // What cannot be read is said when its frame is.
+                if at + length > end || read_at(&mut self.file, at, &mut unit).is_err() {
+                    return Ok(());
                 }
-                continue;
-            }
-            self.is_flushed = true;
-            match self.decoder.flush_remaining() {
-                Ok(frames) => {
-                    for frame in frames {
-                        let mut planes = Planes::default();
-                        copy(&frame, &mut planes);
-                        self.rest.push_back(planes);
-                    }
-                }
-                Err(error) => {
-                    let problem = Failure::Decoding(error.to_string());
-                    self.failure.get_or_insert(problem);
-                }
+                let checked = stream.check(&unit, &mut picture);
+                checked.map_err(|problem| {
+                    let frame = self.places[sample].saturating_sub(self.shown.start);
+                    format!("frame {frame}: {problem}")
+                })?;
+                at += length;
             }
         }
+        Ok(())
+    }
+
+    /// Decodes the next sample.
+    fn decode(&mut self) -> Result<Planes<u8>, Failure> {
+        self.load_sample()?;
+        let decoded = self.decoder.decode(&self.packet);
+        self.packet.clear();
+        let decoded = decoded.map_err(|error| Failure::Decoding(error.to_string()))?;
+        let picture =
+            decoded.ok_or_else(|| Failure::Decoding("its sample holds no picture".into()))?;
+        let size = [picture.width, picture.height];
+        let plane = |size: [usize; 2], values| {
+            let plane = Plane::from_values(size[0], size[1], values);
+            plane.map_err(|error| Failure::Decoding(error.to_string()))
+        };
+        let half = Sampling::Quarter.difference_size(size);
+        let differences = [plane(half, picture.u)?, plane(half, picture.v)?];
+        let luma = plane(size, picture.y)?;
+        Ok(match self.orientation {
+            Orientation::NoTransforms => Planes { luma, differences },
+            orientation => Planes {
+                luma: luma.oriented(orientation),
+                differences: differences.map(|plane| plane.oriented(orientation)),
+            },
+        })
     }
 
     /// Adds a sample to the packet, each unit after the bytes that begin one.
@@ -231,22 +257,10 @@ impl<R: Read + Seek> Mp4Source<R> {
         Ok(())
     }
 
-    /// How many of the frames that are shown come before all that are lost.
-    fn intact(&self) -> usize {
-        let lost = self.samples.get(self.next_sample..).unwrap_or_default();
-        let first = lost.iter().map(|sample| sample.time).min();
-        match first {
-            Some(first) if self.failure.is_some() => {
-                self.times.partition_point(|time| *time < first)
-            }
-            _ => self.times.len(),
-        }
-    }
-
+    /// Why there is no frame at the next place.
     fn error(&mut self) -> VideoError {
         let file = self.path.clone();
-        let last = self.intact().min(self.decoded);
-        let frame = last.saturating_sub(self.shown.start);
+        let frame = self.next_place.saturating_sub(self.shown.start);
         match self.failure.take() {
             Some(Failure::Truncated) => VideoError::Truncated { file, frame },
             Some(Failure::Read(source)) => VideoError::Read {
@@ -259,15 +273,7 @@ impl<R: Read + Seek> Mp4Source<R> {
                 frame,
                 problem,
             },
-            None => VideoError::Decoding {
-                file,
-                frame,
-                problem: format!(
-                    "{} samples gave {} frames",
-                    self.samples.len(),
-                    self.decoded
-                ),
-            },
+            None => VideoError::Empty { file },
         }
     }
 }
@@ -278,47 +284,76 @@ impl<R: Read + Seek> Source for Mp4Source<R> {
     }
 
     fn read(&mut self, frame: &mut Frame) -> Result<bool, VideoError> {
-        let mut planes = frame.samples.take_eight();
-        while !self.has_ended {
-            self.has_ended = true;
-            let has_frame = self.decode(&mut planes)?;
-            // The decoder returns frames in the order in which they are shown.
-            let number = self.decoded;
-            if !has_frame && self.failure.is_none() && number == self.samples.len() {
-                break;
+        while !self.has_ended && self.next_place < self.shown.end {
+            if let Some(planes) = self.waiting.remove(&self.next_place) {
+                let place = self.next_place;
+                self.next_place += 1;
+                if place < self.shown.start {
+                    continue;
+                }
+                let index = place - self.shown.start;
+                let size = [planes.luma.width(), planes.luma.height()];
+                if size != self.properties.size {
+                    self.has_ended = true;
+                    return Err(VideoError::Size {
+                        file: self.path.clone(),
+                        frame: index,
+                        size,
+                        first: self.properties.size,
+                    });
+                }
+                frame.samples = Samples::Eight(planes);
+                frame.index = index;
+                let since = self.times[place].saturating_sub(self.times[self.shown.start]);
+                frame.time_seconds = since as f64 / f64::from(self.timescale);
+                return Ok(true);
             }
-            if !has_frame || number >= self.intact() {
+            if self.failure.is_some() || self.next_sample == self.samples.len() {
+                self.has_ended = true;
                 return Err(self.error());
             }
-            self.decoded += 1;
-            if number >= self.shown.end {
-                break;
+            match self.decode() {
+                Ok(planes) => {
+                    self.waiting.insert(self.places[self.next_sample], planes);
+                    self.next_sample += 1;
+                    if self.waiting.len() > MOST_WAITING {
+                        let problem = "it is decoded later than H.264 allows".into();
+                        self.failure = Some(Failure::Decoding(problem));
+                    }
+                }
+                Err(failure) => self.failure = Some(failure),
             }
-            let size = [planes.luma.width(), planes.luma.height()];
-            if size != self.properties.size {
-                return Err(VideoError::Size {
-                    file: self.path.clone(),
-                    frame: number.saturating_sub(self.shown.start),
-                    size,
-                    first: self.properties.size,
-                });
-            }
-            self.has_ended = false;
-            if number < self.shown.start {
-                continue;
-            }
-            frame.samples = Samples::Eight(planes);
-            frame.index = number - self.shown.start;
-            let since = self.times[number].saturating_sub(self.times[self.shown.start]);
-            frame.time_seconds = since as f64 / f64::from(self.timescale);
-            return Ok(true);
         }
         Ok(false)
     }
 }
 
-/// The settings of the decoder and the samples of the first video track.
-fn read_index(moov: Node<'_>, length: u64) -> Result<(Configuration, Table), String> {
+fn read_at(file: &mut (impl Read + Seek), at: u64, bytes: &mut [u8]) -> io::Result<()> {
+    file.seek(SeekFrom::Start(at))?;
+    file.read_exact(bytes)
+}
+
+/// Whether columns become rows.
+fn exchanges_sides(orientation: Orientation) -> bool {
+    oriented([0, 1], orientation) != [0, 1]
+}
+
+/// Columns and rows of pictures of this size that are made upright.
+fn oriented([width, height]: [usize; 2], orientation: Orientation) -> [usize; 2] {
+    match orientation {
+        Orientation::NoTransforms
+        | Orientation::FlipHorizontal
+        | Orientation::FlipVertical
+        | Orientation::Rotate180 => [width, height],
+        Orientation::Rotate90
+        | Orientation::Rotate90FlipH
+        | Orientation::Rotate270
+        | Orientation::Rotate270FlipH => [height, width],
+    }
+}
+
+/// What the headers say, and the samples of the first video track.
+fn read_index(moov: Node<'_>, length: u64) -> Result<(Stream, Table), String> {
     if moov.find(b"mvex")?.is_some() {
         return Err("an MP4 in fragments is not read".into());
     }
@@ -333,9 +368,13 @@ fn read_index(moov: Node<'_>, length: u64) -> Result<(Configuration, Table), Str
         }
         let stsd = mdia.child(b"minf")?.child(b"stbl")?.child(b"stsd")?;
         // A version and a count stand before the entries.
-        let Some(entry) = stsd.children(8)?.into_iter().next() else {
+        let entries = stsd.children(8)?;
+        let Some(entry) = entries.first() else {
             return Err("the video has no description".into());
         };
+        if entries.len() > 1 {
+            return Err("a video with several descriptions is not read".into());
+        }
         if !matches!(&entry.name, b"avc1" | b"avc3") {
             return Err(format!(
                 "the video is encoded as {}; H.264 (avc1) is decoded",
@@ -343,38 +382,21 @@ fn read_index(moov: Node<'_>, length: u64) -> Result<(Configuration, Table), Str
             ));
         }
         // The description of a picture has 78 bytes, then boxes.
-        let boxes = entry.children(78)?.into_iter();
-        let Some(settings) = boxes.into_iter().find(|child| child.name == *b"avcC") else {
-            return Err("the box avcC is missing".into());
-        };
-        let configuration = Configuration::read(settings.contents())
-            .ok_or("the box avcC ends within a parameter set")?;
-        return Ok((configuration, Table::new(moov, trak, length)?));
+        let boxes = entry.children(78)?;
+        let found = |name: &[u8; 4]| boxes.iter().find(|child| child.name == *name);
+        let settings = found(b"avcC").ok_or("the box avcC is missing")?;
+        let stream = Stream::read(settings.contents(), table::orientation(trak)?)?;
+        let mut table = Table::new(moov, trak, length)?;
+        let of_file = found(b"pasp").and_then(|pasp| table::pixel_aspect(pasp.contents()));
+        table.pixel_aspect = of_file.or(stream.pixel_aspect).unwrap_or([1, 1]);
+        return Ok((stream, table));
     }
     Err("the file has no video".into())
 }
 
-/// The first sequence parameter set, if it is of a kind that the decoder knows.
-fn sequence(configuration: &Configuration) -> Result<Sequence, String> {
-    let unit = configuration.sets.first();
-    let sequence = unit
-        .and_then(|unit| Sequence::read(unit))
-        .ok_or("the sequence parameter set is missing or wrong")?;
-    if sequence.chroma != 1 {
-        return Err("only 4:2:0 is decoded of H.264".into());
-    }
-    if sequence.bit_depth != 8 {
-        return Err(format!(
-            "{} bits are not decoded of H.264, only 8",
-            sequence.bit_depth
-        ));
-    }
-    Ok(sequence)
-}
-
-fn parameter_sets(configuration: &Configuration) -> Vec<u8> {
+fn parameter_sets(stream: &Stream) -> Vec<u8> {
     let mut packet = Vec::new();
-    for unit in &configuration.sets {
+    for unit in &stream.sets {
         add_unit(&mut packet, unit);
     }
     packet
@@ -403,25 +425,4 @@ fn greatest_divisor(a: u32, b: u32) -> u32 {
     } else {
         greatest_divisor(b, a % b)
     }
-}
-
-fn copy(frame: &DecodedYUV<'_>, planes: &mut Planes<u8>) {
-    let (width, height) = frame.dimensions();
-    let half = Sampling::Quarter.difference_size([width, height]);
-    let strides = frame.strides();
-    let [cb, cr] = &mut planes.differences;
-    copy_plane(frame.y(), strides.0, [width, height], &mut planes.luma);
-    copy_plane(frame.u(), strides.1, half, cb);
-    copy_plane(frame.v(), strides.2, half, cr);
-}
-
-fn copy_plane(source: &[u8], stride: usize, [width, height]: [usize; 2], target: &mut Plane<u8>) {
-    let mut values = std::mem::take(target).into_values();
-    values.clear();
-    for row in source.chunks(stride.max(1)).take(height) {
-        values.extend_from_slice(&row[..width.min(row.len())]);
-    }
-    // A decoder that returns less than it says would leave the plane empty, which is then found to
-    // differ in size.
-    *target = Plane::from_values(width, height, values).unwrap_or_default();
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use ga_image::orientation::Orientation;
 use re_mp4::{Co64Box, CttsBox, ElstBox, MdhdBox, MvhdBox, StcoBox, StscBox, StszBox, SttsBox};
 
 use super::boxes::Node;
@@ -25,6 +26,8 @@ pub(super) struct Table {
     pub(super) timescale: u32,
     /// The times at which samples are shown; others are only decoded.
     pub(super) shown: Range<i64>,
+    /// Width and height of a pixel.
+    pub(super) pixel_aspect: [u32; 2],
 }
 
 impl Table {
@@ -44,6 +47,7 @@ impl Table {
             samples,
             timescale,
             shown: shown(moov, trak, timescale)?,
+            pixel_aspect: [1, 1],
         })
     }
 }
@@ -166,4 +170,47 @@ fn shown(moov: Node<'_>, trak: Node<'_>, timescale: u32) -> Result<Range<i64>, S
     let duration = scaled.div_ceil(u128::from(mvhd.timescale.max(1)));
     let duration = i64::try_from(duration).unwrap_or(i64::MAX);
     Ok(start..start.saturating_add(duration))
+}
+
+/// How pictures are placed on the screen: the matrix of the box `tkhd`, which takes (x, y), y
+/// downwards, to (a x + c y, b x + d y).
+pub(super) fn orientation(trak: Node<'_>) -> Result<Orientation, String> {
+    let Some(tkhd) = trak.find(b"tkhd")? else {
+        return Ok(Orientation::NoTransforms);
+    };
+    let tkhd = tkhd.contents();
+    // Times and the duration have 64 bits from version 1 on.
+    let start = if tkhd.first() == Some(&0) { 40 } else { 52 };
+    let numbers = tkhd
+        .get(start..start + 20)
+        .ok_or("the box tkhd ends within its matrix")?;
+    let at = |k: usize| {
+        let number = numbers[4 * k..]
+            .first_chunk()
+            .map_or(0, |n| i32::from_be_bytes(*n));
+        f64::from(number) / 65536.0
+    };
+    match [at(0), at(1), at(3), at(4)] {
+        [1.0, 0.0, 0.0, 1.0] => Ok(Orientation::NoTransforms),
+        [0.0, 1.0, -1.0, 0.0] => Ok(Orientation::Rotate90),
+        [-1.0, 0.0, 0.0, -1.0] => Ok(Orientation::Rotate180),
+        [0.0, -1.0, 1.0, 0.0] => Ok(Orientation::Rotate270),
+        [-1.0, 0.0, 0.0, 1.0] => Ok(Orientation::FlipHorizontal),
+        [1.0, 0.0, 0.0, -1.0] => Ok(Orientation::FlipVertical),
+        [0.0, 1.0, 1.0, 0.0] => Ok(Orientation::Rotate90FlipH),
+        [0.0, -1.0, -1.0, 0.0] => Ok(Orientation::Rotate270FlipH),
+        [a, b, c, d] => Err(format!(
+            "pictures that the matrix ({a}, {b}; {c}, {d}) places on the screen are not read"
+        )),
+    }
+}
+
+/// Width and height of a pixel: the contents of the box `pasp`.
+pub(super) fn pixel_aspect(contents: &[u8]) -> Option<[u32; 2]> {
+    let (numbers, _) = contents.as_chunks::<4>();
+    let [across, down, ..] = *numbers else {
+        return None;
+    };
+    let aspect = [across, down].map(u32::from_be_bytes);
+    Some(aspect).filter(|aspect| !aspect.contains(&0))
 }

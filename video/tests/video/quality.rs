@@ -30,6 +30,7 @@ impl Memory {
                 sampling: Sampling::Quarter,
                 bit_depth: first.bit_depth(),
                 colours: YCbCr::default(),
+                pixel_aspect: [1, 1],
                 frames_per_second: Some([25, 1]),
                 frame_count: Some(frames.len()),
             },

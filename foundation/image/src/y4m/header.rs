@@ -52,9 +52,16 @@ pub(super) fn parse(line: &[u8]) -> Result<Header, FormatError> {
     };
     let mut header = Header::default();
     let mut offset = MAGIC.len();
+    let (mut sampling_said, mut sampling_of_comment) = (false, None);
     for word in words.split(|c: char| c.is_ascii_whitespace()) {
         header.read_word(word, offset)?;
+        sampling_said |= word.starts_with('C');
+        // As mjpegtools before 1.9 had it.
+        sampling_of_comment = word.strip_prefix("XYSCSS=").or(sampling_of_comment);
         offset += word.len() + 1;
+    }
+    if let Some(value) = sampling_of_comment.filter(|_| !sampling_said) {
+        (header.film.sampling, header.bit_depth) = sampling(&value.to_ascii_lowercase())?;
     }
     if header.size.contains(&0) {
         return Err(syntax(
@@ -94,9 +101,23 @@ impl Header {
             Some('W') => self.size[0] = number(value, offset)?,
             Some('H') => self.size[1] = number(value, offset)?,
             Some('F') => {
-                if let Some(rate) = rate(value, offset)? {
+                if let Some(rate) = ratio(
+                    value,
+                    offset,
+                    "the rate of frames is not a ratio of positive numbers",
+                )? {
                     self.film.frames_per_second = rate;
                     self.has_rate = true;
+                }
+            }
+            Some('A') => {
+                // `A0:0` says that the shape is not known.
+                if let Some(aspect) = ratio(
+                    value,
+                    offset,
+                    "the shape of a pixel is not a ratio of positive numbers",
+                )? {
+                    self.film.pixel_aspect = aspect;
                 }
             }
             Some('C') => (self.film.sampling, self.bit_depth) = sampling(value)?,
@@ -137,15 +158,19 @@ fn sampling(value: &str) -> Result<(Sampling, u32), FormatError> {
     })
 }
 
-/// A rate, or `None` where it is said to be unknown.
-fn rate(value: &str, offset: usize) -> Result<Option<[u32; 2]>, FormatError> {
-    let (numerator, denominator) = value
+/// A ratio of positive numbers, or `None` where it is said to be unknown.
+fn ratio(
+    value: &str,
+    offset: usize,
+    problem: &'static str,
+) -> Result<Option<[u32; 2]>, FormatError> {
+    let numbers = value
         .split_once(':')
-        .ok_or_else(|| syntax(offset, "the rate of frames is not a ratio"))?;
-    match [number(numerator, offset)?, number(denominator, offset)?] {
+        .ok_or_else(|| syntax(offset, problem))?;
+    match [number(numbers.0, offset)?, number(numbers.1, offset)?] {
         [0, 0] => Ok(None),
-        [0, _] | [_, 0] => Err(syntax(offset, "the rate of frames is not positive")),
-        rate => Ok(Some(rate)),
+        [0, _] | [_, 0] => Err(syntax(offset, problem)),
+        ratio => Ok(Some(ratio)),
     }
 }
 

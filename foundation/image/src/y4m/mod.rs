@@ -51,15 +51,18 @@ pub struct Film {
     pub sampling: Sampling,
     /// Weights and range of the colours. The file states the range, not the weights.
     pub colours: YCbCr,
+    /// Width and height of a pixel: 1 and 1 for a square.
+    pub pixel_aspect: [u32; 2],
 }
 
 impl Default for Film {
-    /// 25 frames in a second, 4:2:0, BT.601, limited range.
+    /// 25 frames in a second, 4:2:0, BT.601, limited range, square pixels.
     fn default() -> Self {
         Self {
             frames_per_second: [25, 1],
             sampling: Sampling::default(),
             colours: YCbCr::default(),
+            pixel_aspect: [1, 1],
         }
     }
 }

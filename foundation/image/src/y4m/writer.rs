@@ -148,8 +148,9 @@ fn header([width, height]: [usize; 2], bit_depth: u32, film: Film) -> String {
         Range::Full => "FULL",
     };
     let [numerator, denominator] = film.frames_per_second;
+    let [across, down] = film.pixel_aspect;
     format!(
-        "YUV4MPEG2 W{width} H{height} F{numerator}:{denominator} Ip A1:1 C{sampling} \
+        "YUV4MPEG2 W{width} H{height} F{numerator}:{denominator} Ip A{across}:{down} C{sampling} \
          XCOLORRANGE={range}\n"
     )
 }

@@ -29,10 +29,12 @@ fn a_film_at_full_sampling_comes_back() {
             frames_per_second: [30000, 1001],
             sampling: Sampling::Full,
             colours,
+            pixel_aspect: [4, 3],
         };
         let bytes = y4m::encode(frames(), film).unwrap();
         let reader = Reader::new(&bytes).unwrap();
         assert_eq!(reader.film().frames_per_second, [30000, 1001]);
+        assert_eq!(reader.film().pixel_aspect, [4, 3]);
         assert_eq!(reader.film().colours.range, range);
         let read: Vec<_> = reader.map(|frame| frame.unwrap().to_rgb(colours)).collect();
         assert_eq!(read.len(), 3);

@@ -218,6 +218,7 @@ proptest! {
             frames_per_second: [24000, 1001],
             sampling,
             colours: YCbCr { range: Range::Full, ..YCbCr::default() },
+            ..Film::default()
         };
         let pictures = (0..count).map(|index| Plane::from_fn(width, height, |column, row| {
             let mix = seed.wrapping_mul(31).wrapping_add((17 * column + 5 * row + index) as u8);

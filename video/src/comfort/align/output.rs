@@ -29,6 +29,7 @@ impl Plan {
             frames_per_second: properties.rate(frames, last_seconds),
             sampling: properties.sampling,
             colours: properties.colours,
+            pixel_aspect: properties.pixel_aspect,
         };
         let [width, height] = properties.size;
         let size = match layout {

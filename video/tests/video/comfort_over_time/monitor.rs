@@ -35,6 +35,7 @@ pub(super) fn of_frames(frames: &[[Frame; 2]]) -> Vec<Record> {
         sampling: Sampling::default(),
         bit_depth: 8,
         colours: YCbCr::default(),
+        pixel_aspect: [1, 1],
         frames_per_second: Some([24, 1]),
         frame_count: None,
     };

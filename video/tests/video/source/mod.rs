@@ -5,6 +5,7 @@ mod images;
 mod mp4;
 #[cfg(feature = "mp4")]
 mod mp4_written;
+mod reference;
 mod stereo;
 mod y4m;
 
@@ -110,23 +111,6 @@ fn a_file_of_another_kind_is_named() {
     let absent = open(folder.path().join("absent.y4m")).err().unwrap();
     assert!(matches!(absent, VideoError::Open { .. }), "{absent}");
     assert_eq!(absent.frame(), None);
-}
-
-#[cfg(not(feature = "mp4"))]
-#[test]
-fn without_its_feature_mp4_names_the_feature_and_the_pipe() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("clip.mp4");
-    std::fs::write(&path, b"\0\0\0\x18ftypisom\0\0\x02\0").unwrap();
-    let message = open(&path).err().unwrap().to_string();
-    let pipe = format!(
-        "ffmpeg -i {} -f yuv4mpegpipe -pix_fmt yuv420p - | nullcone video keyframes -",
-        path.display()
-    );
-    assert!(
-        message.contains("feature `mp4`") && message.contains(&pipe),
-        "{message}"
-    );
 }
 
 #[test]

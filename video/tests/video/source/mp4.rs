@@ -375,7 +375,7 @@ fn videos_that_are_not_decoded_are_named() {
         let place = bytes.windows(4).position(|name| name == from).unwrap();
         bytes[place..place + 4].copy_from_slice(to);
         let path = write(&folder, &bytes);
-        open(&path).err().unwrap().to_string()
+        Mp4Source::open(&path).err().unwrap().to_string()
     };
     // The first place of each is in the index; `avc1` is also a brand, in the first box.
     let cases = [
