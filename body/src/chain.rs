@@ -1,7 +1,7 @@
 //! A skeleton as a function of its rotations, with derivatives.
 
 use ga_anim::pose::Pose;
-use ga_runtime::cga3::{Direction, Motor, Rotor, Translator};
+use ga_runtime::cga3::{Direction, Motor, Point, Rotor, Translator};
 use ga_runtime::geometry::RotationPath;
 use ga_runtime::vga3::Vector;
 
@@ -236,6 +236,14 @@ impl<'a> Chain<'a> {
         }
     }
 
+    /// The state that a pose is of.
+    pub(super) fn state_of(&self, pose: &Pose) -> State {
+        State {
+            translation: pose.root.transform(Point::default()).into(),
+            rotors: pose.joints.iter().map(|motor| motor.rotor()).collect(),
+        }
+    }
+
     pub(super) fn places(&self, state: &State) -> Places {
         let joints = self.model.skeleton().joints();
         let mut rotors: Vec<Rotor<f64>> = Vec::with_capacity(joints.len());
@@ -337,6 +345,24 @@ impl<'a> Chain<'a> {
                 rows.push((columns.first + k, axis.cross(lever)));
             }
         }
+    }
+
+    /// The derivatives of the head of a joint by the unknowns.
+    pub(super) fn derivatives_of_head(
+        &self,
+        places: &Places,
+        joint: usize,
+    ) -> Vec<(usize, Vector<f64>)> {
+        let joints = self.model.skeleton().joints();
+        let above = std::iter::successors(joints[joint].parent, |&above| joints[above].parent);
+        let by_rotations = above.flat_map(|above| {
+            let lever = places.heads[joint] - places.heads[above];
+            let Columns { first, count, .. } = self.columns[above];
+            let axes = places.axes[above].into_iter().take(count).enumerate();
+            axes.map(move |(k, axis)| (first + k, axis.cross(lever)))
+        });
+        let by_translation = (0..TRANSLATION).map(|k| (k, unit(k)));
+        by_translation.chain(by_rotations).collect()
     }
 
     /// The state after a step of all unknowns, with joints within their limits.

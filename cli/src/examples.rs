@@ -4,11 +4,13 @@ use clap::Command;
 
 /// How commands are called, after the name of the program. The example of a command with others
 /// below it is the first of theirs.
-const EXAMPLES: [&str; 46] = [
+const EXAMPLES: [&str; 48] = [
     "demo --bones --trails LeftFoot,RightHand --film walk.png",
     "animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
     "body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
     "body evaluate --motion walk.bvh --noise 0,1,2,4 --views 1,2,4 --plot p.svg",
+    "body paint --out dotted.glb",
+    "body dots front.y4m side.y4m --views views.json --out joints.json",
     "camera calibrate '*.jpg' --board 9x6 --square 0.025 --out camera.yml",
     "camera calibrate-rig --board 9x6 --square 0.025 --views 'a/*' --views 'b/*' --out rig.toml",
     "camera convert camchain.yaml --out rig.yml",

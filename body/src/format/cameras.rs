@@ -13,48 +13,48 @@ impl JointViews {
     /// [`JointsError::CameraCount`], [`JointsError::NoPicture`], [`JointsError::SamePicture`], and
     /// [`JointsError::Camera`] for a camera that has skew or no pose.
     pub fn match_cameras(&self, cameras: &[NamedCamera]) -> Result<Vec<Camera>, JointsError> {
-        let matched = self.match_named(cameras)?.into_iter();
+        let matched = match_named(&self.view_names(), cameras)?.into_iter();
         let cameras = matched.map(NamedCamera::camera);
         Ok(cameras.collect::<Result<_, _>>()?)
     }
+}
 
-    /// The same with what their file says of them beside.
-    ///
-    /// # Errors
-    /// [`JointsError::CameraCount`], [`JointsError::NoPicture`] and [`JointsError::SamePicture`].
-    pub fn match_named<'c>(
-        &self,
-        cameras: &'c [NamedCamera],
-    ) -> Result<Vec<&'c NamedCamera>, JointsError> {
-        let views = self.views();
-        let named = views.iter().map(|view| only_named(cameras, &view.name));
-        let named: Vec<Option<usize>> = named.collect();
-        let is_named = named.iter().any(Option::is_some);
-        if !is_named && views.len() != cameras.len() {
-            return Err(JointsError::CameraCount {
-                views: views.len(),
-                cameras: cameras.len(),
+/// The camera of each view of these names, as [`JointViews::match_cameras`] finds it, with what its
+/// file says of it beside.
+///
+/// # Errors
+/// [`JointsError::CameraCount`], [`JointsError::NoPicture`] and [`JointsError::SamePicture`].
+pub fn match_named<'c, N: AsRef<str>>(
+    views: &[N],
+    cameras: &'c [NamedCamera],
+) -> Result<Vec<&'c NamedCamera>, JointsError> {
+    let named = views.iter().map(|view| only_named(cameras, view.as_ref()));
+    let named: Vec<Option<usize>> = named.collect();
+    let is_named = named.iter().any(Option::is_some);
+    if !is_named && views.len() != cameras.len() {
+        return Err(JointsError::CameraCount {
+            views: views.len(),
+            cameras: cameras.len(),
+        });
+    }
+    let mut matched = Vec::with_capacity(views.len());
+    for (index, (view, camera)) in views.iter().zip(&named).enumerate() {
+        let missing = || JointsError::NoPicture {
+            view: view.as_ref().to_owned(),
+        };
+        let camera = match is_named {
+            true => camera.ok_or_else(missing)?,
+            false => index,
+        };
+        let mut before = named[..index].iter();
+        if let Some(other) = before.position(|other| *other == Some(camera)) {
+            return Err(JointsError::SamePicture {
+                views: [&views[other], view].map(|view| view.as_ref().to_owned()),
             });
         }
-        let mut matched = Vec::with_capacity(views.len());
-        for (index, (view, camera)) in views.iter().zip(&named).enumerate() {
-            let missing = || JointsError::NoPicture {
-                view: view.name.clone(),
-            };
-            let camera = match is_named {
-                true => camera.ok_or_else(missing)?,
-                false => index,
-            };
-            let before = named[..index].iter();
-            if let Some(other) = before.clone().position(|other| *other == Some(camera)) {
-                return Err(JointsError::SamePicture {
-                    views: [&views[other].name, &view.name].map(Clone::clone),
-                });
-            }
-            matched.push(&cameras[camera]);
-        }
-        Ok(matched)
+        matched.push(&cameras[camera]);
     }
+    Ok(matched)
 }
 
 /// The one camera whose picture has this name.

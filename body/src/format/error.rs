@@ -278,8 +278,7 @@ pub enum JointsError {
     },
     /// There is not a camera for each view, and no view has the name of a picture.
     #[error(
-        "the joints are in {views} views, whose names are not those of pictures, and there are \
-         {cameras} cameras"
+        "there are {views} views, whose names are not those of pictures, and {cameras} cameras"
     )]
     CameraCount {
         /// How many views there are.

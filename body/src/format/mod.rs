@@ -40,6 +40,7 @@ pub mod openpose;
 mod timeline;
 mod views;
 
+pub use cameras::match_named;
 pub use detections::{DetectedFrame, DetectedJoint, Detections, DetectorOptions, Person};
 pub use error::{JointProblem, JointsError};
 pub use input::JointsReadError;

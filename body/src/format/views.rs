@@ -225,6 +225,12 @@ impl JointViews {
         &self.views
     }
 
+    /// The names of the views.
+    #[must_use]
+    pub fn view_names(&self) -> Vec<&str> {
+        self.views.iter().map(|view| view.name.as_str()).collect()
+    }
+
     /// What a user should know of how detections became these joints, such as frames that were
     /// added. They are not written into a file.
     #[must_use]

@@ -22,6 +22,7 @@ mod assembly;
 mod assignment;
 mod body;
 mod completion;
+mod joints;
 mod parts;
 mod space;
 

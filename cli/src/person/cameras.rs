@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use ga_body::format::JointViews;
+use ga_body::format::match_named;
 use ga_camera::Camera;
 use ga_camera::format::NamedCamera;
 use ga_runtime::cga3::Motor;
@@ -39,6 +39,19 @@ pub(crate) struct ViewCamera {
     pub(crate) size: Option<[usize; 2]>,
 }
 
+/// Sizes of a film and of its camera's pictures have one shape where their ratios differ by less.
+const SHAPE: f64 = 0.01;
+
+impl ViewCamera {
+    /// How many times wider and higher the pictures of the camera are than those of a film; 1 where
+    /// the file does not say their size. `None` where they have another shape.
+    pub(crate) fn scale(&self, film: [usize; 2]) -> Option<[f64; 2]> {
+        let size = self.size.unwrap_or(film);
+        let [across, down] = [0, 1].map(|k| size[k] as f64 / film[k] as f64);
+        ((across - down).abs() <= SHAPE * down).then_some([across, down])
+    }
+}
+
 impl CameraFiles {
     /// Whether the cameras stand in a world of their own, and not in the frame of one of them.
     pub(crate) fn has_world(&self) -> bool {
@@ -49,16 +62,16 @@ impl CameraFiles {
         self.rig.as_ref().or(self.views.as_ref())
     }
 
-    /// The camera of each view of the joints. The world of a rig has y up.
-    pub(crate) fn read(&self, joints: &JointViews) -> Result<Vec<ViewCamera>> {
+    /// The camera of each view, by the names of these. The world of a rig has y up.
+    pub(crate) fn read<N: AsRef<str>>(&self, views: &[N]) -> Result<Vec<ViewCamera>> {
         match (&self.rig, &self.views) {
-            (Some(path), _) => of_rig(path, &self.chosen, joints.views().len()),
+            (Some(path), _) => of_rig(path, &self.chosen, views.len()),
             (None, Some(path)) => {
                 self.chosen.refuse_names(
                     "it chooses cameras of --rig; those of --views have the names of views",
                 )?;
                 let all = self.chosen.read_all(path)?.cameras;
-                let named = joints.match_named(&all);
+                let named = match_named(views, &all);
                 let named = named.with_context(|| path.display().to_string())?;
                 let cameras = named.into_iter().map(|named| {
                     let camera = named.camera().map_err(|error| about(path, error))?;
@@ -96,8 +109,7 @@ fn of_rig(path: &Path, chosen: &ChosenPair, views: usize) -> Result<Vec<ViewCame
             ])
         }
         _ => bail!(
-            "{}: the joints are in {views} views, and --rig has one camera or two; --views has any \
-             number",
+            "{}: there are {views} views, and --rig has one camera or two; --views has any number",
             path.display()
         ),
     }

@@ -8,7 +8,7 @@ use ga_anim::gltf::{Rigged, character};
 use ga_anim::pose::Pose;
 use ga_character::Figure;
 use ga_mannequin::Human;
-use ga_mesh::gltf;
+use ga_mesh::gltf::{self, Document};
 
 /// The name of the person that the program makes itself.
 pub(crate) const MANNEQUIN: &str = "mannequin";
@@ -39,8 +39,13 @@ impl CharacterFile<'_> {
 /// The person that the program makes itself, as one from a file.
 fn mannequin() -> Result<Rigged> {
     let figure = Figure::new(MANNEQUIN, Human::new().into());
+    Ok(Rigged::new(&at_rest(&figure)?)?)
+}
+
+/// A figure as a document, with rest as its only animation.
+pub(crate) fn at_rest(figure: &Figure) -> Result<Document> {
     let rest = Pose::rest(figure.character.skeleton.len());
     let rest = Clip::new(1.0, vec![rest])?;
-    let document = gltf::decode(&ga_character::gltf::encode(&figure, &rest, MANNEQUIN)?.0)?;
-    Ok(Rigged::new(&document)?)
+    let (bytes, _) = ga_character::gltf::encode(figure, &rest, &figure.name)?;
+    Ok(gltf::decode(&bytes)?)
 }

@@ -3,12 +3,14 @@
 
 mod cameras;
 mod character;
+mod dotted;
 mod findings;
 mod joints;
 mod lengths;
 
 pub(crate) use cameras::{CameraFiles, ViewCamera};
-pub(crate) use character::{CharacterFile, MANNEQUIN};
+pub(crate) use character::{CharacterFile, MANNEQUIN, at_rest};
+pub(crate) use dotted::{Dotted, HueSeed};
 pub(crate) use findings::{judged, noted};
 pub(crate) use joints::JointFiles;
 pub(crate) use lengths::FitLengths;

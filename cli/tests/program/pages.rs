@@ -106,7 +106,10 @@ fn stereo() {
 
 #[test]
 fn people() {
-    page("people.md", &["errors.svg", "expression.csv"]);
+    page(
+        "people.md",
+        &["errors.svg", "expression.csv", "walker/joints.csv"],
+    );
 }
 
 #[test]

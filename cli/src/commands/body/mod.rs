@@ -1,7 +1,9 @@
 //! `nullcone body`: people in views.
 
+mod dots;
 mod evaluate;
 mod fit;
+mod paint;
 
 use crate::frame::group;
 
@@ -9,4 +11,6 @@ group! {
     /// People in views: poses from their joints in pictures.
     Fit: fit::Arguments,
     Evaluate: evaluate::Arguments,
+    Paint: paint::Arguments,
+    Dots: dots::Arguments,
 }

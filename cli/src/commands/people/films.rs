@@ -4,14 +4,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail, ensure};
 use ga_body::format::{JointView, JointViews};
-use ga_video::{Frame, Properties, Source, VideoError};
+use ga_video::{Frame, Properties, Source};
 
 use crate::frame::Warning;
 use crate::person::ViewCamera;
 use crate::standard_output::is_dash;
 
-/// Sizes of a film and of its camera's pictures have one shape where their ratios differ by less.
-const SHAPE: f64 = 0.01;
 /// Rates differ where they do by more than this part.
 const RATE: f64 = 0.01;
 
@@ -48,14 +46,7 @@ pub(super) fn open(paths: &[PathBuf], views: &[JointView]) -> Result<Vec<ViewFil
 
 fn open_one(path: &Path) -> Result<ViewFilm> {
     let shown = path.display();
-    let source = match ga_video::open(path) {
-        Err(VideoError::Mp4Feature { .. }) => bail!(
-            "{shown}: MP4 is read where the program is built with the feature `mp4`; without it, \
-             let ffmpeg make a film that is read: ffmpeg -i {shown} {}",
-            path.with_extension("y4m").display()
-        ),
-        source => source?,
-    };
+    let source = ga_video::open(path)?;
     let Properties {
         size, frame_count, ..
     } = *source.properties();
@@ -122,16 +113,13 @@ pub(super) fn doubts(
             );
             doubt("film_rate", message);
         }
-        if let Some(size) = camera.size {
-            let [across, down] = [0, 1].map(|k| film.size[k] as f64 / size[k] as f64);
-            if (across - down).abs() > SHAPE * across {
-                let message = format!(
-                    "the film has {width} × {height} pixels, which is another shape than the \
-                     {} × {} of the camera of the view {}",
-                    size[0], size[1], view.name
-                );
-                doubt("film_size", message);
-            }
+        if let Some(size) = camera.size.filter(|_| camera.scale(film.size).is_none()) {
+            let message = format!(
+                "the film has {width} × {height} pixels, which is another shape than the {} × {} \
+                 of the camera of the view {}",
+                size[0], size[1], view.name
+            );
+            doubt("film_size", message);
         }
         let reference = camera.size.unwrap_or(film.size);
         let (outside, all) = outside(view, reference);

@@ -61,7 +61,7 @@ impl Arguments {
         let progress = context.progress(5 + self.films.len() as u64);
         progress.step("reading");
         let joints = self.joints.read()?;
-        let cameras = self.cameras.read(&joints)?;
+        let cameras = self.cameras.read(&joints.view_names())?;
         let mut films = films::open(&self.films, joints.views())?;
         let outputs = self.overlays(&joints, &films);
         let names = outputs.iter().filter_map(|path| path.file_name());

@@ -41,7 +41,7 @@ fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
     let progress = context.progress(3);
     progress.step("reading");
     let joints = arguments.joints.read()?;
-    let cameras = arguments.cameras.read(&joints)?;
+    let cameras = arguments.cameras.read(&joints.view_names())?;
     let cameras: Vec<_> = cameras.into_iter().map(|view| view.camera).collect();
     let character = file.read()?;
     let rate = arguments.joints.rate(&joints, None)?;

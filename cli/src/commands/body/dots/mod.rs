@@ -1,0 +1,197 @@
+//! `nullcone body dots`: the joints of the mannequin in films, by the dots on its skin.
+
+mod arguments;
+mod films;
+mod report;
+
+pub(crate) use arguments::Arguments;
+
+use std::time::Instant;
+
+use anyhow::{Context as _, Result, bail};
+use ga_body::agreement::Agreement;
+use ga_body::format::{JointView, JointViews};
+use ga_body::marked::MarkedBody;
+use ga_body::marker::{Dot, DotOptions, find_dots};
+use ga_body::{BodyError, JointPixel};
+use ga_camera::Camera;
+use ga_image::plane::Plane;
+use rayon::prelude::*;
+
+use crate::files::expanded;
+use crate::format::Format;
+use crate::frame::{Command, Context};
+use crate::output;
+use crate::person::{Dotted, ViewCamera};
+use films::Films;
+use report::Report;
+
+impl Command for Arguments {
+    type Report = Report;
+
+    fn is_check(&self) -> bool {
+        self.check.check
+    }
+
+    fn run(&self, context: &Context) -> Result<Report> {
+        let arguments = Self {
+            films: expanded("FILM", &self.films)?,
+            ..self.clone()
+        };
+        arguments.find(context)
+    }
+}
+
+impl Arguments {
+    fn find(&self, context: &Context) -> Result<Report> {
+        let mut files = context.files(self.films.iter().chain(self.cameras.path()))?;
+        files.write("--out", &self.out, &[Format::Json])?;
+        let progress = context.progress(3);
+        progress.step("reading");
+        let mut films = Films::open(&self.films)?;
+        let names: Vec<String> = films.all.iter().map(|film| film.name.clone()).collect();
+        let views = self.views(&films, &names)?;
+        let body = Dotted::new(self.seed).into_body()?;
+        progress.step("finding dots");
+        let begin = Instant::now();
+        let mut found: Vec<Found> = Vec::new();
+        loop {
+            // So many are in memory at a time.
+            let frames = films.next(rayon::current_num_threads())?;
+            if frames.is_empty() {
+                break;
+            }
+            found.par_extend(frames.into_par_iter().map(|pictures| {
+                let seen = views.par_iter().zip(pictures);
+                let dots = seen.map(|(view, picture)| view.dots(&picture));
+                Found::new(&body, &views, dots.collect())
+            }));
+            let count = films.frames().unwrap_or(found.len());
+            progress.at(found.len() as u64, count.max(found.len()) as u64);
+        }
+        let seconds = begin.elapsed().as_secs_f64();
+        let is_none = found.iter().all(|frame| frame.fit.is_err());
+        if is_none
+            && let Some(Found {
+                fit: Err(error), ..
+            }) = found.first()
+        {
+            let films = self.films.iter().map(|path| path.display().to_string());
+            bail!(
+                "{}: the body is not recognised in any of {} frames; in the first, {}",
+                films.collect::<Vec<_>>().join(", "),
+                found.len(),
+                report::reason(error, &names)
+            );
+        }
+        progress.step("writing");
+        let skeleton = body.model().skeleton();
+        let joints: Vec<String> = skeleton.joints().iter().map(|j| j.name.clone()).collect();
+        let of_view = |(view, name): (usize, &String)| JointView {
+            name: name.clone(),
+            frames: found
+                .iter()
+                .map(|frame| match &frame.fit {
+                    Ok(fit) => fit.joints[view].clone(),
+                    Err(_) => vec![None; joints.len()],
+                })
+                .collect(),
+        };
+        let pixels = names.iter().enumerate().map(of_view).collect();
+        let pixels = JointViews::new(joints, films.rate(), pixels)?;
+        output::write(&self.out, pixels.encode().as_bytes())?;
+        drop(progress);
+        Ok(Report::new(self, &films, &pixels, &found, seconds))
+    }
+
+    /// The cameras of the films.
+    fn views(&self, films: &Films, names: &[String]) -> Result<Vec<View>> {
+        let cameras = self.cameras.read(names)?;
+        let views = films.all.iter().zip(cameras).map(|(film, camera)| {
+            let [width, height] = film.size();
+            let scale = camera.scale([width, height]).with_context(|| {
+                let [columns, rows] = camera.size.unwrap_or_default();
+                format!(
+                    "{}: the film has {width} × {height} pixels, which is another shape than the \
+                     {columns} × {rows} of the camera of the view {}",
+                    film.path.display(),
+                    film.name
+                )
+            })?;
+            let ViewCamera { camera, .. } = camera;
+            Ok(View { camera, scale })
+        });
+        views.collect()
+    }
+}
+
+/// The camera of a film.
+struct View {
+    camera: Camera,
+    /// How many times wider and higher its pictures are than those of the film.
+    scale: [f64; 2],
+}
+
+impl View {
+    /// The dots in a picture of the film, in pixels of the camera.
+    fn dots(&self, picture: &Plane<[u8; 3]>) -> Vec<Dot> {
+        let dots = find_dots(picture.view(), &DotOptions::default());
+        let scaled = dots.into_iter().map(|dot| Dot {
+            centre: [0, 1].map(|k| self.scale[k] * (dot.centre[k] + 0.5) - 0.5),
+            semi_axes: dot.semi_axes.map(|semi_axis| self.scale[0] * semi_axis),
+            ..dot
+        });
+        scaled.collect()
+    }
+}
+
+/// What was found in a frame.
+struct Found {
+    /// How many dots each view shows.
+    dots: Vec<usize>,
+    fit: Result<Fit, BodyError>,
+}
+
+/// A body that was recognised.
+struct Fit {
+    /// For each view and each joint where it is.
+    joints: Vec<Vec<Option<JointPixel>>>,
+    /// For each view the distances of the recognised dots from where the body has them, in pixels.
+    residuals_px: Vec<Vec<f64>>,
+    /// The root mean square of these in standard deviations of the dots.
+    deviations: Option<f64>,
+}
+
+impl Found {
+    fn new(body: &MarkedBody, views: &[View], dots: Vec<Vec<Dot>>) -> Self {
+        let cameras: Vec<Camera> = views.iter().map(|view| view.camera).collect();
+        Self {
+            fit: Fit::new(body, &cameras, &dots),
+            dots: dots.iter().map(Vec::len).collect(),
+        }
+    }
+}
+
+impl Fit {
+    fn new(body: &MarkedBody, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<Self, BodyError> {
+        let found = body.fit(cameras, dots)?;
+        let joints = body.joints(cameras, &found)?;
+        let (fitted, seen) = ([found.fitted], [found.observation]);
+        let agreement = Agreement::new(&fitted, &seen);
+        let [fitted] = fitted;
+        let residuals = fitted.residuals_px.iter();
+        Ok(Self {
+            joints,
+            residuals_px: residuals
+                .map(|view| view.iter().copied().flatten().collect())
+                .collect(),
+            deviations: agreement.of_frames[0],
+        })
+    }
+
+    /// The numbers of the joints that are left out.
+    fn left_out(&self) -> impl Iterator<Item = usize> + '_ {
+        let joints = 0..self.joints.first().map_or(0, Vec::len);
+        joints.filter(|&joint| self.joints.iter().all(|view| view[joint].is_none()))
+    }
+}
