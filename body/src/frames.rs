@@ -26,11 +26,12 @@ impl BodyFit<'_> {
     /// with accelerations of a size that the clip itself shows.
     ///
     /// Between frames the second differences of every joint's rotation vector and of the
-    /// translation are Gaussian, each with a variance of its own (a discrete white noise of
-    /// accelerations; the most likely motion is a smoothing spline: G. Wahba, 1978). The variances
-    /// follow from how second differences over more than one frame grow beyond those over one,
-    /// which are mostly noise, so there is nothing to tune. Long clips are fitted in stretches that
-    /// overlap.
+    /// translation are Gaussian, each with a covariance of its own (a discrete white noise of
+    /// accelerations; the most likely motion is a smoothing spline: G. Wahba, 1978). Those of
+    /// joints are in the axes of the parent. The covariances follow from how second differences
+    /// over more than one frame grow beyond those over one, which are mostly noise, so there is
+    /// nothing to tune; the fewer differences are independent, the more alike are all directions.
+    /// Long clips are fitted in stretches that overlap.
     ///
     /// The search begins at poses of the frames for pixels that are smoothed over time. With two
     /// views or more, these are near to the pose of the frame before. One view leaves several poses

@@ -12,7 +12,7 @@
 //! (T. Barfoot, State Estimation for Robotics, 2017, section 7.1).
 
 use ga_runtime::vga3::Vector;
-use nalgebra_035::Matrix3;
+use nalgebra_035::{Matrix3, Vector3};
 
 use super::super::chain::{Chain, State, TRANSLATION, rotation_vector};
 use ga_numerics::banded::frames::Block;
@@ -24,12 +24,12 @@ pub(super) struct Difference {
     pub(super) first: usize,
     /// How many they are.
     pub(super) size: usize,
-    pub(super) value: [f64; 3],
+    pub(super) value: Vector3<f64>,
     /// For each of the three frames, the derivatives of the three components: columns for unknowns.
     pub(super) by_frame: [Matrix3<f64>; 3],
 }
 
-/// How many variances there are: one for the translation and one for each joint.
+/// How many covariances there are: one for the translation and one for each joint.
 pub(super) fn kinds(chain: &Chain<'_>) -> usize {
     1 + chain.columns.len()
 }
@@ -54,7 +54,7 @@ pub(super) fn difference(
         return Some(Difference {
             first: 0,
             size: TRANSLATION,
-            value: value.into(),
+            value: value.coordinates().into(),
             by_frame: [one, one * -2.0, one],
         });
     }
@@ -77,7 +77,7 @@ pub(super) fn difference(
     Some(Difference {
         first: columns.first,
         size: columns.count,
-        value: (later - earlier).into(),
+        value: (later - earlier).coordinates().into(),
         by_frame: [
             of_earlier.transpose() * directions,
             -(of_later.transpose() + of_earlier) * directions,
@@ -102,8 +102,8 @@ fn inverse_jacobian(vector: Vector<f64>) -> Matrix3<f64> {
 
 impl Difference {
     /// The block of the normal equations for the unknowns of two of the frames.
-    pub(super) fn block(&self, row: usize, column: usize, weight: f64) -> Block {
-        let product = self.by_frame[row].tr_mul(&self.by_frame[column]) * weight;
+    pub(super) fn block(&self, row: usize, column: usize, precision: &Matrix3<f64>) -> Block {
+        let product = self.by_frame[row].tr_mul(&(precision * self.by_frame[column]));
         Block {
             first: self.first,
             size: self.size,
@@ -111,13 +111,14 @@ impl Difference {
         }
     }
 
-    /// The derivative of half its weighted square by an unknown of a frame.
-    pub(super) fn gradient(&self, frame: usize, k: usize, weight: f64) -> f64 {
-        let column = self.by_frame[frame].column(k);
-        weight * (0..3).map(|i| column[i] * self.value[i]).sum::<f64>()
+    /// The derivatives of half its weighted square by the unknowns of a frame, of which those
+    /// beyond its size are 0.
+    pub(super) fn gradient(&self, frame: usize, precision: &Matrix3<f64>) -> Vector3<f64> {
+        self.by_frame[frame].tr_mul(&(precision * self.value))
     }
 
-    pub(super) fn squared(&self) -> f64 {
-        Vector::from(self.value).length_squared()
+    /// Its square weighted with a precision, the inverse of a covariance.
+    pub(super) fn squared(&self, precision: &Matrix3<f64>) -> f64 {
+        self.value.dot(&(precision * self.value))
     }
 }

@@ -1,8 +1,8 @@
 //! The most likely motion of a clip.
 
+mod covariances;
 mod differences;
 pub(super) mod tracks;
-mod variances;
 mod window;
 
 use rayon::prelude::*;

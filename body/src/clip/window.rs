@@ -1,14 +1,14 @@
 //! The most likely motion of a stretch of frames, by Gauss–Newton steps of all frames together.
 
 use crate::normal::{Normal, PointError};
-use nalgebra_035::DVector;
+use nalgebra_035::{DVector, Matrix3};
 
 use super::super::Observation;
 use super::super::chain::{Chain, State};
 use super::super::ground::Anchor;
 use super::super::likelihood::Likelihood;
-use super::differences::{difference, kinds};
-use super::variances::variances;
+use super::covariances::precisions;
+use super::differences::{Difference, difference, kinds};
 use ga_numerics::banded::frames::{Blocks, Couplings};
 
 /// The greatest number of steps.
@@ -19,8 +19,8 @@ const HALVINGS: usize = 6;
 /// likelihood of a frame then is within some thousandths of the greatest.
 const TOLERANCE: f64 = 1e-3;
 
-/// The most likely states, from states that are near, with variances from those of the frames by
-/// themselves.
+/// The most likely states, from states that are near, with covariances of accelerations from
+/// those of the frames by themselves.
 pub(super) fn fit(
     likelihood: &Likelihood<'_>,
     observations: &[Observation],
@@ -33,7 +33,7 @@ pub(super) fn fit(
         return states;
     }
     let chain = &likelihood.chain;
-    let variances = variances(chain, single, frames_per_second);
+    let precisions = precisions(chain, single, frames_per_second);
     let mut normal = Normal::new(chain.count);
     for _ in 0..STEPS {
         let linear = linearise(
@@ -41,7 +41,7 @@ pub(super) fn fit(
             observations,
             anchors,
             &states,
-            &variances,
+            &precisions,
             &mut normal,
         );
         let Some((couplings, mut step, cost)) = linear else {
@@ -60,7 +60,7 @@ pub(super) fn fit(
                 .zip(&step)
                 .map(|(state, step)| chain.stepped(state, (step * part).as_slice()));
             let next = next.collect::<Option<Vec<State>>>()?;
-            let found = total_cost(likelihood, observations, anchors, &next, &variances)?;
+            let found = total_cost(likelihood, observations, anchors, &next, &precisions)?;
             (found <= cost).then_some(next)
         });
         let Some(next) = next else {
@@ -74,16 +74,16 @@ pub(super) fn fit(
     states
 }
 
-/// The second differences around a frame, with their weights.
+/// The second differences around a frame, with their precisions.
 fn differences<'s>(
     chain: &'s Chain<'_>,
     states: &'s [State],
     middle: usize,
-    variances: &'s [f64],
-) -> impl Iterator<Item = (super::differences::Difference, f64)> + 's {
+    precisions: &'s [Matrix3<f64>],
+) -> impl Iterator<Item = (Difference, &'s Matrix3<f64>)> + 's {
     (0..kinds(chain)).filter_map(move |kind| {
         let frames = [&states[middle - 1], &states[middle], &states[middle + 1]];
-        Some((difference(chain, frames, kind)?, 1.0 / variances[kind]))
+        Some((difference(chain, frames, kind)?, &precisions[kind]))
     })
 }
 
@@ -119,7 +119,7 @@ fn total_cost(
     observations: &[Observation],
     anchors: &[Vec<Anchor>],
     states: &[State],
-    variances: &[f64],
+    precisions: &[Matrix3<f64>],
 ) -> Option<f64> {
     let mut cost = 0.0;
     for (state, observation) in states.iter().zip(observations) {
@@ -129,8 +129,8 @@ fn total_cost(
         cost += anchor_cost(&likelihood.chain, state, anchors);
     }
     for middle in 1..states.len() - 1 {
-        for (difference, weight) in differences(&likelihood.chain, states, middle, variances) {
-            cost += weight * difference.squared();
+        for (difference, precision) in differences(&likelihood.chain, states, middle, precisions) {
+            cost += difference.squared(precision);
         }
     }
     cost.is_finite().then_some(cost)
@@ -142,7 +142,7 @@ fn linearise(
     observations: &[Observation],
     anchors: &[Vec<Anchor>],
     states: &[State],
-    variances: &[f64],
+    precisions: &[Matrix3<f64>],
     normal: &mut Normal,
 ) -> Option<(Couplings, Vec<DVector<f64>>, f64)> {
     let count = states.len();
@@ -161,21 +161,22 @@ fn linearise(
         couplings.own.push(normal.matrix.clone());
     }
     for middle in 1..count - 1 {
-        for (difference, weight) in differences(&likelihood.chain, states, middle, variances) {
-            cost += weight * difference.squared();
+        for (difference, precision) in differences(&likelihood.chain, states, middle, precisions) {
+            cost += difference.squared(precision);
             for frame in 0..3 {
                 let index = middle + frame - 1;
+                let by_unknowns = difference.gradient(frame, precision);
                 for k in 0..difference.size {
-                    gradient[index][difference.first + k] += difference.gradient(frame, k, weight);
+                    gradient[index][difference.first + k] += by_unknowns[k];
                 }
-                let own = difference.block(frame, frame, weight);
+                let own = difference.block(frame, frame, precision);
                 couplings.add_own(index, &own);
                 if frame >= 1 {
-                    let block = difference.block(frame, frame - 1, weight);
+                    let block = difference.block(frame, frame - 1, precision);
                     couplings.add_before(index, &block);
                 }
             }
-            let block = difference.block(2, 0, weight);
+            let block = difference.block(2, 0, precision);
             couplings.two_before[middle + 1].push(block);
         }
     }
@@ -215,10 +216,14 @@ mod tests {
             weight: 50.0,
         };
         let anchors = [vec![], vec![held], vec![held], vec![]];
-        let variances = [0.5_f64, 0.0, 0.7, 0.6, 0.9, 0.8];
-        let variances: Vec<f64> = (0..kinds(chain)).map(|k| variances[k].max(0.4)).collect();
+        let precisions: Vec<Matrix3<f64>> = (0..kinds(chain))
+            .map(|kind| {
+                let axes = Matrix3::from_fn(|row, k| ((7 * kind + 3 * row + 5 * k) as f64).sin());
+                axes * axes.transpose() + Matrix3::identity()
+            })
+            .collect();
         let cost = |states: &[State]| {
-            total_cost(&likelihood, &observations, &anchors, states, &variances).unwrap()
+            total_cost(&likelihood, &observations, &anchors, states, &precisions).unwrap()
         };
         let mut normal = Normal::new(chain.count);
         let (_, gradient, found) = linearise(
@@ -226,18 +231,18 @@ mod tests {
             &observations,
             &anchors,
             &states,
-            &variances,
+            &precisions,
             &mut normal,
         )
         .unwrap();
         assert!((found - cost(&states)).abs() < 1e-12 * found);
-        // The second differences alone: the costs of frames do not depend on the variances.
-        let halved: Vec<f64> = variances.iter().map(|v| v / 2.0).collect();
-        let with_halved =
-            total_cost(&likelihood, &observations, &anchors, &states, &halved).unwrap();
-        let infinite = vec![f64::INFINITY; variances.len()];
-        let frames = total_cost(&likelihood, &observations, &anchors, &states, &infinite).unwrap();
-        assert!((with_halved - frames - 2.0 * (found - frames)).abs() < 1e-9 * found);
+        // The second differences alone: the costs of frames do not depend on the precisions.
+        let with_times = |factor: f64| {
+            let scaled: Vec<Matrix3<f64>> = precisions.iter().map(|p| p * factor).collect();
+            total_cost(&likelihood, &observations, &anchors, &states, &scaled).unwrap()
+        };
+        let frames = with_times(0.0);
+        assert!((with_times(2.0) - frames - 2.0 * (found - frames)).abs() < 1e-9 * found);
         let size = gradient.iter().map(|g| g.amax()).fold(0.0, f64::max);
         for frame in 0..4 {
             for k in 0..chain.count {
