@@ -24,16 +24,6 @@ fn lens() -> impl TypedValueParser<Value = LensModel> {
         .map(|name| LensModel::named(&name).unwrap_or(LensModel::Pinhole))
 }
 
-/// The width and height of pictures, such as `800x600`.
-pub(crate) fn picture_size(text: &str) -> Result<[usize; 2], String> {
-    let parse = |word: &str| word.parse::<u16>().ok().filter(|count| *count > 1);
-    let parts = text.split_once(['x', '×']);
-    match parts.map(|(width, height)| (parse(width), parse(height))) {
-        Some((Some(width), Some(height))) => Ok([width.into(), height.into()]),
-        _ => Err("a size is two numbers from 2 to 65535 such as 800x600".to_owned()),
-    }
-}
-
 /// Which cameras of a file are taken.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ChosenPair {

@@ -1,4 +1,4 @@
-//! Picture files in which a command measures.
+//! Picture files in which a command measures, and the sizes of pictures.
 
 use std::path::Path;
 
@@ -22,4 +22,31 @@ pub(crate) fn read(path: &Path) -> Result<Picture> {
         warn(Warning::new("orientation_applied", message).in_file(path));
     }
     Ok(read.picture)
+}
+
+/// The width and height of pictures, such as `800x600`.
+pub(crate) fn picture_size(text: &str) -> Result<[usize; 2], String> {
+    let side = |word: &str| word.trim().parse::<u16>().ok().filter(|&side| side > 0);
+    let sides = text.split_once(['x', 'X', '×']);
+    let sides = sides.and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    let sides = sides.ok_or("a size is two numbers from 1 to 65535, such as 1280x720");
+    Ok(sides?.map(usize::from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::picture_size;
+
+    #[test]
+    fn sizes_are_two_numbers() {
+        for text in ["1280x720", "1280X720", "1280×720", " 1280 x 720 "] {
+            assert_eq!(picture_size(text), Ok([1280, 720]), "{text}");
+        }
+        assert_eq!(picture_size("1x65535"), Ok([1, 65535]));
+        for wrong in [
+            "", "80", "x", "0x5", "5x0", "-5x5", "1.5x2", "65536x1", "2x3x4",
+        ] {
+            assert!(picture_size(wrong).is_err(), "{wrong}");
+        }
+    }
 }

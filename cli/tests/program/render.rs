@@ -254,8 +254,17 @@ fn bad_input_leaves_nothing() {
     let with = |more: &[&str], parts: &[&str]| {
         fails(&[&["square.obj", "--out", "p.png"], more].concat(), parts);
     };
-    with(&["--size", "80"], &["--size 80", "WxH"]);
-    with(&["--size", "0x5"], &["--size 0x5", "above 0"]);
+    for size in ["80", "0x5"] {
+        let output = nullcone(
+            folder.path(),
+            ["render", "square.obj", "--out", "p.png", "--size", size],
+        );
+        assert_eq!(output.status.code(), Some(2), "{size}");
+        assert!(
+            text(&output.stderr).contains("two numbers from 1"),
+            "{size}"
+        );
+    }
     with(&["--turntable", "0"], &["--turntable 0"]);
     with(&["--samples", "9"], &["supersampling"]);
     with(&["--background", "grey"], &["--background grey"]);

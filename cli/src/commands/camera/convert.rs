@@ -7,10 +7,11 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use ga_camera::format::{self, CameraFile, CameraSummary, Encoded, encode_files};
 use serde::Serialize;
 
-use crate::camera_file::{LensChoice, about, picture_size, warn_of_unit};
+use crate::camera_file::{LensChoice, about, warn_of_unit};
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::output;
+use crate::picture_file::picture_size;
 
 /// Write cameras in another format.
 ///
@@ -37,7 +38,7 @@ pub(crate) struct Arguments {
     #[arg(long = "camera", value_name = "NAME", action = clap::ArgAction::Append)]
     cameras: Vec<String>,
     /// The size of the pictures, such as 1241x376, for a file that does not state it.
-    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = picture_size)]
+    #[arg(long, value_name = "WxH", value_parser = picture_size)]
     size: Option<[usize; 2]>,
     #[command(flatten)]
     lens: LensChoice,

@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use super::film_arguments::FilmArguments;
 use crate::camera_file::LensChoice;
 use crate::chosen_animation::ChosenAnimation;
+use crate::picture_file::picture_size;
 
 /// Draw a model.
 ///
@@ -65,8 +66,8 @@ pub(crate) struct Arguments {
     pub(super) camera_node: Option<String>,
     /// Columns and rows of the picture; by default those of the camera's file, or 1280x720, or 720
     /// rows as wide as a --camera-node says.
-    #[arg(long, value_name = "WxH")]
-    pub(super) size: Option<String>,
+    #[arg(long, value_name = "WxH", value_parser = picture_size)]
+    pub(super) size: Option<[usize; 2]>,
     /// The picture: PNG if its name ends in .png, or a film as of --film.
     #[arg(
         long,

@@ -46,7 +46,7 @@ impl Camera {
     /// Columns and rows of the pictures.
     pub(super) fn picture_size(&self, arguments: &Arguments) -> Result<[u32; 2]> {
         let text = &arguments.camera;
-        let asked = arguments.size.as_deref().map(parse_size).transpose()?;
+        let asked = arguments.size.map(|size| size.map(|side| side as u32));
         Ok(match (self, asked) {
             (Self::Outside(_, Some(own)), Some(asked)) if *own != asked => bail!(
                 "--size {}x{}: the camera {text} is for {}x{}",
@@ -141,14 +141,4 @@ fn node(document: &Document, name: &str) -> Result<usize> {
             list.join(", ")
         ),
     }
-}
-
-fn parse_size(text: &str) -> Result<[u32; 2]> {
-    let side = |text: &str| text.trim().parse::<u32>().ok().filter(|&side| side > 0);
-    let sides = text
-        .split_once(['x', 'X', '×'])
-        .and_then(|(width, height)| Some([side(width)?, side(height)?]));
-    sides.with_context(|| {
-        format!("--size {text}: not two numbers above 0 of the form WxH, such as 1280x720")
-    })
 }

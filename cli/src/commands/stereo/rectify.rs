@@ -8,9 +8,10 @@ use ga_vision::rectification::{Rectification, RectificationOptions, Rectificatio
 use serde::Serialize;
 
 use super::views::ViewPair;
-use crate::camera_file::{ChosenPair, picture_size};
+use crate::camera_file::ChosenPair;
 use crate::frame::{self, Command, Context, command_line};
 use crate::output;
+use crate::picture_file::picture_size;
 
 const LEFT: &str = "left.png";
 const RIGHT: &str = "right.png";
@@ -58,7 +59,7 @@ pub(crate) struct Arguments {
     separate_centres: bool,
     /// The size of the results, such as 800x600; by default that of the left view, on its side
     /// where it is put so.
-    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = picture_size)]
+    #[arg(long, value_name = "WxH", value_parser = picture_size)]
     size: Option<[usize; 2]>,
 }
 
