@@ -94,6 +94,11 @@ impl Files {
             .transpose()
     }
 
+    /// Whether a file is one of those that are to be written.
+    pub(crate) fn writes(&self, path: &Path) -> bool {
+        self.outputs.writes(path)
+    }
+
     /// A folder into which files of these names are to be written.
     pub(crate) fn write_folder<N: AsRef<Path>>(
         &mut self,

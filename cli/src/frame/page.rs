@@ -40,7 +40,11 @@ pub(crate) fn judge(page: &mut Page, verdict: Option<Verdict>, warnings: &[Warni
         }
     }
     for warning in warnings {
-        page.warning(&warning.line_of_text());
+        let text = warning.line_of_text();
+        match warning.is_note {
+            true => page.note(&text),
+            false => page.warning(&text),
+        }
     }
 }
 
@@ -49,6 +53,18 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+
+    #[test]
+    fn notes_do_not_look_like_warnings() {
+        let mut page = Page::new("title");
+        let note = Warning::new("exchanged_sides", "this is put right").as_note();
+        let all = [Warning::new("bad_view", "look at it"), note];
+        judge(&mut page, Some(Verdict::Doubtful), &all);
+        let html = page.into_html();
+        assert!(html.contains("<p class=\"warning\">look at it</p>"));
+        assert!(html.contains("<p class=\"note\">this is put right</p>"));
+        assert_eq!(html.matches("class=\"warning\"").count(), 2);
+    }
 
     #[test]
     fn what_is_said_of_files_is_at_the_top_of_a_page_of_its_own() {

@@ -25,6 +25,9 @@ pub(crate) struct Warning {
     pub(crate) joint: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) frame: Option<usize>,
+    /// Whether it was put right or needs nothing to be done.
+    #[serde(skip)]
+    pub(crate) is_note: bool,
     /// What is left out, and how many of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) what: Option<&'static str>,
@@ -38,6 +41,14 @@ impl Warning {
             kind,
             message: message.to_string(),
             ..Self::default()
+        }
+    }
+
+    /// The same as something that needs nothing to be done.
+    pub(crate) fn as_note(self) -> Self {
+        Self {
+            is_note: true,
+            ..self
         }
     }
 
@@ -96,7 +107,8 @@ pub(super) fn print_of_failure() {
 /// Writes warnings to standard error, one a line.
 pub(crate) fn print(warnings: &[Warning]) {
     for warning in warnings {
-        output::print_error(&format!("warning: {}\n", warning.line_of_text()));
+        let word = if warning.is_note { "note" } else { "warning" };
+        output::print_error(&format!("{word}: {}\n", warning.line_of_text()));
     }
 }
 

@@ -17,6 +17,7 @@ pub(crate) fn judged(findings: &[Finding]) -> (Verdict, Vec<Warning>) {
         view: finding.view.clone(),
         joint: finding.joint.clone(),
         frame: finding.frame,
+        is_note: finding.severity == Severity::Note,
         ..Warning::new(finding.kind, finding)
     });
     (verdict, warnings.collect())

@@ -175,6 +175,13 @@ impl Outputs {
             .try_for_each(|name| self.write(output, folder.join(name)))
     }
 
+    /// Whether a file is one of those that are to be written.
+    #[must_use]
+    pub fn writes(&self, path: impl AsRef<Path>) -> bool {
+        let place = resolved(path.as_ref());
+        self.outputs.iter().any(|output| output.place == place)
+    }
+
     /// Whether reading an input reads a file: the input itself, or a part of a folder.
     fn reads(&self, input: &Path, file: &Path) -> bool {
         if !input.is_dir() {
@@ -255,6 +262,8 @@ mod tests {
         let mut outputs = Outputs::new(|_| false);
         outputs.write("--out", folder.join("a/x.png")).unwrap();
         outputs.write("--plot", folder.join("a/y.png")).unwrap();
+        assert!(outputs.writes(folder.join("a/./x.png")));
+        assert!(!outputs.writes(folder.join("x.png")));
         let same = outputs.write("--csv", folder.join("a/../a/x.png"));
         assert!(matches!(same, Err(OutputError::Same { .. })));
     }

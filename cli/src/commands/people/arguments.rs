@@ -75,7 +75,8 @@ pub(crate) struct Arguments {
     /// Shift the views in time where their motions show that they do not begin together.
     #[arg(long)]
     pub(super) synchronise: bool,
-    /// Rotate the cameras a little where the joints show that the calibration is off.
+    /// Rotate the cameras a little where the joints show that the calibration is off. Their places
+    /// stay, which joints hardly show.
     #[arg(long)]
     pub(super) refine_cameras: bool,
     /// The direction that is up in the world of the cameras: an axis such as `z` or `-y`, or three

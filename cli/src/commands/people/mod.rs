@@ -11,7 +11,7 @@ mod tables;
 
 pub(crate) use arguments::Arguments;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use ga_anim::clip::Clip;
@@ -36,6 +36,9 @@ use films::ViewFilm;
 use overlay::Overlay;
 use page::Contents;
 use report::Report;
+
+/// What the names of films with the body over them begin with.
+const OVERLAY: &str = "overlay-";
 
 impl Command for Arguments {
     type Report = Report;
@@ -83,6 +86,7 @@ impl Arguments {
         warnings.extend(of_films);
         warnings.extend(joints.notes().iter().map(noted));
         warnings.extend(without_film(&joints, &films));
+        warnings.extend(left_over(&self.out, &outputs));
 
         progress.step("making the character");
         let mut staged = Staged::default();
@@ -138,6 +142,9 @@ impl Arguments {
             report::PAGE,
             report::JSON,
         ];
+        // --report may name the page of the folder, which is the same.
+        let is_page = |name: &str| name == report::PAGE && files.writes(&self.out.join(name));
+        let names: Vec<&str> = names.into_iter().filter(|name| !is_page(name)).collect();
         files.write_folder("--out", &self.out, names)?;
         Ok(files)
     }
@@ -161,7 +168,7 @@ impl Arguments {
         let ending = drawing::FORMAT.endings()[0];
         let names = names.iter();
         names
-            .map(|name| self.out.join(format!("overlay-{name}.{ending}")))
+            .map(|name| self.out.join(format!("{OVERLAY}{name}.{ending}")))
             .collect()
     }
 
@@ -189,6 +196,10 @@ impl Arguments {
         progress.step("finding how the views belong together");
         let fit = CharacterFit::new(character.read()?, joints, &cameras);
         let fit = fit.with_context(of_joints)?.with_lengths(lengths.into());
+        let fit = match self.cameras.has_world() {
+            true => fit.with_board_poses(),
+            false => fit,
+        };
         let fit = fit.registered(&options, self.refine_cameras, self.synchronise);
         progress.step("fitting poses");
         let done = |done, of| progress.at(done as u64, of as u64);
@@ -271,10 +282,32 @@ fn without_film(joints: &JointViews, films: &[ViewFilm]) -> Vec<Warning> {
         let message = format!("the view {} has no film, and is not drawn over", view.name);
         Warning {
             view: Some(view.name.clone()),
-            ..Warning::new("no_film", message)
+            ..Warning::new("no_film", message).as_note()
         }
     });
     warnings.collect()
+}
+
+/// Says which films with a body over them the folder has that are not written, but are those of an
+/// earlier run.
+fn left_over(folder: &Path, written: &[PathBuf]) -> Option<Warning> {
+    let is_written = |name: &str| written.iter().any(|path| path.ends_with(name));
+    let names = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = names.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut names: Vec<String> = names
+        .filter(|name| name.starts_with(OVERLAY) && !is_written(name))
+        .filter(|name| [".y4m", ".mp4"].iter().any(|ending| name.ends_with(ending)))
+        .collect();
+    names.sort_unstable();
+    let message = match names.as_slice() {
+        [] => return None,
+        [name] => format!("{name} is of an earlier run and does not show this result"),
+        names => format!(
+            "{} are of an earlier run and do not show this result",
+            names.join(", ")
+        ),
+    };
+    Some(Warning::new("earlier_films", message).in_file(folder))
 }
 
 /// The name of a view as that of a file.

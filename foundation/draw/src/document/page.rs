@@ -15,6 +15,7 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     .narrow td:first-child{white-space:nowrap}\
     h1{overflow-wrap:anywhere}.wide{overflow-x:auto}\
     .warning{background:#fdf0d5;border-left:4px solid #d55e00;padding:.5em 1em}\
+    .note{background:#e6f0f8;border-left:4px solid #0072b2;padding:.5em 1em}\
     svg,img{max-width:100%;height:auto}.wide svg{min-width:760px}\
     figure{margin:1.2em 0 2em}figcaption{font-size:.95em;margin-top:.3em}\
     pre{background:#eef0f4;padding:.6em 1em;white-space:pre-wrap;overflow-wrap:anywhere}\
@@ -63,6 +64,12 @@ impl Page {
     /// A paragraph that is not overlooked.
     pub fn warning(&mut self, text: &str) {
         self.add(format_args!("{}", warning(text)));
+    }
+
+    /// A paragraph with something that was done, or that the reader should know, and that is not
+    /// wrong.
+    pub fn note(&mut self, text: &str) {
+        self.add(format_args!("<p class=\"note\">{}</p>\n", escaped(text)));
     }
 
     /// The same below the heading of the page, before the parts that it has.
