@@ -11,8 +11,9 @@
 //! 3. The pose is fitted ([`BodyFit`]) to these dots in all pictures. Then all dots of the body
 //!    that face a camera are projected, the nearest dot of the same hue in the picture is taken for
 //!    each, also where only one view shows it, and the pose is fitted again, with a narrowing gate.
-//!    Parts of which not more dots are found than chance would find are left out. Limbs that were
-//!    not recognised are searched about the joint by which they hang.
+//!    Parts of which not more dots are found than chance would find are left out, and so are those
+//!    whose dots do not fit to the pose. Limbs that were not recognised are searched about the
+//!    joint by which they hang.
 //!
 //! This is how optical motion capture labels its markers (M. Ringer, J. Lasenby, A procedure for
 //! automatically estimating model parameters in optical motion capture, 2004), with hues as a
@@ -22,6 +23,7 @@ mod assembly;
 mod assignment;
 mod body;
 mod completion;
+mod doubt;
 mod joints;
 mod parts;
 mod space;
@@ -172,7 +174,7 @@ impl MarkedBody {
     }
 
     /// Labels all dots anew by where the fitted pose shows them, and fits again, with one gate
-    /// after the other.
+    /// after the other. Parts whose dots do not fit then lose their labels.
     fn refine(
         &self,
         fit: &BodyFit<'_>,
@@ -195,6 +197,17 @@ impl MarkedBody {
                 .observation(cameras, dots, &next, Some(&found.fitted))
                 .map_err(pose)?;
             found.assignment = next;
+            found.fitted = fit.frame(&found.observation)?;
+        }
+        while let Some(joint) = self.worst_joint(&found.fitted, &found.observation) {
+            for view in &mut found.assignment {
+                let points = view.iter_mut().zip(&self.strongest);
+                let of_joint = points.filter(|(_, own)| **own == joint);
+                of_joint.for_each(|(dot, _)| *dot = None);
+            }
+            found.observation = self
+                .observation(cameras, dots, &found.assignment, Some(&found.fitted))
+                .map_err(pose)?;
             found.fitted = fit.frame(&found.observation)?;
         }
         Ok(())

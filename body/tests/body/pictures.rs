@@ -50,6 +50,69 @@ fn poses_of_the_walk_are_found_from_two_and_from_four_views() {
     }
 }
 
+/// The dots of a shin are up to two and a half pixels from where a shin can have them: some of them
+/// are within reach of its points.
+#[test]
+fn a_limb_whose_dots_do_not_fit_is_not_recognised() {
+    const AWAY: f64 = 2.5;
+    let pose = walk(1).sample(0.3);
+    let cameras = STUDIO.rigs(&pose, FRONT_AND_BACK, 4.0).unwrap();
+    let mut dots = STUDIO.dots(&pose, &cameras, Shading::Unlit).unwrap();
+    let places = STUDIO.points(&pose).unwrap();
+    let shin = STUDIO.human.skeleton.index("LeftLowerLeg").unwrap();
+    let points = STUDIO.body.model().points().iter().zip(&places);
+    let of_shin = points.filter(|(point, _)| point.joints[0].0 == shin);
+    let of_shin: Vec<_> = of_shin.map(|(_, place)| *place).collect();
+    let mut count = 0;
+    for (camera, dots) in cameras.iter().zip(&mut dots) {
+        for place in &of_shin {
+            let [u, v] = camera.project(*place).unwrap();
+            let near = |dot: &&mut Dot| (dot.centre[0] - u).hypot(dot.centre[1] - v) < 0.5;
+            for dot in dots.iter_mut().filter(near) {
+                let (sin, cos) = (2.4 * f64::from(count)).sin_cos();
+                dot.centre = [dot.centre[0] + AWAY * cos, dot.centre[1] + AWAY * sin];
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 20, "{count}");
+    let fit = STUDIO.body.fit(&cameras, &dots).unwrap();
+    assert_eq!(fit.unrecognised, [shin]);
+    let joints = STUDIO.body.joints(&cameras, &fit).unwrap();
+    let [thigh, foot] = ["LeftUpperLeg", "LeftFoot"].map(|name| {
+        let joint = STUDIO.human.skeleton.index(name).unwrap();
+        joints.iter().all(|view| view[joint].is_some())
+    });
+    assert!(thigh && foot);
+}
+
+/// The head of a joint is in the pictures where the true pose has it, within its deviation.
+#[test]
+fn joints_are_in_the_pictures_where_the_pose_has_them() {
+    let (mut sum, mut count) = (0.0, 0);
+    for time in [0.1, 0.5, 0.9] {
+        let pose = walk(1).sample(time);
+        let cameras = STUDIO.rigs(&pose, FRONT_AND_BACK, 4.0).unwrap();
+        let dots = STUDIO.dots(&pose, &cameras, Shading::Unlit).unwrap();
+        let fit = STUDIO.body.fit(&cameras, &dots).unwrap();
+        let joints = STUDIO.body.joints(&cameras, &fit).unwrap();
+        for (camera, joints) in cameras.iter().zip(joints) {
+            for (place, joint) in STUDIO.joints(&pose).unwrap().into_iter().zip(joints) {
+                let Some(joint) = joint else { continue };
+                let [u, v] = camera.project(place).unwrap();
+                let distance = (joint.position[0] - u).hypot(joint.position[1] - v);
+                assert!(distance < 3.0, "{time} s: {distance} px");
+                assert!((0.01..1.5).contains(&joint.deviation), "{joint:?}");
+                sum += (distance / joint.deviation).powi(2);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 200, "{count}");
+    let rms = (sum / f64::from(count)).sqrt();
+    assert!((0.3..4.0).contains(&rms), "{rms} deviations");
+}
+
 #[test]
 fn a_pose_of_motion_capture_is_found() {
     let Some(path) = nullcone_shared_data::shared("data/anim/bvh/01_01.bvh") else {
