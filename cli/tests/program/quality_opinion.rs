@@ -64,7 +64,8 @@ fn a_measure_is_fitted_as_scipy_fits_it() {
         assert!((number(&found[rank]) - number(&truth[rank])).abs() < 1e-12);
     }
     assert_eq!(found["plcc"], found["logistic5"]["plcc"]);
-    for key in ["plcc", "srocc", "krocc", "outlier_ratio"] {
+    assert_eq!(found["logistic5"]["held_monotone"], false);
+    for key in ["unfitted_plcc", "plcc", "srocc", "krocc", "outlier_ratio"] {
         let ends = found[&format!("{key}_interval")].as_array().unwrap();
         assert!(number(&ends[0]) <= number(&found[key]), "{key}");
         assert!(number(&found[key]) <= number(&ends[1]), "{key}");
@@ -88,10 +89,16 @@ fn a_measure_is_fitted_as_scipy_fits_it() {
     // Text for people, and the same numbers for the same seed.
     let output = run(folder.path(), &["fit", "scores.csv"]);
     let lines = text(&output.stdout);
-    assert!(
-        lines.contains("63 scores") && lines.contains("SROCC"),
-        "{lines}"
-    );
+    let places = [
+        "63 scores",
+        "unfitted PLCC",
+        "SROCC",
+        "KROCC",
+        "logistic curve",
+        "RMSE",
+    ];
+    let places = places.map(|part| lines.find(part).unwrap());
+    assert!(places.is_sorted(), "{lines}");
     let again = json(&run(
         folder.path(),
         &[&arguments[..], &["--against", "worse"]].concat(),
@@ -237,13 +244,72 @@ fn screening_leaves_out_who_answers_without_order() {
 #[test]
 fn raters_may_have_no_names() {
     let folder = tempdir().unwrap();
+    let rows_are_raters = ["ratings", "table.csv", "--json", "--rows", "raters"];
     std::fs::write(folder.path().join("table.csv"), "A,B\n4,5\n5,3\n").unwrap();
-    let found = json(&run(folder.path(), &["ratings", "table.csv", "--json"]));
+    let found = json(&run(folder.path(), &rows_are_raters));
     assert_eq!(found["screening"][1]["rater"], "2");
     assert_eq!(found["questions"].as_array().unwrap().len(), 2);
     std::fs::write(folder.path().join("table.csv"), "who,A\nAda,5\nBob,3\n").unwrap();
-    let found = json(&run(folder.path(), &["ratings", "table.csv", "--json"]));
+    let found = json(&run(folder.path(), &rows_are_raters));
     assert_eq!(found["screening"][1]["rater"], "Bob");
+    // Nothing says what the rows are.
+    let output = run(folder.path(), &["ratings", "table.csv"]);
+    assert_failure(
+        &output,
+        &["table.csv", "\"who\"", "--rows raters or --rows stimuli"],
+    );
+}
+
+#[test]
+fn rows_of_clips_are_read_as_clips() {
+    let folder = tempdir().unwrap();
+    let table = "clip,s1,s2,s3\nclipA,1,2,1\nclipB,3,4,3\nclipC,5,5,5\n";
+    std::fs::write(folder.path().join("t.csv"), table).unwrap();
+    let found = json(&run(folder.path(), &["ratings", "t.csv", "--json"]));
+    assert_eq!(
+        (&found["rows"], &found["raters"]),
+        (&"stimuli".into(), &3.into())
+    );
+    let questions = found["questions"].as_array().unwrap();
+    for (question, (name, mean)) in
+        questions
+            .iter()
+            .zip([("clipA", 4.0 / 3.0), ("clipB", 10.0 / 3.0), ("clipC", 5.0)])
+    {
+        assert_eq!(question["question"], name);
+        let found = question["mean_opinion_score"].as_f64().unwrap();
+        assert!((found - mean).abs() < 1e-12, "{name}: {found}");
+    }
+    let output = run(folder.path(), &["ratings", "t.csv"]);
+    assert!(text(&output.stdout).starts_with("3 raters; the rows are stimuli\n"));
+}
+
+/// A sine of opinions, and too few scores, in the dialect of a spreadsheet.
+#[test]
+fn fits_that_say_little_are_named() {
+    let folder = tempdir().unwrap();
+    let rows = (0..60).map(|k| {
+        let x = f64::from(k) / 2.0;
+        format!("{x};{}\n", 3.0 + 1.5 * (0.18 * x - 1.9).sin())
+    });
+    let csv = format!("objective;subjective\n{}", rows.collect::<String>()).replace('.', ",");
+    std::fs::write(folder.path().join("sine.csv"), csv).unwrap();
+    let found = json(&run(
+        folder.path(),
+        &["fit", "sine.csv", "--json", "--draws", "20"],
+    ));
+    assert_eq!(found["logistic5"]["held_monotone"], true);
+    assert_eq!(found["warnings"][0]["kind"], "held_monotone");
+    let [fitted, unfitted] = ["plcc", "unfitted_plcc"].map(|key| found[key].as_f64().unwrap());
+    assert!(unfitted < fitted && fitted < 0.95, "{unfitted} {fitted}");
+    let few = "objective;subjective\n30,1;2,1\n31,5;2,9\n33,0;3,5\n35,2;4,1\n38,0;4,6\n";
+    std::fs::write(folder.path().join("few.csv"), few).unwrap();
+    let output = run(
+        folder.path(),
+        &["fit", "few.csv", "--draws", "20", "--json"],
+    );
+    assert_eq!(json(&output)["warnings"][0]["kind"], "few_scores");
+    assert!(text(&output.stderr).contains("5 scores are few for a curve with 5 parameters"));
 }
 
 #[test]

@@ -50,6 +50,18 @@ pub enum OpinionError {
         /// The name of the column.
         column: String,
     },
+    /// The first column of a table of ratings does not say what the rows are.
+    #[error(
+        "the first column, {name:?}, does not say whether the rows are raters or stimuli: name it \
+         rater or clip, or give --rows raters or --rows stimuli"
+    )]
+    Orientation {
+        /// The name of the column.
+        name: String,
+    },
+    /// A table whose rows are stimuli has groups, which only raters have.
+    #[error("the rows are stimuli, and only raters can have a column group")]
+    Groups,
     /// A row has another number of ratings than there are questions.
     #[error("rater {rater} has {found} ratings, but there are {expected} questions")]
     Ragged {

@@ -15,13 +15,15 @@ use ga_numerics::order_statistics::Sorted;
 /// How well a measure predicts opinion scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Performance<V = f64> {
-    /// Pearson's correlation of the predicted with the true opinion scores. The prediction is the
-    /// fitted curve at the measure's score.
-    pub linear_correlation: V,
+    /// Pearson's correlation of the measure with the opinion scores, without a curve.
+    pub unfitted_linear_correlation: V,
     /// Spearman's rank correlation of the measure with the opinion scores, without a curve.
     pub spearman: V,
     /// Kendall's rank correlation τ_b of the measure with the opinion scores, without a curve.
     pub kendall: V,
+    /// Pearson's correlation of the predicted with the true opinion scores. The prediction is the
+    /// fitted curve at the measure's score.
+    pub linear_correlation: V,
     /// The root of the mean squared error of the prediction, in the unit of the opinion scores:
     /// divided by the number of scores.
     pub root_mean_square_error: V,
@@ -29,6 +31,10 @@ pub struct Performance<V = f64> {
     /// deviations of the opinion score, where these are known, else of all errors.
     pub outlier_ratio: V,
 }
+
+/// How many of the numbers of a [`Performance`] are those of the measure itself, without a curve:
+/// the first ones.
+pub const UNFITTED: usize = 3;
 
 /// A number and an interval in which the true one lies with a stated confidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,13 +108,14 @@ pub fn of<C: Curve>(scores: &Scores, fit: &Fit<C>) -> Performance {
     let mean_square = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
     // A curve of constant height predicts nothing.
     let predicts = pearson(&predicted, scores.subjective()).unwrap_or(0.0);
-    let ranked = |of: fn(&[f64], &[f64]) -> Option<f64>| {
+    let unfitted = |of: fn(&[f64], &[f64]) -> Option<f64>| {
         of(scores.objective(), scores.subjective()).unwrap_or(0.0)
     };
     Performance {
+        unfitted_linear_correlation: unfitted(pearson),
+        spearman: unfitted(spearman),
+        kendall: unfitted(kendall),
         linear_correlation: predicts,
-        spearman: ranked(spearman),
-        kendall: ranked(kendall),
         root_mean_square_error: mean_square.sqrt(),
         outlier_ratio: outliers(scores, &errors) as f64 / errors.len() as f64,
     }
@@ -135,9 +142,10 @@ pub fn with_intervals<C: Curve>(
         bootstrap.interval(pick(&of(scores, fit)), drawn.iter().map(pick).collect())
     };
     Ok(Performance {
-        linear_correlation: interval(|p| p.linear_correlation),
+        unfitted_linear_correlation: interval(|p| p.unfitted_linear_correlation),
         spearman: interval(|p| p.spearman),
         kendall: interval(|p| p.kendall),
+        linear_correlation: interval(|p| p.linear_correlation),
         root_mean_square_error: interval(|p| p.root_mean_square_error),
         outlier_ratio: interval(|p| p.outlier_ratio),
     })
@@ -200,11 +208,12 @@ pub fn difference<C: Curve>(
 impl<V: Copy> Performance<V> {
     /// The numbers with the abbreviations by which they are known, in the order of the fields.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, V); 5] {
+    pub fn named(&self) -> [(&'static str, V); 6] {
         [
-            ("PLCC", self.linear_correlation),
+            ("unfitted PLCC", self.unfitted_linear_correlation),
             ("SROCC", self.spearman),
             ("KROCC", self.kendall),
+            ("PLCC", self.linear_correlation),
             ("RMSE", self.root_mean_square_error),
             ("outlier ratio", self.outlier_ratio),
         ]

@@ -6,19 +6,22 @@ use anyhow::{Context as _, Result};
 use ga_draw::document::percent;
 use ga_files::table::Table;
 use ga_video::opinion::evaluation::{Evaluation, Fitted};
-use ga_video::opinion::performance::{Bootstrap, Interval};
+use ga_video::opinion::performance::{Bootstrap, Interval, UNFITTED};
 
 use crate::format::Format;
-use crate::frame::{Command, Context, Shown};
+use crate::frame::{Command, Context, Shown, Warning};
 
 /// Fit opinion scores by a measure of quality, and say how well the measure predicts them.
 ///
 /// SCORES.csv has a line of names and the columns objective (the scores of the measure) and
 /// subjective (the mean opinion scores), perhaps also deviation (the standard deviation of each
-/// mean opinion score). Logistic curves with four and five parameters are fitted. Of the prediction
-/// by the curve with five follow the linear correlation (PLCC), the error (RMSE) and the part of
-/// outliers; the rank correlations SROCC and KROCC need no curve. Intervals come from the
-/// bootstrap.
+/// mean opinion score). The correlations of the measure itself come first: unfitted PLCC (Pearson),
+/// SROCC (Spearman) and KROCC (Kendall). Then logistic curves with four and five parameters are
+/// fitted, among those that rise or fall all over the range of the scores (ITU-T P.1401); of the
+/// prediction by the curve with five follow the linear correlation (PLCC), the error (RMSE) and the
+/// part of outliers. "held_monotone" says that a curve that bends back would fit better. Fewer than
+/// 10 scores are warned of, a number that is missing (an empty cell, NA) is an error. Intervals
+/// come from the bootstrap.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The scores.
@@ -67,8 +70,17 @@ impl Command for Arguments {
             found.against = Some(comparison.with_context(|| source.clone())?);
         }
         progress.step("drawing");
+        let few = found.too_few().into_iter();
+        let few = few.map(|message| Warning::new("few_scores", message));
+        let held = found.held_monotone().into_iter();
+        let held = held.map(|message| Warning::new("held_monotone", message).as_note());
+        let warnings = few.chain(held).collect();
         let text = text(&found);
-        Shown::new(found, text).with_plot(
+        let shown = Shown {
+            warnings: Some(warnings),
+            ..Shown::new(found, text)
+        };
+        shown.with_plot(
             self.plot.as_ref(),
             context,
             |found| fitted.svg(&found.performance),
@@ -79,6 +91,15 @@ impl Command for Arguments {
 
 fn text(found: &Evaluation) -> String {
     let mut text = format!("{} scores\n", found.scores);
+    let percent = percent(found.bootstrap.confidence);
+    let row = |(name, found): (&str, Interval)| {
+        let Interval { value, low, high } = found;
+        format!("{name:<14}  {value:>8.4}   {low:.4} to {high:.4}\n")
+    };
+    let named = found.performance.named();
+    let (unfitted, fitted) = named.split_at(UNFITTED);
+    text += &format!("{:<14}  {:>8}   {percent} % interval\n", "measure", "value");
+    text.extend(unfitted.iter().copied().map(row));
     let curves = [
         ("4 parameters", &found.logistic4),
         ("5 parameters", &found.logistic5),
@@ -92,11 +113,11 @@ fn text(found: &Evaluation) -> String {
             curve.linear_correlation
         );
     }
-    let percent = percent(found.bootstrap.confidence);
-    text += &format!("{:<14}  {:>8}   {percent} % interval\n", "measure", "value");
-    for (name, Interval { value, low, high }) in found.performance.named() {
-        text += &format!("{name:<14}  {value:>8.4}   {low:.4} to {high:.4}\n");
-    }
+    text += &format!(
+        "prediction by the curve with {} parameters\n",
+        found.logistic5.parameters.len()
+    );
+    text.extend(fitted.iter().copied().map(row));
     if let Some(against) = &found.against {
         let Interval { value, low, high } = against.difference.linear_correlation;
         text += &format!(

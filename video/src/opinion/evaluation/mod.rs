@@ -37,20 +37,23 @@ pub struct Fitted {
     five: Fit<Logistic5>,
 }
 
+/// Scores for each parameter of a curve below which its fit says little of the measure.
+const SCORES_FOR_PARAMETER: usize = 2;
+
 /// How well a measure predicts opinion scores. As JSON, the numbers of [`Performance`] and of
 /// [`Bootstrap`] stand beside the others.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Evaluation {
     /// The number of scores.
     pub scores: usize,
-    /// The fitted curve with four parameters.
-    pub logistic4: FittedCurve,
-    /// The fitted curve with five parameters.
-    pub logistic5: FittedCurve,
     /// What the measure is worth; numbers of the prediction are those of the curve with five
     /// parameters.
     #[serde(flatten)]
     pub performance: Performance<Interval>,
+    /// The fitted curve with four parameters.
+    pub logistic4: FittedCurve,
+    /// The fitted curve with five parameters.
+    pub logistic5: FittedCurve,
     /// How the intervals were found.
     #[serde(flatten)]
     pub bootstrap: Bootstrap,
@@ -67,6 +70,9 @@ pub struct FittedCurve {
     /// The sum of the squared errors.
     #[serde(rename = "sse")]
     pub sum_of_squares: f64,
+    /// As in [`Fit`].
+    #[serde(rename = "held_monotone")]
+    pub is_held_monotone: bool,
     /// As in [`Performance`].
     #[serde(rename = "plcc")]
     pub linear_correlation: f64,
@@ -85,6 +91,9 @@ pub struct Comparison {
     /// The linear correlation of the other measure's prediction.
     #[serde(rename = "plcc")]
     pub linear_correlation: f64,
+    /// As in [`Fit`], of the curve of the other measure.
+    #[serde(rename = "held_monotone")]
+    pub is_held_monotone: bool,
     /// The numbers of this measure less those of the other one.
     #[serde(flatten)]
     pub difference: Difference,
@@ -143,7 +152,39 @@ impl Fitted {
             column: column.to_owned(),
             difference: performance::difference(scores, fits, bootstrap)?,
             linear_correlation: performance::of(&other, &fit).linear_correlation,
+            is_held_monotone: fit.is_held_monotone,
         })
+    }
+}
+
+impl Evaluation {
+    /// Why the fit says little, where there are few scores for the parameters of the curve.
+    #[must_use]
+    pub fn too_few(&self) -> Option<String> {
+        let (scores, parameters) = (self.scores, Logistic5::PARAMETERS);
+        let wanted = SCORES_FOR_PARAMETER * parameters;
+        (scores < wanted).then(|| {
+            format!(
+                "{scores} scores are few for a curve with {parameters} parameters: PLCC, RMSE and \
+                 outlier ratio describe the curve more than the measure; at least {wanted} scores \
+                 are wanted"
+            )
+        })
+    }
+
+    /// For each measure whose curve with five parameters was kept from bending back, what was done.
+    #[must_use]
+    pub fn held_monotone(&self) -> Vec<String> {
+        let of_measure = self.logistic5.is_held_monotone.then_some("the measure");
+        let against = self.against.as_ref().filter(|found| found.is_held_monotone);
+        let columns = against.map(|found| found.column.as_str());
+        let message = |of| {
+            format!(
+                "the curve with 5 parameters that fits {of} best bends back between the scores; \
+                 the best monotone one is taken (ITU-T P.1401)"
+            )
+        };
+        of_measure.into_iter().chain(columns).map(message).collect()
     }
 }
 
@@ -153,6 +194,7 @@ impl FittedCurve {
         Self {
             parameters: parameters.to_vec(),
             sum_of_squares: fit.sum_of_squares,
+            is_held_monotone: fit.is_held_monotone,
             linear_correlation: found.linear_correlation,
             root_mean_square_error: found.root_mean_square_error,
             outlier_ratio: found.outlier_ratio,

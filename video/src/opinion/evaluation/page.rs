@@ -12,14 +12,21 @@ impl Evaluation {
     pub fn page(&self, source: &str, svg: &str) -> Page {
         let mut page = Page::new("A measure of quality against opinion scores");
         page.paragraph(&format!(
-            "{} scores of {source}. PLCC, RMSE and the outlier ratio are those of the prediction \
-             by the curve with five parameters. Intervals of {} % by the bootstrap: {} draws, \
+            "{} scores of {source}. Unfitted PLCC, SROCC and KROCC are those of the measure \
+             itself; PLCC, RMSE and the outlier ratio are those of the prediction by the monotone \
+             curve with five parameters. Intervals of {} % by the bootstrap: {} draws, \
              seed {}.",
             self.scores,
             percent(self.bootstrap.confidence),
             self.bootstrap.draws,
             self.bootstrap.seed
         ));
+        if let Some(warning) = self.too_few() {
+            page.warning(&warning);
+        }
+        for note in self.held_monotone() {
+            page.note(&note);
+        }
         page.svg(svg);
         page.heading("How well the measure predicts opinions");
         let rows = self.performance.named().map(|(name, found)| {

@@ -23,9 +23,9 @@ impl Fitted {
         let y = range(self.scores.subjective());
         chart::svg(SIZE, |area| {
             let caption = format!(
-                "PLCC {:.4}, SROCC {:.4}, RMSE {:.4}, {} scores",
-                found.linear_correlation.value,
+                "SROCC {:.4}, fitted PLCC {:.4}, RMSE {:.4}, {} scores",
                 found.spearman.value,
+                found.linear_correlation.value,
                 found.root_mean_square_error.value,
                 self.scores.len()
             );

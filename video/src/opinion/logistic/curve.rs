@@ -9,6 +9,8 @@ pub struct Fit<C> {
     pub curve: C,
     /// The sum of the squared differences from the opinion scores.
     pub sum_of_squares: f64,
+    /// Whether a curve of the kind that bends back between the scores would have a smaller sum.
+    pub is_held_monotone: bool,
     /// Place and logarithm of the steepness, in the unit of the scores' range.
     pub(super) place: [f64; 2],
     /// Middle and half of the range of the scores for which the place stands.
@@ -23,11 +25,14 @@ pub trait Curve: Copy + Send + Sync {
     /// The opinion score that is predicted for a score of the measure.
     fn at(&self, objective: f64) -> f64;
 
-    /// The curve for which the sum of the squared errors is least.
+    /// The curve for which the sum of the squared errors is least, among those that rise or fall
+    /// all over the range of the scores, as ITU-T P.1401 asks for: a measure whose order differs
+    /// from that of the opinions is not to gain by its curve.
     ///
     /// The curve is linear in all of its parameters but two, the place and the steepness of the
     /// logistic function: for each pair of these, the others follow from linear equations (variable
-    /// projection: G. H. Golub, V. Pereyra, 1973). A grid of the two is searched for all local
+    /// projection: G. H. Golub, V. Pereyra, 1973), and where their curve is not monotone, from such
+    /// equations on the border of those that are. A grid of the two is searched for all local
     /// minima, and the best are followed by the simplex method of J. A. Nelder and R. Mead, 1965.
     /// So the result does not depend on a start, and is the least sum over the grid's range: from
     /// curves that are nearly polynomials to steps between two neighbouring scores. With few or

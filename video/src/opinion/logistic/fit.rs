@@ -41,7 +41,7 @@ pub(super) fn everywhere<C: Curve>(
     curve: impl Fn(Parts) -> C,
 ) -> Result<Fit<C>, OpinionError> {
     let problem = Projection::new(scores, parameters)?;
-    let mut starts = problem.local_minima();
+    let (mut starts, least_free_sum) = problem.local_minima();
     starts.truncate(FOLLOWED);
     let sides = [
         2.0 * FARTHEST_MIDDLE / MIDDLES as f64,
@@ -60,7 +60,12 @@ pub(super) fn everywhere<C: Curve>(
     let best = followed.min_by(|a, b| a.1.total_cmp(&b.1));
     // The grid has a least value, so that there is at least one start.
     let place = best.map_or([0.0, 0.0], |(place, _)| place);
-    Ok(problem.fit(place, curve))
+    let fit = problem.fit(place, curve);
+    Ok(Fit {
+        is_held_monotone: fit.is_held_monotone
+            || problem.is_less(least_free_sum, fit.sum_of_squares),
+        ..fit
+    })
 }
 
 /// The curve of least error near another one.
@@ -103,8 +108,21 @@ struct Projection<'a> {
     /// An orthonormal basis of what is linear: the constant, and the straight line where the curve
     /// has one.
     basis: Vec<Vec<f64>>,
+    /// The opinion scores without their mean.
+    centred: Vec<f64>,
     /// The opinion scores without their part in the span of the basis.
     rest: Vec<f64>,
+}
+
+/// The best of the curves with one logistic function, `height · logistic + slope x + constant` for
+/// scores x between −1 and 1.
+#[derive(Clone, Copy)]
+struct Best {
+    height: f64,
+    slope: f64,
+    sum_of_squares: f64,
+    /// The sum of the best one that need not be monotone.
+    free_sum: f64,
 }
 
 impl<'a> Projection<'a> {
@@ -135,6 +153,8 @@ impl<'a> Projection<'a> {
             line.iter_mut().for_each(|v| *v /= length);
             basis.push(line);
         }
+        let mut centred = scores.subjective().to_vec();
+        remove(&basis[..1], &mut centred);
         let mut rest = scores.subjective().to_vec();
         remove(&basis, &mut rest);
         Ok(Self {
@@ -142,54 +162,114 @@ impl<'a> Projection<'a> {
             range,
             objective,
             basis,
+            centred,
             rest,
         })
     }
 
-    /// The factor of the logistic function with this middle and logarithm of the steepness for
-    /// which the sum of the squared errors is least, and that sum.
-    fn height(&self, [middle, steepness]: [f64; 2]) -> (f64, f64) {
+    /// The curve of least error with this middle and logarithm of the steepness, among those that
+    /// rise or fall all over the range of the scores.
+    fn best(&self, [middle, steepness]: [f64; 2]) -> Best {
         let steepness = steepness.exp();
-        let values = self.objective.iter();
-        let mut column: Vec<f64> = values.map(|x| logistic(steepness * (x - middle))).collect();
+        let places = self.objective.iter();
+        let values: Vec<f64> = places.map(|x| logistic(steepness * (x - middle))).collect();
+        let mut column = values.clone();
         remove(&self.basis, &mut column);
-        let square = dot(&column, &column);
-        // A column in the span of the basis has no factor.
-        let height = if square > 0.0 {
-            dot(&column, &self.rest) / square
-        } else {
-            0.0
+        let (height, sum) = projected(&column, &self.rest);
+        let free = Best {
+            height,
+            slope: self.slope(height, &values),
+            sum_of_squares: sum,
+            free_sum: sum,
         };
-        let errors = self.rest.iter().zip(&column).map(|(r, c)| r - height * c);
-        (height, errors.map(|e| e * e).sum())
+        if self.basis.len() == 1 {
+            return free;
+        }
+        // The curve's derivative is linear in that of the logistic function, so that it has one
+        // sign wherever it has it at the least and at the greatest of those.
+        let derivative = |x: f64| {
+            let z = steepness * (x - middle);
+            steepness * logistic(z) * logistic(-z)
+        };
+        let ends = [derivative(-1.0), derivative(1.0)];
+        let greatest = match middle.abs() <= 1.0 {
+            true => 0.25 * steepness,
+            false => ends[0].max(ends[1]),
+        };
+        let extremes = [ends[0].min(ends[1]), greatest];
+        let [first, second] = extremes.map(|extreme| free.height * extreme + free.slope);
+        if first * second >= 0.0 {
+            return free;
+        }
+        // Otherwise the best monotone curve is level where one of the two is.
+        let level = extremes.map(|extreme| {
+            let values = values.iter().zip(&self.objective);
+            let mut column: Vec<f64> = values.map(|(v, x)| v - extreme * x).collect();
+            remove(&self.basis[..1], &mut column);
+            let (height, sum_of_squares) = projected(&column, &self.centred);
+            Best {
+                height,
+                slope: -height * extreme,
+                sum_of_squares,
+                ..free
+            }
+        });
+        let [first, second] = level;
+        match first.sum_of_squares <= second.sum_of_squares {
+            true => first,
+            false => second,
+        }
     }
 
-    /// The sum of the squared errors, infinite outside of the range of sensible curves.
-    fn sum_of_squares(&self, [middle, steepness]: [f64; 2]) -> f64 {
+    /// The slope of the straight line that is best beside a logistic function of this height.
+    fn slope(&self, height: f64, values: &[f64]) -> f64 {
+        self.basis.get(1).map_or(0.0, |line| {
+            let left = self.scores.subjective().iter().zip(values);
+            let left: Vec<f64> = left.map(|(y, value)| y - height * value).collect();
+            // The line is the scaled scores without their mean, over its length.
+            dot(line, &left) / dot(line, &self.objective)
+        })
+    }
+
+    /// Whether a sum of squares is less than another one by more than rounding.
+    fn is_less(&self, sum: f64, other: f64) -> bool {
+        sum < other * (1.0 - 1e-6) - 1e-12 * dot(&self.centred, &self.centred)
+    }
+
+    /// Whether scores span enough of the logistic function, and it is none that is too far away.
+    fn is_sensible(&self, [middle, steepness]: [f64; 2]) -> bool {
         let within = middle.abs() <= FARTHEST
             && (LEAST_STEEPNESS.ln()..=GREATEST_STEEPNESS.ln()).contains(&steepness);
         let end = |x: f64| logistic(steepness.exp() * (x - middle));
-        if within && end(1.0) - end(-1.0) > LEAST_PART {
-            self.height([middle, steepness]).1
-        } else {
-            f64::INFINITY
+        within && end(1.0) - end(-1.0) > LEAST_PART
+    }
+
+    /// The sum of the squared errors, infinite outside of the range of sensible curves.
+    fn sum_of_squares(&self, place: [f64; 2]) -> f64 {
+        match self.is_sensible(place) {
+            true => self.best(place).sum_of_squares,
+            false => f64::INFINITY,
         }
     }
 
     /// The places of a grid whose sum is no greater than at the eight places around them, the least
-    /// sum first.
-    fn local_minima(&self) -> Vec<Vertex> {
+    /// sum first; and the least sum on the grid of curves that need not be monotone.
+    fn local_minima(&self) -> (Vec<Vertex>, f64) {
         let middles = self.middles();
         let steepnesses = steepnesses();
-        let sums: Vec<Vec<f64>> = middles
-            .iter()
-            .map(|m| {
-                steepnesses
-                    .iter()
-                    .map(|s| self.sum_of_squares([*m, *s]))
-                    .collect()
-            })
-            .collect();
+        let mut least_free_sum = f64::INFINITY;
+        let mut sum = |place: [f64; 2]| {
+            if !self.is_sensible(place) {
+                return f64::INFINITY;
+            }
+            let best = self.best(place);
+            least_free_sum = least_free_sum.min(best.free_sum);
+            best.sum_of_squares
+        };
+        let mut sums: Vec<Vec<f64>> = Vec::with_capacity(middles.len());
+        for middle in &middles {
+            sums.push(steepnesses.iter().map(|s| sum([*middle, *s])).collect());
+        }
         let mut minima = Vec::new();
         for (row, middle) in middles.iter().enumerate() {
             for (column, steepness) in steepnesses.iter().enumerate() {
@@ -207,7 +287,7 @@ impl<'a> Projection<'a> {
         minima.sort_by(|a, b| a.1.total_cmp(&b.1));
         // Where steps of any steepness lie between the same scores, one of them is enough.
         minima.dedup_by(|a, b| a.1 <= b.1 * (1.0 + 1e-12));
-        minima
+        (minima, least_free_sum)
     }
 
     /// Places where a score lies on the slope of the logistic function, the least sum first: for
@@ -275,19 +355,17 @@ impl<'a> Projection<'a> {
     }
 
     fn fit<C: Curve>(&self, place: [f64; 2], curve: impl Fn(Parts) -> C) -> Fit<C> {
-        let (height, _) = self.height(place);
+        let Best {
+            height,
+            slope,
+            free_sum,
+            ..
+        } = self.best(place);
         let steepness = place[1].exp();
-        let values = self.objective.iter().zip(self.scores.subjective());
-        let left: Vec<f64> = values
-            .map(|(x, y)| y - height * logistic(steepness * (x - place[0])))
-            .collect();
-        let slope = self.basis.get(1).map_or(0.0, |line| {
-            // The line is the scaled scores without their mean, over its length.
-            dot(line, &left) / dot(line, &self.objective)
-        });
-        let count = left.len() as f64;
-        let constant =
-            (left.iter().sum::<f64>() - slope * self.objective.iter().sum::<f64>()) / count;
+        let pairs = self.objective.iter().zip(self.scores.subjective());
+        let left =
+            pairs.map(|(x, y)| y - height * logistic(steepness * (x - place[0])) - slope * x);
+        let constant = left.sum::<f64>() / self.objective.len() as f64;
         let [middle, half] = self.range;
         let curve = curve(Parts {
             height,
@@ -297,9 +375,11 @@ impl<'a> Projection<'a> {
             constant: constant - slope * middle / half,
         });
         let pairs = self.scores.objective().iter().zip(self.scores.subjective());
+        let sum_of_squares = pairs.map(|(x, y)| (curve.at(*x) - y).powi(2)).sum();
         Fit {
             curve,
-            sum_of_squares: pairs.map(|(x, y)| (curve.at(*x) - y).powi(2)).sum(),
+            sum_of_squares,
+            is_held_monotone: self.is_less(free_sum, sum_of_squares),
             place,
             range: self.range,
         }
@@ -325,6 +405,19 @@ fn remove(basis: &[Vec<f64>], values: &mut [f64]) {
             .zip(column)
             .for_each(|(v, c)| *v -= part * c);
     }
+}
+
+/// The factor of a column for which the sum of the squared differences from numbers is least, and
+/// that sum.
+fn projected(column: &[f64], numbers: &[f64]) -> (f64, f64) {
+    let square = dot(column, column);
+    // A column in the span of the basis has no factor.
+    let factor = match square > 0.0 {
+        true => dot(column, numbers) / square,
+        false => 0.0,
+    };
+    let errors = numbers.iter().zip(column).map(|(n, c)| n - factor * c);
+    (factor, errors.map(|e| e * e).sum())
 }
 
 fn dot(first: &[f64], second: &[f64]) -> f64 {

@@ -13,6 +13,7 @@ pub use agreement::{Agreement, Level};
 pub use evaluation::{Evaluation, GroupComparison, QuestionEvaluation, ScreenedRater};
 pub use mean_opinion::{GroupDifference, MeanOpinion};
 pub use screening::Screening;
+pub use table::Rows;
 
 use std::collections::HashSet;
 

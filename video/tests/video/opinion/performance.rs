@@ -1,5 +1,6 @@
 //! Intervals and tests of significance against closed forms.
 
+use ga_files::table::Table;
 use ga_video::opinion::logistic::{Curve, Logistic4, Logistic5};
 use ga_video::opinion::performance::{self, Bootstrap};
 use ga_video::opinion::{OpinionError, Scores};
@@ -143,4 +144,34 @@ fn wrong_settings_are_refused() {
         error(draws),
         OpinionError::TooFew { what: "draws", .. }
     ));
+}
+
+/// What is read from the semicolons and decimal commas of a spreadsheet is what a program writes.
+#[test]
+fn scores_of_spreadsheets_are_read() {
+    let scores = |text: &str| {
+        let table = Table::with_names(text.as_bytes()).unwrap();
+        Scores::of_column(&table, "objective")
+    };
+    let plain = "objective,subjective\n30.1,2.1\n31.5,2.9\n33,3.5\n35.2,4.1\n38,4.6\n40.1,4.7\n";
+    let expected = scores(plain).unwrap();
+    assert_eq!(scores(&plain.replace(',', "\t")).unwrap(), expected);
+    assert_eq!(
+        scores(&format!("\u{feff}{}", plain.replace('\n', "\r\n"))).unwrap(),
+        expected
+    );
+    for missing in ["NA", ""] {
+        let message = scores(&plain.replace("4.6", missing))
+            .unwrap_err()
+            .to_string();
+        let said = format!("line 6, column subjective: {missing:?} is not a finite number");
+        assert_eq!(message, said);
+    }
+    let Some(path) = nullcone_shared_data::shared("cases/video/csv-semicolon/fit.csv") else {
+        return;
+    };
+    assert_eq!(
+        scores(&std::fs::read_to_string(path).unwrap()).unwrap(),
+        expected
+    );
 }

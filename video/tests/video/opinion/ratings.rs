@@ -1,7 +1,8 @@
 //! Ratings against printed examples and plain sums.
 
+use ga_files::table::Table;
 use ga_video::opinion::OpinionError;
-use ga_video::opinion::ratings::{Level, Rater, Ratings};
+use ga_video::opinion::ratings::{Level, Rater, Ratings, Rows};
 
 /// A table from one row of digits for each rater; a point stands for a missing rating.
 fn table(rows: &[&str]) -> Ratings {
@@ -153,4 +154,61 @@ fn wrong_tables_are_named() {
         "rater Bob, question realism: inf is not a finite number"
     );
     assert_eq!(message(vec![good(), good()]), "the rater Ada occurs twice");
+}
+
+#[test]
+fn the_first_name_says_what_rows_are() {
+    let rows =
+        |names: &str| Rows::of(&Table::with_names(format!("{names}\n1,2,3\n").as_bytes()).unwrap());
+    for name in [
+        "rater",
+        "Observer",
+        "subject_id",
+        "participants",
+        "group,Subject ID",
+        "Viewer No.",
+    ] {
+        let more = if name.contains(',') { "b" } else { "a,b" };
+        assert_eq!(rows(&format!("{name},{more}")), Ok(Rows::Raters), "{name}");
+    }
+    for name in [
+        "clip",
+        "Stimulus",
+        "video name",
+        "images",
+        "PVS",
+        "pvs_id",
+        "src",
+        "filename",
+    ] {
+        assert_eq!(rows(&format!("{name},a,b")), Ok(Rows::Stimuli), "{name}");
+    }
+    for name in ["", "who", "id", "score", "judgement", "srcode"] {
+        let error = Err(OpinionError::Orientation { name: name.into() });
+        assert_eq!(rows(&format!("{name},a,b")), error, "{name}");
+    }
+}
+
+/// A table and the same with rows and columns exchanged have the same ratings.
+#[test]
+fn a_table_of_clips_is_one_of_raters_transposed() {
+    let read =
+        |text: &str, rows| Ratings::of_table(&Table::with_names(text.as_bytes()).unwrap(), rows);
+    let raters = read("rater,clipA,clipB\ns1,1,3\ns2,2,\ns3,1,3\n", Rows::Raters);
+    let clips = read(
+        "clip;s1;s2;s3\nclipA;1,0;2;1\nclipB;3;NA;3\n",
+        Rows::Stimuli,
+    );
+    assert_eq!(raters, clips);
+    let groups = read("clip,group,s1,s2\na,x,1,2\n", Rows::Stimuli);
+    assert_eq!(groups, Err(OpinionError::Groups));
+    let Some(path) = nullcone_shared_data::shared("cases/video/ratings-transposed/t.csv") else {
+        return;
+    };
+    let table = Table::with_names(&std::fs::read(path).unwrap()).unwrap();
+    assert_eq!(Rows::of(&table), Ok(Rows::Stimuli));
+    let ratings = Ratings::of_table(&table, Rows::Stimuli).unwrap();
+    assert_eq!(ratings.questions(), ["clipA", "clipB", "clipC"]);
+    assert_eq!(ratings.of_question(0, None), [1.0, 2.0, 1.0]);
+    assert_eq!(ratings.of_question(2, None), [5.0, 5.0, 5.0]);
 }
