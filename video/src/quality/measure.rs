@@ -3,6 +3,7 @@
 use ga_image::quality::MULTISCALE_LEAST_SIDE;
 
 use super::FrameQuality;
+use super::measures::SSIM_LEAST_SIDE;
 
 /// A measure of a frame.
 #[derive(Clone, Copy, Debug)]
@@ -13,105 +14,154 @@ pub struct Measure {
     pub name: &'static str,
     /// What its numbers are.
     pub scale: Scale,
-    /// Whether it is a measure of luma, which every frame has but for its size, and not of colour
-    /// differences, which grey frames lack.
-    pub of_luma: bool,
+    /// What it looks at.
+    pub part: Part,
     /// Its value for a frame that has one.
     pub value: fn(&FrameQuality) -> Option<f64>,
-    /// Why frames with this number of columns and rows have no value, where that is so.
-    pub reason_for_none: fn([usize; 2]) -> Option<String>,
+    /// Why a frame with this number of columns and rows has no value, where it has none.
+    pub reason_for_none: fn([usize; 2]) -> String,
 }
 
 /// What the numbers of a measure are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Decibels, infinite where nothing differs.
+    /// Decibels, infinite where nothing of the part differs.
     Decibels,
     /// An index, 1 where nothing differs.
     Index,
+    /// A difference of colours, 0 where nothing differs.
+    Difference,
 }
 
-const fn luma(
+/// The samples that a measure looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Luma, which every frame has.
+    Luma,
+    /// One plane of colour differences, which grey frames lack, by its name.
+    Plane(&'static str),
+    /// Several planes, each with its own infinite value.
+    Planes,
+    /// All samples of all planes together; of pictures red, green and blue.
+    All,
+}
+
+const fn measure(
     key: &'static str,
     name: &'static str,
     scale: Scale,
+    part: Part,
     value: fn(&FrameQuality) -> Option<f64>,
 ) -> Measure {
     Measure {
         key,
         name,
         scale,
-        of_luma: true,
+        part,
         value,
-        reason_for_none: |_| None,
-    }
-}
-
-const fn colour(
-    key: &'static str,
-    name: &'static str,
-    value: fn(&FrameQuality) -> Option<f64>,
-) -> Measure {
-    Measure {
-        key,
-        name,
-        scale: Scale::Decibels,
-        of_luma: false,
-        value,
-        reason_for_none: |_| None,
+        reason_for_none: |_| "the frames are grey".to_owned(),
     }
 }
 
 /// All measures. Reports, tables and charts follow from this list.
 ///
 /// ```
+/// use ga_image::picture::Picture;
 /// use ga_image::plane::Plane;
-/// use ga_video::quality::{FrameQuality, MEASURES, Meter};
+/// use ga_video::quality::{MEASURES, compare_pictures};
 ///
 /// let reference = Plane::from_fn(64, 48, |column, row| (column * row % 200) as u8);
 /// let noisy = reference.map(|level| level ^ 4);
-/// let luma = Meter::new([64, 48], 255.0)?.compare(&reference, &noisy, &reference)?;
-/// let frame = FrameQuality { index: 0, time_seconds: 0.0, luma, psnr_differences: None };
+/// let frame = compare_pictures(&Picture::from(reference), &Picture::from(noisy), None)?;
 /// let found = MEASURES.iter().filter(|measure| (measure.value)(&frame).is_some());
 /// let keys: Vec<&str> = found.map(|measure| measure.key).collect();
-/// assert_eq!(keys, ["psnr", "ssim", "attention_psnr", "attention_ssim"]);
+/// let expected = ["psnr", "ssim", "attention_psnr", "attention_ssim", "psnr_all", "ciede2000"];
+/// assert_eq!(keys, expected);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub const MEASURES: [Measure; 8] = [
-    luma("psnr", "PSNR", Scale::Decibels, |frame| {
+pub const MEASURES: [Measure; 10] = [
+    measure("psnr", "PSNR", Scale::Decibels, Part::Luma, |frame| {
         Some(frame.luma.psnr)
     }),
-    luma("ssim", "SSIM", Scale::Index, |frame| Some(frame.luma.ssim)),
+    Measure {
+        reason_for_none: too_small_for_a_window,
+        ..measure("ssim", "SSIM", Scale::Index, Part::Luma, |frame| {
+            frame.luma.ssim
+        })
+    },
     Measure {
         reason_for_none: too_small_for_scales,
-        ..luma("ms_ssim", "MS-SSIM", Scale::Index, |frame| {
+        ..measure("ms_ssim", "MS-SSIM", Scale::Index, Part::Luma, |frame| {
             frame.luma.ms_ssim
         })
     },
-    luma(
+    measure(
         "attention_psnr",
         "attention PSNR",
         Scale::Decibels,
+        Part::Luma,
         |frame| Some(frame.luma.attention_psnr),
     ),
-    luma("attention_ssim", "attention SSIM", Scale::Index, |frame| {
-        Some(frame.luma.attention_ssim)
-    }),
-    colour("psnr_cb", "PSNR of Cb", |frame| {
-        Some(frame.psnr_differences?[0])
-    }),
-    colour("psnr_cr", "PSNR of Cr", |frame| {
-        Some(frame.psnr_differences?[1])
-    }),
-    colour("psnr_6_1_1", "PSNR 6:1:1", FrameQuality::psnr_6_1_1),
+    Measure {
+        reason_for_none: too_small_for_a_window,
+        ..measure(
+            "attention_ssim",
+            "attention SSIM",
+            Scale::Index,
+            Part::Luma,
+            |frame| frame.luma.attention_ssim,
+        )
+    },
+    measure(
+        "psnr_cb",
+        "PSNR of Cb",
+        Scale::Decibels,
+        Part::Plane("Cb"),
+        |frame| Some(frame.psnr_differences?[0]),
+    ),
+    measure(
+        "psnr_cr",
+        "PSNR of Cr",
+        Scale::Decibels,
+        Part::Plane("Cr"),
+        |frame| Some(frame.psnr_differences?[1]),
+    ),
+    measure(
+        "psnr_6_1_1",
+        "PSNR 6:1:1",
+        Scale::Decibels,
+        Part::Planes,
+        FrameQuality::psnr_6_1_1,
+    ),
+    measure(
+        "psnr_all",
+        "PSNR of all samples",
+        Scale::Decibels,
+        Part::All,
+        |frame| Some(frame.psnr_all),
+    ),
+    Measure {
+        reason_for_none: |_| "it is computed of 8 bits".to_owned(),
+        ..measure(
+            "ciede2000",
+            "CIEDE2000",
+            Scale::Difference,
+            Part::All,
+            |frame| frame.ciede2000,
+        )
+    },
 ];
 
-/// Why there is no index at several scales.
-fn too_small_for_scales([width, height]: [usize; 2]) -> Option<String> {
-    (width.min(height) < MULTISCALE_LEAST_SIDE).then(|| {
-        format!(
-            "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
-             {MULTISCALE_LEAST_SIDE}"
-        )
-    })
+fn too_small_for_a_window([width, height]: [usize; 2]) -> String {
+    format!(
+        "{width} × {height} pixels are too few, the window needs {SSIM_LEAST_SIDE} × \
+         {SSIM_LEAST_SIDE}"
+    )
+}
+
+fn too_small_for_scales([width, height]: [usize; 2]) -> String {
+    format!(
+        "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
+         {MULTISCALE_LEAST_SIDE}"
+    )
 }

@@ -1,7 +1,7 @@
 //! The measures of two frames.
 
 use ga_image::plane::{PlaneError, PlaneView};
-use ga_image::quality::{MULTISCALE_LEAST_SIDE, Ssim, Weights, mse, weighted_psnr};
+use ga_image::quality::{MULTISCALE_LEAST_SIDE, SCALES, Ssim, Weights, mse, weighted_psnr};
 use ga_image::sample::Pixel;
 
 use crate::attention::Attention;
@@ -13,16 +13,20 @@ pub struct Measures {
     pub mse: f64,
     /// The peak signal-to-noise ratio in decibels; infinite where the frames are equal.
     pub psnr: f64,
-    /// The structural similarity index.
-    pub ssim: f64,
+    /// The structural similarity index, or `None` where a side has less than [`SSIM_LEAST_SIDE`]
+    /// pixels.
+    pub ssim: Option<f64>,
     /// The index at several scales, or `None` where a side has less than
     /// [`MULTISCALE_LEAST_SIDE`] pixels.
     pub ms_ssim: Option<f64>,
     /// PSNR in decibels, weighted by attention.
     pub attention_psnr: f64,
-    /// SSIM, weighted by attention.
-    pub attention_ssim: f64,
+    /// SSIM, weighted by attention; `None` where there is no SSIM.
+    pub attention_ssim: Option<f64>,
 }
+
+/// The least width and height of frames with an SSIM, whose window is 11 pixels wide.
+pub const SSIM_LEAST_SIDE: usize = MULTISCALE_LEAST_SIDE >> (SCALES - 1);
 
 /// Measures frames of one size against their references, one after another.
 ///
@@ -33,9 +37,9 @@ pub struct Measures {
 /// let reference = Plane::from_fn(64, 48, |column, row| (column * row % 200) as u8);
 /// let mut meter = Meter::new([64, 48], 255.0)?;
 /// let same = meter.compare(&reference, &reference, &reference)?;
-/// assert_eq!((same.psnr, same.ssim, same.ms_ssim), (f64::INFINITY, 1.0, None));
+/// assert_eq!((same.psnr, same.ssim, same.ms_ssim), (f64::INFINITY, Some(1.0), None));
 /// let noisy = reference.map(|level| level ^ 4);
-/// assert!(meter.compare(&reference, &noisy, &reference)?.attention_ssim < 1.0);
+/// assert!(meter.compare(&reference, &noisy, &reference)?.attention_ssim < Some(1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -89,8 +93,8 @@ impl Meter {
     ///
     /// # Errors
     ///
-    /// [`PlaneError::Differs`] when sizes differ, [`PlaneError::TooSmall`] when a side has less
-    /// than 11 pixels, [`PlaneError::Range`] when the range is not positive and finite;
+    /// [`PlaneError::Differs`] when sizes differ, [`PlaneError::TooSmall`] when there are no
+    /// pixels, [`PlaneError::Range`] when the range is not positive and finite;
     /// [`PlaneError::ZeroWeights`] when a given map has no weight inside the border of 5 pixels
     /// that SSIM leaves out.
     pub fn compare<'a, P: Pixel>(
@@ -105,22 +109,24 @@ impl Meter {
             Attended::Model(attention) => attention.next(luma)?,
             Attended::Map(map) => map,
         };
-        let ssim = self.ssim.compare_weighted(reference, distorted, weights)?;
         let attention_psnr = weighted_psnr(reference, distorted, weights, self.range)?;
         let least_side = reference.width().min(reference.height());
-        let multiscale = (least_side >= MULTISCALE_LEAST_SIDE)
-            .then(|| {
-                self.ssim
-                    .multiscale_after(ssim.similarity, reference, distorted)
-            })
+        let ssim = (least_side >= SSIM_LEAST_SIDE)
+            .then(|| self.ssim.compare_weighted(reference, distorted, weights))
             .transpose()?;
+        let multiscale = ssim.filter(|_| least_side >= MULTISCALE_LEAST_SIDE);
+        let multiscale = multiscale.map(|ssim| {
+            self.ssim
+                .multiscale_after(ssim.similarity, reference, distorted)
+        });
+        let multiscale = multiscale.transpose()?;
         Ok(Measures {
             mse,
             psnr: psnr_of(mse, self.range),
-            ssim: ssim.similarity.ssim,
+            ssim: ssim.map(|ssim| ssim.similarity.ssim),
             ms_ssim: multiscale.map(|scales| scales.ms_ssim()),
             attention_psnr,
-            attention_ssim: ssim.weighted_ssim,
+            attention_ssim: ssim.map(|ssim| ssim.weighted_ssim),
         })
     }
 }

@@ -2,8 +2,10 @@
 //!
 //! - [`Meter`]: PSNR, SSIM and MS-SSIM of two frames, and PSNR and SSIM weighted by attention.
 //! - [`VideoComparison`]: the measures of two videos, frame by frame as they are read.
+//! - [`TimeAlignment`], [`Scaled`]: videos of other times or another size than their reference.
 //! - [`compare_pictures`]: the same of two pictures.
 //! - [`MEASURES`]: what is measured, as a list from which reports follow.
+//! - [`Same`]: what of two frames is identical, [`mean_ciede2000`]: how far their colours differ.
 //! - [`Pooled`]: one number for many frames: mean, harmonic mean, least, percentiles.
 //! - [`PictureQuality`], [`VideoQuality`]: all that is reported, with pages; [`svg()`] and
 //!   [`csv()`] show the frames.
@@ -11,22 +13,36 @@
 //! Measures of two planes are in [`ga_image::quality`], the model of attention is in
 //! [`attention`](crate::attention).
 
+mod align;
+mod colour_difference;
+mod entry;
+mod mean;
 mod measure;
 mod measures;
 mod page;
 mod pictures;
 mod plot;
+mod pooled_entry;
 mod pooling;
+mod properties;
 mod report;
+mod same;
+mod scale;
 mod table;
 mod video;
 
-pub use measure::{MEASURES, Measure, Scale};
-pub use measures::{Measures, Meter};
+pub use align::{Moments, TimeAlignment};
+pub use colour_difference::mean_ciede2000;
+pub use entry::MeasureRow;
+pub use measure::{MEASURES, Measure, Part, Scale};
+pub use measures::{Measures, Meter, SSIM_LEAST_SIDE};
 pub use page::ComparedFiles;
 pub use pictures::{compare_pictures, similarity_map};
 pub use plot::svg;
 pub use pooling::{PERCENTILES, Pooled};
-pub use report::{MeasureRow, POOLED, PictureQuality, VideoQuality};
+pub use properties::{FRAME_COUNT, FRAME_RATE, PropertyDifference};
+pub use report::{POOLED, PictureQuality, VideoQuality};
+pub use same::Same;
+pub use scale::Scaled;
 pub use table::csv;
 pub use video::{FrameQuality, VideoComparison};

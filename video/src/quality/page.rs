@@ -7,7 +7,8 @@ use ga_image::file::FormatError;
 use ga_image::plane::Plane;
 use ga_image::png;
 
-use super::report::{INFINITE, MeasureRow, POOLED, PictureQuality, VideoQuality};
+use super::entry::{INFINITE, MeasureRow};
+use super::report::{POOLED, PictureQuality, VideoQuality};
 use super::video::FrameQuality;
 
 /// What the page says of the files besides measurements.
@@ -19,6 +20,8 @@ pub struct ComparedFiles<'a> {
     pub distorted: &'a Path,
     /// The map of weights, where one was given.
     pub map: Option<&'a Path>,
+    /// What the reader should know of the comparison.
+    pub notes: &'a [String],
 }
 
 /// How many of the frames that differ most are listed.
@@ -41,6 +44,9 @@ impl ComparedFiles<'_> {
             "{start}Reference: {}. Attention: {attention}.",
             self.reference.display()
         ));
+        for note in self.notes {
+            page.note(note);
+        }
         page
     }
 }
@@ -74,6 +80,10 @@ impl VideoQuality {
         }
         page.svg(svg);
         page.heading("Means over the frames");
+        page.paragraph(
+            "PSNR of mean MSE is that of the mean of the squared errors of all frames. It is finite \
+             unless all are identical; the mean of PSNRs is infinite where one is.",
+        );
         add_measures(&mut page, &self.rows());
         page.heading("Distribution over the frames");
         page.paragraph(
@@ -86,7 +96,7 @@ impl VideoQuality {
             [name.to_owned(), a, b, c, d, e, f, g]
         });
         page.table(["measure", a, b, c, d, e, f, g], rows);
-        page.heading("Frames with the least SSIM");
+        page.heading("Frames with the least SSIM, or PSNR where there is none");
         add_worst(&mut page, frames);
         page
     }
@@ -98,15 +108,17 @@ fn add_worst(page: &mut Page, frames: &[FrameQuality]) {
         false => INFINITE.to_owned(),
     };
     let mut order: Vec<&FrameQuality> = frames.iter().collect();
-    order.sort_by(|a, b| a.luma.ssim.total_cmp(&b.luma.ssim));
+    let place = |frame: &FrameQuality| frame.luma.ssim.unwrap_or(frame.luma.psnr);
+    order.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    let index = |ssim: Option<f64>| ssim.map_or("none".to_owned(), |ssim| format!("{ssim:.6}"));
     let rows = order.into_iter().take(WORST).map(|frame| {
         [
             frame.index.to_string(),
             format!("{:.3}", frame.time_seconds),
             decibels(frame.luma.psnr),
-            format!("{:.6}", frame.luma.ssim),
+            index(frame.luma.ssim),
             decibels(frame.luma.attention_psnr),
-            format!("{:.6}", frame.luma.attention_ssim),
+            index(frame.luma.attention_ssim),
         ]
     });
     let names = [
@@ -123,6 +135,6 @@ fn add_worst(page: &mut Page, frames: &[FrameQuality]) {
 fn add_measures(page: &mut Page, rows: &[MeasureRow]) {
     let rows = rows
         .iter()
-        .map(|row| [row.name.to_owned(), format!("{}{}", row.number, row.remark)]);
+        .map(|row| [row.name.clone(), format!("{}{}", row.number, row.remark)]);
     page.table(["measure", "value"], rows);
 }

@@ -3,7 +3,7 @@
 use ga_draw::document::chart::{self, Area, COLOURS, ChartError, FINE, Mark, draw_legend, font};
 use plotters::prelude::*;
 
-use super::measure::{MEASURES, Measure, Scale};
+use super::measure::{MEASURES, Measure, Part, Scale};
 use super::video::FrameQuality;
 
 /// The size of the picture as it is shown, and the width of the legend.
@@ -17,7 +17,7 @@ fn finite(measure: &Measure, frame: &FrameQuality) -> Option<f64> {
 }
 
 /// A chart of the measures over time as SVG: decibels above, indices below. Lines are interrupted
-/// at frames in which nothing differs. `name` is that of the video.
+/// at frames whose luma is identical. `name` is that of the video.
 ///
 /// # Errors
 ///
@@ -42,7 +42,7 @@ fn draw(
 ) -> Result<(), ChartError> {
     let measures: Vec<Measure> = MEASURES
         .into_iter()
-        .filter(|measure| measure.of_luma && measure.scale == scale)
+        .filter(|measure| measure.part == Part::Luma && measure.scale == scale)
         .collect();
     let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
     let values = measures

@@ -1,5 +1,8 @@
 //! Measures of frames and videos.
 
+mod identity;
+mod matching;
+
 use ga_image::plane::Plane;
 use ga_image::quality::{Ssim, Weights, mse, psnr, weighted_psnr};
 use ga_image::y4m::Sampling;
@@ -105,7 +108,7 @@ fn eight(frames: &[Planes<u8>]) -> Memory {
     Memory::new(frames.iter().cloned().map(Samples::Eight).collect())
 }
 
-fn compared(reference: Memory, distorted: Memory) -> Vec<FrameQuality> {
+fn compared(reference: impl Source, distorted: impl Source) -> Vec<FrameQuality> {
     let comparison = VideoComparison::new(reference, distorted, None).unwrap();
     comparison.map(Result::unwrap).collect()
 }
@@ -131,7 +134,7 @@ fn frames_of_videos_have_the_measures_of_their_planes() {
         assert_eq!(frame.luma.mse, mse(&a.luma, &b.luma).unwrap());
         assert_eq!(frame.luma.psnr, psnr(&a.luma, &b.luma, 255.0).unwrap());
         let ssim = Ssim::new(255.0).compare(&a.luma, &b.luma).unwrap();
-        assert_eq!(frame.luma.ssim, ssim.ssim);
+        assert_eq!(frame.luma.ssim, Some(ssim.ssim));
         // Fewer pixels than five scales need.
         assert_eq!(frame.luma.ms_ssim, None);
         let [cb, cr] = frame.psnr_differences.unwrap();
@@ -150,8 +153,12 @@ fn frames_of_videos_have_the_measures_of_their_planes() {
     assert_eq!(found[1].luma.psnr, f64::INFINITY);
     assert_eq!(
         [found[1].luma.ssim, found[1].luma.attention_ssim],
-        [1.0, 1.0]
+        [Some(1.0), Some(1.0)]
     );
+    let same: Vec<bool> = found.iter().map(|frame| frame.same.is_all()).collect();
+    assert_eq!(same, [false, true, false, false]);
+    assert_eq!(found[1].ciede2000, Some(0.0));
+    assert!((found[3].time_offset_seconds - 0.03).abs() < 1e-12);
 }
 
 /// Ten bits of four times the numbers differ by four times as much, in a range of 1023.
@@ -178,7 +185,9 @@ fn ten_bits_have_their_own_range() {
     ] {
         assert!((deep - shallow - step).abs() < 1e-9);
     }
-    assert!((found.luma.ssim - shallow.luma.ssim).abs() < 1e-3);
+    let [a, b] = [found, shallow].map(|frame| frame.luma.ssim.unwrap());
+    assert!((a - b).abs() < 1e-3);
+    assert_eq!(found.ciede2000, None);
 
     let mixed = VideoComparison::new(eight(&reference), deep(&distorted), None);
     let message = mixed.err().unwrap().to_string();

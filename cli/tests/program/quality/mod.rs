@@ -1,12 +1,14 @@
 //! `nullcone quality compare`: pictures and videos against their references.
 
+mod identity;
+
 use std::path::Path;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use ga_image::file;
 use ga_image::plane::Plane;
-use ga_image::quality::{Ssim, psnr};
+use ga_image::quality::{Ssim, mse, psnr};
 use ga_image::y4m::{self, Film, Sampling};
 use nullcone_shared_data::shared;
 use serde_json::Value;
@@ -14,12 +16,24 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{assert_failure, assert_success, nullcone, number, program, text};
 
+/// The measures of luma.
 const KEYS: [&str; 5] = [
     "attention_psnr",
     "attention_ssim",
     "ms_ssim",
     "psnr",
     "ssim",
+];
+
+/// What else is printed of pictures, of which `differs_in` and `identical` are no measures.
+const OTHERS: [&str; 7] = [
+    "ciede2000",
+    "differs_in",
+    "identical",
+    "psnr_6_1_1",
+    "psnr_all",
+    "psnr_cb",
+    "psnr_cr",
 ];
 
 fn compare<const N: usize>(folder: &Path, arguments: [&str; N]) -> std::process::Output {
@@ -54,9 +68,11 @@ fn the_oracles_pictures_have_its_figures() {
             assert!(output.stderr.is_empty());
             let report = report(&output);
             let mut keys: Vec<&String> = report.as_object().unwrap().keys().collect();
+            keys.retain(|key| *key != "warnings" && !key.ends_with("_reason"));
             keys.sort();
-            keys.retain(|key| *key != "warnings");
-            assert_eq!(keys, KEYS);
+            let mut expected = [&KEYS[..], &OTHERS].concat();
+            expected.sort_unstable();
+            assert_eq!(keys, expected);
             assert_eq!(report["warnings"], serde_json::json!([]));
             for (key, expected) in [
                 ("psnr", "psnr"),
@@ -93,13 +109,18 @@ fn equal_pictures_have_null_and_one() {
     let report = report(&output);
     for key in ["psnr", "attention_psnr"] {
         assert!(report[key].is_null());
+        assert_eq!(report[format!("{key}_reason")], "nothing differs");
     }
+    assert_eq!(report["identical"], true);
     for key in ["ssim", "ms_ssim", "attention_ssim"] {
         assert_eq!(report[key].as_f64(), Some(1.0), "{key}");
     }
     let output = compare(folder.path(), ["a.png", "a.png"]);
     assert_success(&output);
-    assert!(text(&output.stdout).contains("PSNR              infinite: nothing differs\n"));
+    assert!(
+        text(&output.stdout)
+            .contains("PSNR                              infinite: nothing differs\n")
+    );
 }
 
 #[test]
@@ -183,6 +204,15 @@ fn videos_are_pooled_and_written_frame_by_frame() {
     assert!(report["psnr_cb"].is_null());
     // Frame 1 has no error, so the mean is infinite, and the harmonic mean is not.
     assert!(report["psnr"].is_null());
+    assert_eq!(report["psnr_reason"], "1 of 4 frames is identical in luma");
+    assert_eq!(
+        (&report["identical"], &report["identical_frames"]),
+        (&false.into(), &1.into())
+    );
+    let error = |index: usize| mse(&a[index], &b[index]).unwrap();
+    let mean = (0..4).map(error).sum::<f64>() / 4.0;
+    let expected = 10.0 * (255.0 * 255.0 / mean).log10();
+    close(number(&report, "/psnr_of_mean_mse"), expected, 1e-9);
     let of = |index: usize| psnr(&a[index], &b[index], 255.0).unwrap();
     let harmonic = 4.0 / (1.0 / of(0) + 1.0 / of(2) + 1.0 / of(3));
     close(
@@ -214,7 +244,8 @@ fn videos_are_pooled_and_written_frame_by_frame() {
     let page = page(folder.path(), "q.html");
     assert!(page.contains(svg.trim_end()) && page.contains("4 frames. Reference: a.y4m."));
     // The mean over the frames is infinite, since one has no error.
-    assert!(page.contains("<td>PSNR</td><td>infinite: nothing differs in a frame</td>"));
+    let mean = "<td>mean PSNR</td><td>infinite: 1 of 4 frames is identical in luma</td>";
+    assert!(page.contains(mean), "{page}");
     let worst = (0..4).min_by(|a, b| ssim(*a).total_cmp(&ssim(*b))).unwrap();
     let row = format!("attention SSIM</th></tr>\n<tr><td>{worst}</td><td>");
     assert!(page.contains(&row), "{page}");
@@ -391,7 +422,6 @@ fn what_cannot_be_compared_is_an_error() {
     };
     write("a.png", &a);
     write("wide.png", &Plane::filled(41, 30, 0u8));
-    write("tiny.png", &Plane::filled(10, 10, 0u8));
     write("black.png", &Plane::filled(40, 30, 0u8));
     let path = folder.path();
     let fails = |arguments: &[&str], parts: &[&str]| {
@@ -402,13 +432,22 @@ fn what_cannot_be_compared_is_an_error() {
         &["a.png", "wide.png"],
         &["a.png", "wide.png", "40 × 30", "41 × 30"],
     );
-    fails(&["tiny.png", "tiny.png"], &["10 × 10", "11 × 11"]);
     fails(
         &["a.png", "a.y4m"],
         &["a.png is a picture and a.y4m is not"],
     );
     fails(&["a.png", "missing.png"], &["missing.png"]);
     fails(&["a.png", "a.png", "--plot", "q.svg"], &["--plot"]);
+    fails(&["a.png", "a.png", "--scale"], &["--scale"]);
+    fails(&["a.y4m", "-", "--align-times"], &["--align-times"]);
+    let film = std::fs::read(path.join("a.y4m")).unwrap();
+    let end = film.iter().position(|byte| *byte == b'\n').unwrap();
+    let full = [&film[..end], b" XCOLORRANGE=FULL", &film[end..]].concat();
+    std::fs::write(path.join("full.y4m"), full).unwrap();
+    fails(
+        &["a.y4m", "full.y4m"],
+        &["differ in range: limited and full"],
+    );
     fails(&["-", "-"], &["standard input"]);
     fails(&["a.png", "-"], &["a.png is a picture and - is not"]);
     fails(

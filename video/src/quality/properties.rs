@@ -1,0 +1,106 @@
+//! Whether the numbers of two videos mean the same.
+
+use std::fmt::{Display, Formatter, Result as Formatted};
+
+use crate::{Properties, VideoError};
+
+/// Something that two videos state differently.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PropertyDifference {
+    /// The property.
+    pub what: &'static str,
+    /// That of the reference.
+    pub reference: String,
+    /// That of the other video.
+    pub distorted: String,
+}
+
+impl Display for PropertyDifference {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Formatted {
+        let Self {
+            what,
+            reference,
+            distorted,
+        } = self;
+        write!(
+            formatter,
+            "the videos differ in {what}: {reference} and {distorted}"
+        )
+    }
+}
+
+impl PropertyDifference {
+    /// Where the texts differ.
+    fn of(what: &'static str, [reference, distorted]: [String; 2]) -> Option<Self> {
+        (reference != distorted).then_some(Self {
+            what,
+            reference,
+            distorted,
+        })
+    }
+}
+
+/// The name of the number of frames in a second.
+pub const FRAME_RATE: &str = "frames in a second";
+
+/// The name of the number of frames.
+pub const FRAME_COUNT: &str = "number of frames";
+
+/// Whether the samples of two videos can be compared.
+pub(super) fn comparable(first: &Properties, second: &Properties) -> Result<(), VideoError> {
+    let both = [first, second];
+    let found = [
+        PropertyDifference::of(
+            "size",
+            both.map(|p| format!("{} × {} pixels", p.size[0], p.size[1])),
+        ),
+        PropertyDifference::of("depth", both.map(|p| format!("{} bits", p.bit_depth))),
+        PropertyDifference::of("sampling", both.map(|p| format!("{:?}", p.sampling))),
+        PropertyDifference::of(
+            "range",
+            both.map(|p| format!("{:?}", p.colours.range).to_lowercase()),
+        ),
+    ];
+    match found.into_iter().flatten().next() {
+        None => Ok(()),
+        Some(PropertyDifference {
+            what,
+            reference,
+            distorted,
+        }) => Err(VideoError::Properties {
+            what,
+            reference,
+            distorted,
+        }),
+    }
+}
+
+/// What else they state differently.
+pub(super) fn property_differences(
+    first: &Properties,
+    second: &Properties,
+) -> Vec<PropertyDifference> {
+    let both = [first, second];
+    let rates = [first.frames_per_second, second.frames_per_second];
+    let rates = match rates {
+        [Some(a), Some(b)]
+            if u64::from(a[0]) * u64::from(b[1]) != u64::from(b[0]) * u64::from(a[1]) =>
+        {
+            let rates = [a, b].map(|[count, seconds]| format!("{count}/{seconds}"));
+            PropertyDifference::of(FRAME_RATE, rates)
+        }
+        _ => None,
+    };
+    let others = [
+        PropertyDifference::of(
+            "weights of luma",
+            both.map(|p| format!("{:?}", p.colours.luma).to_uppercase()),
+        ),
+        PropertyDifference::of(
+            "shape of pixels",
+            both.map(|p| format!("{}:{}", p.pixel_aspect[0], p.pixel_aspect[1])),
+        ),
+        rates,
+    ];
+    others.into_iter().flatten().collect()
+}
