@@ -12,6 +12,93 @@ pub enum Layout {
     SideBySide,
     /// The left view in the upper half, the right one in the lower half.
     TopBottom,
+    /// As [`SideBySide`](Self::SideBySide), each view squeezed to half of its width.
+    HalfSideBySide,
+    /// As [`TopBottom`](Self::TopBottom), each view squeezed to half of its height.
+    HalfTopBottom,
+}
+
+impl Layout {
+    /// Along which axis the second view follows the first: 0 along columns, 1 along rows.
+    #[must_use]
+    pub fn axis(self) -> usize {
+        match self {
+            Self::SideBySide | Self::HalfSideBySide => 0,
+            Self::TopBottom | Self::HalfTopBottom => 1,
+        }
+    }
+
+    /// Width and height of a pixel of a view, where these are stated for the whole frame. Pixels of
+    /// squeezed views are twice as wide, or half as wide. A stated shape that is 1.5 times as long
+    /// in this direction or more says the same as the layout.
+    fn view_aspect(self, [across, down]: [u32; 2]) -> [u32; 2] {
+        let [wide, high] = [[across, down], [down, across]].map(|[long, short]| {
+            let is_said = f64::from(long) >= 1.5 * f64::from(short);
+            if is_said {
+                [long, short]
+            } else {
+                doubled([long, short])
+            }
+        });
+        match self {
+            Self::SideBySide | Self::TopBottom => [across, down],
+            Self::HalfSideBySide => wide,
+            Self::HalfTopBottom => [high[1], high[0]],
+        }
+    }
+
+    /// The layout that is squeezed where this one is not, or not where this one is, if the views
+    /// have a usual shape in that one, 1.2 to 2.6 times as wide as high, but not in this one.
+    ///
+    /// ```
+    /// use ga_image::plane::Plane;
+    /// use ga_image::y4m::{self, Film};
+    /// use ga_video::stereo::{Layout, StereoSource};
+    /// use ga_video::y4m::Y4mSource;
+    ///
+    /// let frame = Plane::filled(192, 108, [90u8; 3]);
+    /// let bytes = y4m::encode([&frame], Film::default())?;
+    /// let likelier = |layout: Layout| {
+    ///     let video = Y4mSource::new(std::io::Cursor::new(bytes.clone()), "film.y4m")?;
+    ///     let views = StereoSource::halves(Box::new(video), layout)?;
+    ///     Ok::<_, Box<dyn std::error::Error>>(layout.likelier(views.properties()))
+    /// };
+    /// assert_eq!(likelier(Layout::SideBySide)?, Some(Layout::HalfSideBySide));
+    /// assert_eq!(likelier(Layout::HalfSideBySide)?, None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn likelier(self, view: &Properties) -> Option<Self> {
+        const USUAL: std::ops::Range<f64> = 1.2..2.6;
+        let (other, factor) = match self {
+            Self::SideBySide => (Self::HalfSideBySide, 2.0),
+            Self::HalfSideBySide => (Self::SideBySide, 0.5),
+            Self::TopBottom => (Self::HalfTopBottom, 0.5),
+            Self::HalfTopBottom => (Self::TopBottom, 2.0),
+        };
+        let shape = shape(view);
+        (!USUAL.contains(&shape) && USUAL.contains(&(factor * shape))).then_some(other)
+    }
+}
+
+/// A ratio of twice the amount.
+fn doubled([numerator, denominator]: [u32; 2]) -> [u32; 2] {
+    match denominator.is_multiple_of(2) {
+        true => [numerator, denominator / 2],
+        false => [numerator.saturating_mul(2), denominator],
+    }
+}
+
+/// How many times a view is as wide as high, as it is shown.
+#[must_use]
+pub fn shape(view: &Properties) -> f64 {
+    let [width, height] = view.size.map(|side| side as f64);
+    width / (height * pixel_height(view.pixel_aspect))
+}
+
+/// How many times a pixel of this width and height is as high as wide.
+pub(crate) fn pixel_height([across, down]: [u32; 2]) -> f64 {
+    f64::from(down) / f64::from(across)
 }
 
 /// A video of two views, left and right: halves of the frames of one video, or two videos.
@@ -37,6 +124,8 @@ pub enum Layout {
 pub struct StereoSource {
     views: Views,
     properties: Properties,
+    /// Width and height of a pixel, as they are stated for whole frames.
+    frame_aspect: [u32; 2],
     /// The number of the next frame.
     next: usize,
     has_ended: bool,
@@ -61,10 +150,10 @@ impl StereoSource {
     /// [`VideoError::Layout`] when the number of columns, or of rows, is odd.
     pub fn halves(source: Box<dyn Source + Send>, layout: Layout) -> Result<Self, VideoError> {
         let mut properties = *source.properties();
-        let (side, name) = match layout {
-            Layout::SideBySide => (&mut properties.size[0], "side by side"),
-            Layout::TopBottom => (&mut properties.size[1], "one above the other"),
-        };
+        let frame_aspect = properties.pixel_aspect;
+        properties.pixel_aspect = layout.view_aspect(properties.pixel_aspect);
+        let side = &mut properties.size[layout.axis()];
+        let name = ["side by side", "one above the other"][layout.axis()];
         if !side.is_multiple_of(2) {
             return Err(VideoError::Layout {
                 layout: name,
@@ -73,14 +162,15 @@ impl StereoSource {
         }
         *side /= 2;
         let views = Views::Halves(source, layout, Box::default());
-        Ok(Self::new(views, properties))
+        Ok(Self::new(views, properties, frame_aspect))
     }
 
     /// The views in two videos.
     ///
     /// # Errors
     ///
-    /// [`VideoError::Views`] when they differ in size, depth, sampling, colours or rate.
+    /// [`VideoError::Views`] when they differ in size, shape of pixels, depth, sampling, colours or
+    /// rate.
     pub fn pair(
         left: Box<dyn Source + Send>,
         right: Box<dyn Source + Send>,
@@ -101,8 +191,11 @@ impl StereoSource {
             _ => true,
         };
         let same_storage = a.bit_depth == b.bit_depth && a.sampling == b.sampling;
+        let aspect = |p: Properties| format!("{}:{}", p.pixel_aspect[0], p.pixel_aspect[1]);
+        let same_aspect = pixel_height(a.pixel_aspect) == pixel_height(b.pixel_aspect);
         let checks = [
             ("size", a.size == b.size, size(a), size(b)),
+            ("shape of pixels", same_aspect, aspect(a), aspect(b)),
             ("rate of frames", same_rate, rate(a), rate(b)),
             ("samples", same_storage, storage(a), storage(b)),
             ("colours", a.colours == b.colours, colours(a), colours(b)),
@@ -112,13 +205,20 @@ impl StereoSource {
                 return Err(VideoError::Views { what, left, right });
             }
         }
-        Ok(Self::new(Views::Pair([left, right]), a))
+        Ok(Self::new(Views::Pair([left, right]), a, a.pixel_aspect))
     }
 
     /// What all frames of each view share.
     #[must_use]
     pub fn properties(&self) -> &Properties {
         &self.properties
+    }
+
+    /// Width and height of a pixel, as they are stated for frames that have both views in the same
+    /// layout, or for each video: those of a view where it is not squeezed.
+    #[must_use]
+    pub fn frame_aspect(&self) -> [u32; 2] {
+        self.frame_aspect
     }
 
     /// Reads the next frame of the left and of the right view. Returns whether there was one; after
@@ -148,10 +248,11 @@ impl StereoSource {
         Ok(has_frame)
     }
 
-    fn new(views: Views, properties: Properties) -> Self {
+    fn new(views: Views, properties: Properties, frame_aspect: [u32; 2]) -> Self {
         Self {
             views,
             properties,
+            frame_aspect,
             next: 0,
             has_ended: false,
         }
@@ -195,10 +296,8 @@ fn split(whole: &Frame, layout: Layout, size: [usize; 2], halves: &mut [Frame; 2
     for (side, half) in halves.iter_mut().enumerate() {
         half.index = whole.index;
         half.time_seconds = whole.time_seconds;
-        let start = match layout {
-            Layout::SideBySide => [side * size[0], 0],
-            Layout::TopBottom => [0, side * size[1]],
-        };
+        let mut start = [0; 2];
+        start[layout.axis()] = side * size[layout.axis()];
         half.samples = match &whole.samples {
             Samples::Eight(planes) => {
                 Samples::Eight(part(planes, start, size, half.samples.take_eight()))
@@ -248,30 +347,21 @@ pub fn joined(views: [&Samples; 2], layout: Layout) -> Result<Samples, PlaneErro
 }
 
 fn joined_planes<T: Copy + Default>(views: [&Planes<T>; 2], layout: Layout) -> Planes<T> {
+    let axis = layout.axis();
+    let side = |plane: &Plane<T>| [plane.width(), plane.height()][axis];
     let lumas = views.map(|view| &view.luma);
-    let size = [lumas[0].width(), lumas[0].height()];
+    let whole = 2 * side(lumas[0]);
     let differences = [0, 1].map(|channel| {
         let planes = views.map(|view| &view.differences[channel]);
         if planes.iter().any(|plane| plane.is_empty()) {
             return Plane::default();
         }
         // 1 or 2 pixels for each stored number.
-        let pixels = [
-            size[0].div_ceil(planes[0].width()),
-            size[1].div_ceil(planes[0].height()),
-        ];
-        let whole = match layout {
-            Layout::SideBySide => (2 * size[0]).div_ceil(pixels[0]),
-            Layout::TopBottom => (2 * size[1]).div_ceil(pixels[1]),
-        };
-        joined_plane(planes, layout, whole)
+        let pixels = side(lumas[0]).div_ceil(side(planes[0]));
+        joined_plane(planes, axis, whole.div_ceil(pixels))
     });
-    let whole = match layout {
-        Layout::SideBySide => 2 * size[0],
-        Layout::TopBottom => 2 * size[1],
-    };
     Planes {
-        luma: joined_plane(lumas, layout, whole),
+        luma: joined_plane(lumas, axis, whole),
         differences,
     }
 }
@@ -280,21 +370,20 @@ fn joined_planes<T: Copy + Default>(views: [&Planes<T>; 2], layout: Layout) -> P
 /// the second one ends with the last of them.
 fn joined_plane<T: Copy + Default>(
     [first, second]: [&Plane<T>; 2],
-    layout: Layout,
+    axis: usize,
     whole: usize,
 ) -> Plane<T> {
-    let value = |plane: &Plane<T>, column: usize, row: usize| plane.get(column, row);
-    let (width, height) = (first.width(), first.height());
-    match layout {
-        Layout::SideBySide => Plane::from_fn(whole, height, |column, row| {
-            let later = || value(second, (column + second.width()).checked_sub(whole)?, row);
-            value(first, column, row).or_else(later).unwrap_or_default()
-        }),
-        Layout::TopBottom => Plane::from_fn(width, whole, |column, row| {
-            let later = || value(second, column, (row + second.height()).checked_sub(whole)?);
-            value(first, column, row).or_else(later).unwrap_or_default()
-        }),
-    }
+    let side = [second.width(), second.height()][axis];
+    let mut size = [first.width(), first.height()];
+    size[axis] = whole;
+    Plane::from_fn(size[0], size[1], |column, row| {
+        let later = || {
+            let mut place = [column, row];
+            place[axis] = (place[axis] + side).checked_sub(whole)?;
+            second.get(place[0], place[1])
+        };
+        first.get(column, row).or_else(later).unwrap_or_default()
+    })
 }
 
 /// A rectangle of the planes, in the memory of `target`.

@@ -73,6 +73,7 @@ impl Summary {
         json!({
             "frames": self.frames,
             "shots": self.shots,
+            "notes": super::report::notes(self),
             "screen_width_metres": viewing.width(),
             "distance_metres": viewing.distance(),
             "rows": rows.collect::<Map<_, _>>(),
@@ -91,6 +92,7 @@ fn row(record: &Record, dimension: Dimension) -> Value {
         Err(missing) => {
             object.insert("score".into(), Value::Null);
             object.insert("state".into(), missing.name().into());
+            object.insert("reason".into(), missing.reason().into());
         }
     }
     object.insert("raw".into(), number(row.raw));

@@ -13,6 +13,7 @@ use super::scale::{SIZE, Scale};
 use super::sharpness;
 use super::viewing::Viewing;
 use crate::Samples;
+use crate::stereo::pixel_height;
 
 /// What is measured of the two views of one frame.
 ///
@@ -107,9 +108,7 @@ impl FrameMeasures {
 
     /// The vertical deviation as a visual angle.
     fn vertical_arcminutes(&self, viewing: &Viewing) -> Option<f64> {
-        let pixels = self.geometry?.deviation_px;
-        let percent = self.parallax.as_ref()?.percent(pixels);
-        Some(60.0 * viewing.degrees_of_length(percent))
+        Some(60.0 * viewing.degrees_of_length(self.geometry?.deviation_percent))
     }
 }
 
@@ -119,6 +118,7 @@ impl FrameMeasures {
 #[derive(Clone, Debug)]
 pub struct FrameMeter {
     colours: YCbCr,
+    pixel_height: f64,
     matcher: Matcher,
     distances: Vec<f64>,
     windows: Colours,
@@ -127,17 +127,28 @@ pub struct FrameMeter {
 }
 
 impl FrameMeter {
-    /// For views of this size in columns and rows, in this encoding of colours. Views that are too
-    /// small to find points in have measures without any part.
+    /// For views of this size in columns and rows, in this encoding of colours, with square pixels.
+    /// Views that are too small to find points in have measures without any part.
     #[must_use]
     pub fn new(size: [usize; 2], colours: YCbCr) -> Self {
         Self {
             colours,
+            pixel_height: 1.0,
             matcher: Matcher::new(size),
             distances: Vec::new(),
             windows: Colours::default(),
             numbers: Vec::new(),
             measures: FrameMeasures::default(),
+        }
+    }
+
+    /// The same for pixels of this width and height, as in
+    /// [`Properties::pixel_aspect`](crate::Properties::pixel_aspect).
+    #[must_use]
+    pub fn with_pixel_aspect(self, aspect: [u32; 2]) -> Self {
+        Self {
+            pixel_height: pixel_height(aspect),
+            ..self
         }
     }
 
@@ -162,10 +173,10 @@ impl FrameMeter {
         }
         let [left, right] = [left.eight_bits(), right.eight_bits()];
         let mut all = self.matcher.run([left.luma.view(), right.luma.view()]);
-        let mut geometry = geometry::fit(all, size, &mut self.distances);
+        let mut geometry = geometry::fit(all, size, self.pixel_height, &mut self.distances);
         if geometry.is_none() {
             all = self.matcher.run_smoothed();
-            geometry = geometry::fit(all, size, &mut self.distances);
+            geometry = geometry::fit(all, size, self.pixel_height, &mut self.distances);
         }
         let mut matches = std::mem::take(&mut self.measures.matches);
         matches.clear();
@@ -182,8 +193,7 @@ impl FrameMeter {
             let lumas = views.map(|view| &view.luma);
             self.measures.photometry = self.windows.measure(views, self.colours, &matches);
             self.measures.sharpness_log2 = sharpness::measure(lumas, &matches, &mut self.numbers);
-            self.measures.parallax =
-                Parallax::new(&matches, &self.distances, size[0], &mut self.numbers);
+            self.measures.parallax = Parallax::new(&matches, &self.distances, size);
         }
         self.measures.matches = matches;
         Ok(&self.measures)

@@ -23,31 +23,47 @@ const THRESHOLDS: [f64; 2] = [0.0015, 0.006];
 /// matches: see [`diagnosis`](ga_vision::diagnosis). Parallax plays no part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geometry {
-    /// By how many pixels the middle of the left view is lower in the right view.
+    /// By how many rows the middle of the left view is lower in the right view.
     pub shift_px: f64,
     /// The angle by which the right view is rotated, counter-clockwise as one looks at it, in
-    /// degrees.
+    /// degrees; in the picture as it is shown, also where pixels are not square.
     pub rotation_degrees: f64,
     /// By how much the right view is larger, in per cent.
     pub zoom_percent: f64,
-    /// What 95 % of the vertical differences of points stay below, in pixels.
+    /// What 95 % of the vertical differences of points stay below, in rows.
     ///
     /// The differences are those of a smooth function of the place, of which chance errors of
     /// single matches have no part in it: where they are larger, as in blurred views, it does not
     /// rise. The function is of the second degree where that explains the matches clearly better
     /// than shift, rotation and zoom do, as under the keystone distortion of converging cameras.
     pub deviation_px: f64,
+    /// The same in per cent of the picture's width.
+    pub deviation_percent: f64,
     /// How many points agree.
     pub agreeing: usize,
+    /// How many times a pixel is as high as wide.
+    pub pixel_height: f64,
 }
 
-/// The geometry of matches of views of this size, and how many pixels the row of each match is from
-/// what it says: infinitely many where the match does not agree with it.
+/// The geometry of matches of views of this size, and how many columns the row of each match is
+/// from what it says: infinitely many where the match does not agree with it. `pixel_height` is how
+/// many times a pixel is as high as wide.
 pub(super) fn fit(
     matches: &[Match],
     size: [usize; 2],
+    pixel_height: f64,
     distances: &mut Vec<f64>,
 ) -> Option<Geometry> {
+    // Lengths are counted in columns, so that angles are those of the picture that is shown.
+    let size = [size[0], (pixel_height * size[1] as f64).round() as usize];
+    let square = |[u, v]: [f64; 2]| [u, pixel_height * (v + 0.5) - 0.5];
+    let shown = matches.iter().map(|found| Match {
+        left: square(found.left),
+        right: square(found.right),
+        deviation: [found.deviation[0], pixel_height * found.deviation[1]],
+        ..*found
+    });
+    let matches = &*shown.collect::<Vec<_>>();
     distances.clear();
     distances.resize(matches.len(), f64::INFINITY);
     let pairs: Vec<PixelPair> = matches
@@ -62,7 +78,7 @@ pub(super) fn fit(
         rows: Rows::new(&pairs, size).ok()?,
         enough: (LEAST_SHARE * matches.len() as f64).max(LEAST_POINTS as f64) as usize,
     };
-    let [near, far] = THRESHOLDS.map(|share| (share * size[0] as f64).max(1.0));
+    let [near, far] = THRESHOLDS.map(|share| (share * size[0] as f64).max(1.0).max(pixel_height));
     let search = Search {
         threshold: far,
         confidence: 0.999,
@@ -93,13 +109,16 @@ pub(super) fn fit(
         return None;
     }
     let sorted = Sorted::new(&mut differences)?;
+    let deviation = sorted.quantile(0.95);
     let geometry = Geometry {
-        shift_px: model.vertical_offset(),
+        shift_px: model.vertical_offset() / pixel_height,
         // The model counts from the u axis towards the v axis, which points down.
         rotation_degrees: -model.rotation().to_degrees(),
         zoom_percent: 100.0 * (model.zoom() - 1.0),
-        deviation_px: sorted.quantile(0.95),
+        deviation_px: deviation / pixel_height,
+        deviation_percent: 100.0 * deviation / size[0] as f64,
         agreeing: sorted.values().len(),
+        pixel_height,
     };
     let numbers = [
         geometry.shift_px,

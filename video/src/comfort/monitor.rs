@@ -103,6 +103,9 @@ pub struct Monitor {
     changes: PairDetector,
     deviation: DeviationMeter,
     order: Order,
+    /// The last run of frames whose records were handed over, and the order of the eyes that they
+    /// have in common.
+    before: (usize, Option<Stereoscopy>),
     pending: VecDeque<Pending>,
 }
 
@@ -126,7 +129,8 @@ impl Monitor {
     /// [`ComfortError::Threads`].
     pub fn new(properties: &Properties, options: Options) -> Result<Self, ComfortError> {
         let threads = if options.threads == 1 { 1 } else { 2 };
-        let meter = FrameMeter::new(properties.size, properties.colours);
+        let meter = FrameMeter::new(properties.size, properties.colours)
+            .with_pixel_aspect(properties.pixel_aspect);
         Ok(Self {
             options,
             properties: *properties,
@@ -136,6 +140,7 @@ impl Monitor {
             changes: Default::default(),
             deviation: DeviationMeter::default(),
             order: Order::default(),
+            before: Default::default(),
             pending: VecDeque::new(),
         })
     }
@@ -242,7 +247,10 @@ impl Monitor {
         let depth = Depth::of(&measures, self.properties.size);
         let place = self.order.begin_frame(changes, depth);
         if place.is_due {
-            let alignment = measures.geometry.as_ref().map(Alignment::from);
+            let alignment = measures
+                .geometry
+                .as_ref()
+                .map(|geometry| Alignment::from(geometry).in_pixels(geometry.pixel_height));
             let alignment = alignment.unwrap_or_default();
             let meter = self.order.meter();
             let added = self.threads.install(|| meter.add(left, right, &alignment));
@@ -283,11 +291,26 @@ impl Monitor {
         let Some(pending) = self.pending.pop_front() else {
             return;
         };
-        let (stereoscopy, evidence) = self.order.verdict(&pending.place);
+        let (mut stereoscopy, evidence) = self.order.verdict(&pending.place);
+        let run = pending.place.run;
+        let before = self.before.1.filter(|_| self.before.0 == run).into_iter();
+        if stereoscopy == Stereoscopy::Unknown {
+            let same = self
+                .pending
+                .iter()
+                .take_while(|frame| frame.place.run == run);
+            let later = same.filter_map(|frame| self.order.verdict(&frame.place).0.order());
+            let common = Stereoscopy::common(before.chain(later));
+            stereoscopy = common.unwrap_or(Stereoscopy::Unknown);
+        } else {
+            let common = Stereoscopy::common(before.chain(stereoscopy.order()));
+            self.before = (run, common);
+        }
         let known = Known {
             frame: pending.frame,
             time_seconds: pending.time_seconds,
             begins_shot: pending.begins_shot,
+            run,
             measures: pending.measures,
             deviation_arcminutes: pending.deviation_arcminutes,
             asynchrony,
@@ -304,20 +327,11 @@ impl Monitor {
         };
         let [left, right] = [left.eight_bits(), right.eight_bits()];
         let [width, height] = self.properties.size;
-        let length = match layout {
-            Layout::SideBySide => height,
-            Layout::TopBottom => width,
-        };
+        let axis = layout.axis();
+        let (last, length) = ([width, height][axis] - 1, [width, height][1 - axis]);
         let line = |luma: &ga_image::plane::Plane<u8>, place: usize, along: usize| {
-            let found = match layout {
-                Layout::SideBySide => luma.get(place, along),
-                Layout::TopBottom => luma.get(along, place),
-            };
-            f64::from(found.unwrap_or(0))
-        };
-        let last = match layout {
-            Layout::SideBySide => width - 1,
-            Layout::TopBottom => height - 1,
+            let [column, row] = [[place, along], [along, place]][axis];
+            f64::from(luma.get(column, row).unwrap_or(0))
         };
         if last == 0 {
             return false;

@@ -34,6 +34,7 @@ pub(super) struct Order {
     /// The number of the current part, and of its frames so far.
     part: usize,
     age: usize,
+    run: usize,
     current: StereoscopyMeter,
     /// What the last frame shows.
     last: Depth,
@@ -60,6 +61,8 @@ struct Verdict {
 #[derive(Debug)]
 pub(super) struct Place {
     part: usize,
+    /// The number of the run of frames within which the eyes cannot have been exchanged.
+    pub(super) run: usize,
     depth: Depth,
     /// Whether the order of the eyes has to be examined in it.
     pub(super) is_due: bool,
@@ -73,6 +76,7 @@ impl Default for Order {
             frames: 0,
             part: 0,
             age: 0,
+            run: 0,
             current: StereoscopyMeter::default(),
             last: Depth::default(),
             previous: Stereoscopy::Unknown,
@@ -103,6 +107,14 @@ impl Order {
         let is_cut = changes.views.iter().any(|change| change.is_cut);
         let changes_abruptly = changes.views[0].is_abrupt || is_cut;
         let continues = continuity == Continuity::Same && !changes_abruptly;
+        // Exchanged views change the left picture, and they turn depth around.
+        let (is_clear, was_clear) = (depth.is_clear(), self.last.is_clear());
+        let is_one_run = match continuity {
+            Continuity::Same if is_clear && was_clear => !is_cut,
+            Continuity::Same | Continuity::Unclear => !changes_abruptly,
+            Continuity::Exchanged => false,
+        };
+        self.run += usize::from(!is_one_run);
         let mut is_free = true;
         self.credit = (self.credit + 1).min(AT_ONCE * FRAMES_EACH);
         if self.frames > 0 && !continues {
@@ -130,6 +142,7 @@ impl Order {
             );
         Place {
             part: self.part,
+            run: self.run,
             depth,
             is_due: is_time && is_open && (age > 0 || is_free),
             is_exchange: continuity == Continuity::Exchanged,

@@ -3,17 +3,21 @@
 use super::geometry::median_deviation;
 use super::matching::Match;
 use super::viewing::Viewing;
-use ga_numerics::order_statistics::Sorted;
+use ga_numerics::order_statistics::median;
 
 /// The parallax x_R − x_L of points that both views show, in pixels: negative, or crossed, in front
 /// of the screen, positive, or uncrossed, behind it.
+///
+/// Points count whose parallax agrees with that of points near them, since those of repeated
+/// textures are confused singly. The ends are reached by enough points in several parts of the
+/// picture: by 2 % of all, four at least, in four of 16 × 9 parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parallax {
-    /// The parallax below which 2 % of the points are: the nearest ones.
+    /// The greatest parallax of the nearest points.
     pub near_px: f64,
     /// The median.
     pub median_px: f64,
-    /// The parallax below which 98 % of the points are: the farthest ones.
+    /// The least parallax of the farthest points.
     pub far_px: f64,
     /// Columns of the picture.
     width: usize,
@@ -21,33 +25,61 @@ pub struct Parallax {
     pub histogram: Histogram,
 }
 
+/// How many points count as those near a point, and how many of them must agree with it.
+const NEAR: usize = 8;
+const LEAST_AGREEING: usize = 2;
+
+/// Parallaxes agree that differ by at most this part of the width, or by this part of the distance
+/// of the points: surfaces that are seen well are not steeper.
+const SAME: f64 = 0.01;
+const STEEPEST: f64 = 0.2;
+
+/// The part of the points that reach an end, their least number, and in how many of how many parts
+/// of the picture they are at least.
+const END: f64 = 0.02;
+const LEAST_POINTS: usize = 4;
+const LEAST_PARTS: usize = 4;
+const PARTS: [usize; 2] = [16, 9];
+
+/// A point of the left view, and its parallax.
+#[derive(Clone, Copy)]
+struct Point {
+    place: [f64; 2],
+    parallax: f64,
+}
+
 impl Parallax {
-    /// The parallax of matches, with the distance in pixels of their rows from what they should be.
-    /// Matches that are clearly farther than others are confused points: they count elsewhere, but
-    /// the nearest and the farthest points are few.
-    pub(super) fn new(
-        matches: &[Match],
-        distances: &[f64],
-        width: usize,
-        memory: &mut Vec<f64>,
-    ) -> Option<Self> {
+    /// The parallax of matches in views of this size, with the distance of their rows from what
+    /// they should be. Matches that are clearly farther than others are confused points. `None`
+    /// where less than half of the rest agree with those near them.
+    pub(super) fn new(matches: &[Match], distances: &[f64], size: [usize; 2]) -> Option<Self> {
         const DEVIATIONS: f64 = 5.0;
         const LEAST_DEVIATION: f64 = 0.05;
         let deviation = median_deviation(distances.to_vec()).max(LEAST_DEVIATION);
         let pairs = matches.iter().zip(distances);
         let clear = pairs.filter(|(_, distance)| **distance <= DEVIATIONS * deviation);
-        memory.clear();
-        memory.extend(clear.map(|(found, _)| found.right[0] - found.left[0]));
-        let sorted = Sorted::new(memory).filter(|_| width > 0)?;
-        let mut histogram = Histogram::default();
-        for parallax in sorted.values() {
-            histogram.add(100.0 * parallax / width as f64);
+        let all: Vec<Point> = clear
+            .map(|(found, _)| Point {
+                place: found.left,
+                parallax: found.right[0] - found.left[0],
+            })
+            .collect();
+        let width = size[0];
+        let agrees = |point: &&Point| agrees(point, &all, width as f64);
+        let mut points: Vec<Point> = all.iter().filter(agrees).copied().collect();
+        if points.is_empty() || 2 * points.len() < all.len() {
+            return None;
         }
-        let [near_px, median_px, far_px] = [0.02, 0.5, 0.98].map(|share| sorted.quantile(share));
+        points.sort_by(|a, b| a.parallax.total_cmp(&b.parallax));
+        let mut histogram = Histogram::default();
+        for point in &points {
+            histogram.add(100.0 * point.parallax / width as f64);
+        }
+        let mut numbers: Vec<f64> = points.iter().map(|point| point.parallax).collect();
         Some(Self {
-            near_px,
-            median_px,
-            far_px,
+            near_px: end(points.iter(), size)?,
+            median_px: median(&mut numbers)?,
+            far_px: end(points.iter().rev(), size)?,
             width,
             histogram,
         })
@@ -88,6 +120,56 @@ impl Parallax {
             .degrees_of_parallax(self.percent(self.far_px))
             .max(0.0)
     }
+}
+
+/// Whether enough of the points nearest to a point agree with it.
+fn agrees(point: &Point, all: &[Point], width: f64) -> bool {
+    // Squared distances and parallaxes, from the nearest one; the first is the point itself.
+    let mut near = [(f64::INFINITY, f64::NAN); NEAR + 1];
+    for other in all {
+        let [x, y] = [0, 1].map(|axis| other.place[axis] - point.place[axis]);
+        let squared = x * x + y * y;
+        if squared < near[NEAR].0 {
+            let index = near.partition_point(|(before, _)| *before <= squared);
+            near[index..].rotate_right(1);
+            near[index] = (squared, other.parallax);
+        }
+    }
+    let is_same = |(squared, parallax): &&(f64, f64)| {
+        let tolerated = (SAME * width).max(STEEPEST * squared.sqrt());
+        (parallax - point.parallax).abs() <= tolerated
+    };
+    near[1..].iter().filter(is_same).count() >= LEAST_AGREEING
+}
+
+/// The parallax at which enough points, from an end on, have been passed in enough parts of the
+/// picture.
+fn end<'a>(
+    points: impl ExactSizeIterator<Item = &'a Point> + Clone,
+    size: [usize; 2],
+) -> Option<f64> {
+    let part = |point: &Point| {
+        let [column, row] = [0, 1].map(|axis| {
+            let part = point.place[axis] / size[axis] as f64 * PARTS[axis] as f64;
+            // A cast from float saturates.
+            (part as usize).min(PARTS[axis] - 1)
+        });
+        row * PARTS[0] + column
+    };
+    let mut seen = [false; PARTS[0] * PARTS[1]];
+    points.clone().for_each(|point| seen[part(point)] = true);
+    let occupied = seen.iter().filter(|seen| **seen).count();
+    let parts = LEAST_PARTS.min(occupied.div_ceil(2));
+    let least = ((END * points.len() as f64).ceil() as usize).max(LEAST_POINTS);
+    let least = least.min(points.len().div_ceil(2));
+    seen.fill(false);
+    let (mut count, mut passed) = (0, 0);
+    let last = points.clone().find(|point| {
+        passed += usize::from(!std::mem::replace(&mut seen[part(point)], true));
+        count += 1;
+        count >= least && passed >= parts
+    });
+    last.map(|point| point.parallax)
 }
 
 /// Counts of points by parallax, in equal intervals of the picture's width.

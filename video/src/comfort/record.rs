@@ -13,6 +13,9 @@ pub struct Record {
     pub time_seconds: f64,
     /// Whether a shot begins with it.
     pub begins_shot: bool,
+    /// The number of the run of frames that it belongs to: within each the eyes cannot have been
+    /// exchanged, since the picture and its depth continue.
+    pub run: usize,
     /// What its two views show.
     pub measures: FrameMeasures,
     /// By how many frames the right eye is late.
@@ -38,6 +41,7 @@ impl Record {
             frame: known.frame,
             time_seconds: known.time_seconds,
             begins_shot: known.begins_shot,
+            run: known.run,
             measures: known.measures,
             asynchrony: known.asynchrony,
             stereoscopy: known.stereoscopy,
@@ -51,6 +55,7 @@ pub(super) struct Known {
     pub(super) frame: usize,
     pub(super) time_seconds: f64,
     pub(super) begins_shot: bool,
+    pub(super) run: usize,
     pub(super) measures: FrameMeasures,
     pub(super) deviation_arcminutes: Option<f64>,
     pub(super) asynchrony: Asynchrony,
@@ -66,8 +71,14 @@ impl Known {
         };
         match dimension {
             Dimension::Asynchrony => {
-                // Not −0.
-                measured(self.asynchrony.delay().map(|delay| delay.frames + 0.0))
+                let missing = match self.asynchrony {
+                    // Not −0.
+                    Asynchrony::Measured(delay) => return measured(Some(delay.frames + 0.0)),
+                    Asynchrony::NoMotion => Missing::NoMotion,
+                    Asynchrony::Unrelated => Missing::UnrelatedMotion,
+                    Asynchrony::Ambiguous => Missing::AmbiguousMotion,
+                };
+                Row::missing(dimension, missing)
             }
             Dimension::ParallaxDeviation => measured(self.deviation_arcminutes),
             Dimension::Stereoscopy => Row {

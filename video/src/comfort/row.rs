@@ -10,18 +10,47 @@ use super::scale::Score;
 pub enum Missing {
     /// The views have been compared, and the answer is not certain enough.
     Unknown,
-    /// The frame does not show what is needed: too few points are seen in both views, or nothing
-    /// moves.
+    /// Too few points are seen in both views.
     NotMeasurable,
+    /// Hardly anything moves, so that no delay shows.
+    NoMotion,
+    /// The motion in one view does not explain that in the other.
+    UnrelatedMotion,
+    /// The motion fits several delays.
+    AmbiguousMotion,
 }
 
 impl Missing {
+    /// All of them, in the order of the declaration.
+    pub const ALL: [Self; 5] = [
+        Self::Unknown,
+        Self::NotMeasurable,
+        Self::NoMotion,
+        Self::UnrelatedMotion,
+        Self::AmbiguousMotion,
+    ];
+
     /// The name in files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Unknown => "unknown",
-            Self::NotMeasurable => "not measurable",
+            Self::NotMeasurable
+            | Self::NoMotion
+            | Self::UnrelatedMotion
+            | Self::AmbiguousMotion => "not measurable",
+        }
+    }
+
+    /// The reason in words, as the part of a sentence.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Unknown => "the pictures do not show which eye is which",
+            Self::NotMeasurable => "too few points are found in both views",
+            Self::NoMotion => "hardly anything moves",
+            Self::UnrelatedMotion => "the motion in one view does not explain that in the other",
+            Self::AmbiguousMotion => "the motion fits several delays nearly equally well",
         }
     }
 }

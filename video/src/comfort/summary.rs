@@ -1,7 +1,7 @@
 //! What is said of a whole video.
 
 use super::stereoscopy::Stereoscopy;
-use super::{Dimension, Level, Missing, Record, Row, Score};
+use super::{Dimension, FrameRuns, Level, Missing, Record, Row, Score};
 
 /// The rows of the table over all frames, as the last column of Cui, table 6. It holds sums only,
 /// so that a video may be of any length.
@@ -11,6 +11,8 @@ pub struct Summary {
     pub frames: usize,
     /// The number of shots.
     pub shots: usize,
+    /// Frames in which the order of the eyes could not be decided.
+    pub undecided: FrameRuns,
     rows: [RowSummary; 11],
 }
 
@@ -25,10 +27,8 @@ pub struct RowSummary {
     pub worst: Option<(u8, usize)>,
     /// The least and the greatest raw number of frames with a score.
     pub raw_range: Option<[f64; 2]>,
-    /// Frames that do not show what is needed: [`Missing::NotMeasurable`].
-    pub not_measurable: usize,
-    /// Frames for which the answer is not certain enough: [`Missing::Unknown`].
-    pub unknown: usize,
+    /// Frames without a score, by the reasons in the order of [`Missing::ALL`].
+    pub missing: [usize; 5],
     sum: f64,
     raw_sum: f64,
 }
@@ -46,15 +46,23 @@ impl RowSummary {
         (self.scored > 0).then(|| self.raw_sum / self.scored as f64)
     }
 
+    /// Frames for which the answer is not certain enough: [`Missing::Unknown`].
+    #[must_use]
+    pub fn unknown(&self) -> usize {
+        self.missing[Missing::Unknown as usize]
+    }
+
+    /// Frames that do not show what is needed.
+    #[must_use]
+    pub fn not_measurable(&self) -> usize {
+        self.missing.iter().sum::<usize>() - self.unknown()
+    }
+
     fn add(&mut self, row: &Row, frame: usize) {
         let score = match row.score {
             Ok(score) => score,
-            Err(Missing::NotMeasurable) => {
-                self.not_measurable += 1;
-                return;
-            }
-            Err(Missing::Unknown) => {
-                self.unknown += 1;
+            Err(missing) => {
+                self.missing[missing as usize] += 1;
                 return;
             }
         };
@@ -70,8 +78,7 @@ impl RowSummary {
             levels,
             worst: Some((score.number(), frame)),
             raw_range: Some([raw, raw]),
-            not_measurable: 0,
-            unknown: 0,
+            missing: [0; 5],
             sum: f64::from(score.number()),
             raw_sum: raw,
         });
@@ -99,8 +106,9 @@ impl RowSummary {
             (Some([low, high]), Some(other)) => Some([low.min(other[0]), high.max(other[1])]),
             (range, other) => range.or(other),
         };
-        self.not_measurable += later.not_measurable;
-        self.unknown += later.unknown;
+        for (count, more) in self.missing.iter_mut().zip(later.missing) {
+            *count += more;
+        }
         self.sum += later.sum;
         self.raw_sum += later.raw_sum;
     }
@@ -111,6 +119,9 @@ impl Summary {
     pub fn add(&mut self, record: &Record) {
         self.frames += 1;
         self.shots += usize::from(record.begins_shot);
+        if record.stereoscopy == Stereoscopy::Unknown {
+            self.undecided.add(record.frame);
+        }
         for (summary, row) in self.rows.iter_mut().zip(&record.rows) {
             summary.add(row, record.frame);
         }
@@ -120,6 +131,7 @@ impl Summary {
     pub fn merge(&mut self, later: &Self) {
         self.frames += later.frames;
         self.shots += later.shots;
+        self.undecided.merge(&later.undecided);
         for (row, more) in self.rows.iter_mut().zip(&later.rows) {
             row.merge(more);
         }
@@ -155,6 +167,6 @@ pub fn meaning(stereoscopy: Stereoscopy) -> &'static str {
         Stereoscopy::Exchanged => "the left eye sees the right view: exchange the views",
         Stereoscopy::Identical => "both eyes see the same picture: there is no depth",
         Stereoscopy::Unrelated => "the eyes see different scenes",
-        Stereoscopy::Unknown => "the pictures do not show which eye is which",
+        Stereoscopy::Unknown => Missing::Unknown.reason(),
     }
 }

@@ -105,6 +105,15 @@ impl Timeline {
         &self.intervals
     }
 
+    /// The nearest and the farthest points of all, as parallax in per cent of the picture's width;
+    /// `None` where no frame shows it.
+    #[must_use]
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        let depths = self.intervals.iter().filter_map(|interval| interval.depth);
+        let all = depths.reduce(|all, depth| all.merged(&depth))?;
+        Some([all.nearest, all.farthest])
+    }
+
     /// The length of each interval in seconds; `None` where they are single frames.
     #[must_use]
     pub fn seconds(&self) -> Option<f64> {

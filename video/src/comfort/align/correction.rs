@@ -6,6 +6,7 @@ use ga_image::ycbcr::YCbCr;
 
 use super::super::Tone;
 use super::super::stereoscopy::Alignment;
+use crate::stereo::pixel_height;
 use crate::{Planes, Samples};
 
 /// The differences of a right view from its left one that are to be removed.
@@ -13,6 +14,9 @@ use crate::{Planes, Samples};
 pub struct Correction {
     /// How it is displaced, rotated and larger.
     pub alignment: Alignment,
+    /// By how many columns its points are to be moved to the right after that, or to the left where
+    /// it is negative: parallax rises by it.
+    pub parallax_px: f64,
     /// How the codes of red, green and blue in the left view follow from its own.
     pub tones: [Tone; 3],
 }
@@ -42,19 +46,31 @@ pub struct Correction {
 #[derive(Clone, Debug)]
 pub struct Corrector {
     colours: YCbCr,
-    /// The alignment that was removed last, and the maps for planes of these sizes that do it.
+    pixel_height: f64,
+    /// The maps for planes of these sizes that do what was done last.
     warps: Vec<Warp>,
-    alignment: Alignment,
+    last: (Alignment, f64),
 }
 
 impl Corrector {
-    /// For views in this encoding of colours.
+    /// For views in this encoding of colours, with square pixels.
     #[must_use]
     pub fn new(colours: YCbCr) -> Self {
         Self {
             colours,
+            pixel_height: 1.0,
             warps: Vec::new(),
-            alignment: Alignment::default(),
+            last: Default::default(),
+        }
+    }
+
+    /// The same for pixels of this width and height, as in
+    /// [`Properties::pixel_aspect`](crate::Properties::pixel_aspect).
+    #[must_use]
+    pub fn with_pixel_aspect(self, aspect: [u32; 2]) -> Self {
+        Self {
+            pixel_height: pixel_height(aspect),
+            ..self
         }
     }
 
@@ -82,8 +98,9 @@ impl Corrector {
     fn codes(&mut self, planes: &Planes<f32>, correction: &Correction) -> Planes<f32> {
         let luma = &planes.luma;
         let size = [luma.width(), luma.height()];
-        if self.alignment != correction.alignment {
-            self.alignment = correction.alignment;
+        let moves = (correction.alignment, correction.parallax_px);
+        if self.last != moves {
+            self.last = moves;
             self.warps.clear();
         }
         let [cb, cr] = planes.differences.each_ref();
@@ -97,42 +114,45 @@ impl Corrector {
         }
     }
 
-    /// A plane of a view of this size without the alignment.
+    /// A plane of a view of this size, moved.
     fn moved(&mut self, plane: &Plane<f32>, view: [usize; 2]) -> Plane<f32> {
         let size = [plane.width(), plane.height()];
-        if self.alignment == Alignment::default() || plane.is_empty() {
+        if self.last == Default::default() || plane.is_empty() {
             return plane.clone();
         }
         let known = self.warps.iter().find(|warp| warp.size() == size);
         let warp = match known {
             Some(warp) => warp,
             None => {
-                self.warps.push(warp(&self.alignment, size, view));
+                self.warps.push(self.warp(size, view));
                 &self.warps[self.warps.len() - 1]
             }
         };
         // The map has the size of the plane.
         warp.warped(plane, 0.0).unwrap_or_default()
     }
-}
 
-/// The map that removes an alignment from a plane of a view.
-fn warp(alignment: &Alignment, size: [usize; 2], view: [usize; 2]) -> Warp {
-    let (sine, cosine) = alignment.rotation_degrees.to_radians().sin_cos();
-    let zoom = 1.0 + 0.01 * alignment.zoom_percent;
-    // 1 or 2 pixels for each stored number.
-    let pixels = [0, 1].map(|axis| view[axis].div_ceil(size[axis]) as f64);
-    let sides = size.map(|side| side as f64);
-    let middle = view.map(|side| 0.5 * side as f64);
-    let warp = Warp::new(size, size, |place| {
-        let [x, y] = [0, 1].map(|axis| place[axis] * pixels[axis] - middle[axis]);
-        let source = [
-            middle[0] + zoom * (x * cosine + y * sine),
-            middle[1] + zoom * (y * cosine - x * sine) + alignment.shift_px,
-        ];
-        Some([0, 1].map(|axis| mirrored(source[axis] / pixels[axis], sides[axis])))
-    });
-    warp.with_interpolation(Interpolation::Cubic)
+    /// The map that moves a plane of a view.
+    fn warp(&self, size: [usize; 2], view: [usize; 2]) -> Warp {
+        let (alignment, parallax) = self.last;
+        let (sine, cosine) = alignment.rotation_degrees.to_radians().sin_cos();
+        let zoom = 1.0 + 0.01 * alignment.zoom_percent;
+        // 1 or 2 pixels for each stored number.
+        let pixels = [0, 1].map(|axis| view[axis].div_ceil(size[axis]) as f64);
+        let sides = size.map(|side| side as f64);
+        let middle = view.map(|side| 0.5 * side as f64);
+        let warp = Warp::new(size, size, |place| {
+            let [x, y] = [0, 1].map(|axis| place[axis] * pixels[axis] - middle[axis]);
+            // In columns, so that angles are those of the picture that is shown.
+            let [x, y] = [x - parallax, self.pixel_height * y];
+            let source = [
+                middle[0] + zoom * (x * cosine + y * sine),
+                middle[1] + zoom * (y * cosine - x * sine) / self.pixel_height + alignment.shift_px,
+            ];
+            Some([0, 1].map(|axis| mirrored(source[axis] / pixels[axis], sides[axis])))
+        });
+        warp.with_interpolation(Interpolation::Cubic)
+    }
 }
 
 /// The place inside a picture that a mirror at its border shows; the other border beyond that.

@@ -16,9 +16,9 @@ pub use delay::CommonDelay;
 
 use super::monitor::{Monitor, Options};
 use super::stereoscopy::{Alignment, Stereoscopy};
-use super::{FrameMeasures, FrameMeter, Record, Tone, Viewing};
+use super::{FrameMeasures, FrameMeter, FrameRuns, Record, Tone, Viewing};
 use crate::comfort::ComfortError;
-use crate::stereo::{Layout, StereoSource};
+use crate::stereo::{Layout, StereoSource, pixel_height};
 use crate::{Frame, Properties, VideoError};
 use pairs::Pairs;
 use steady::steady;
@@ -30,6 +30,8 @@ use steady::steady;
 ///   [`CommonDelay`]. Frames at the beginning of the late eye and at the end of the other one have
 ///   no partner and are left out. Parts of a frame remain.
 /// - Views are exchanged in the shots, or parts of them, where they are found to be exchanged.
+///   Frames that do not show the order of the eyes have that of the others of their
+///   [run](Record::run); where these differ or do not show it either, they stay as they are.
 /// - Vertical shift, rotation and size of the right view, and the codes of its red, green and blue,
 ///   are changed by the same amounts in all frames of a shot, so that the picture does not tremble:
 ///   by the medians of what its frames show. Where a defect begins or ends within a shot, the
@@ -37,8 +39,8 @@ use steady::steady;
 ///   0.1 pixel at the border of the picture, or half a code, count as none. A shot in which nothing
 ///   can be measured is treated as the one before it, or after it at the beginning.
 ///
-/// The left view stays as it is; so do parallax and sharpness, the depth of the numbers and the
-/// sampling of colours.
+/// The left view stays as it is; so do sharpness, the depth of the numbers and the sampling of
+/// colours, and parallax where no [shift](Self::with_parallax) is asked for.
 ///
 /// ```
 /// use std::io::Cursor;
@@ -82,6 +84,9 @@ use steady::steady;
 pub struct Plan {
     delay: CommonDelay,
     pairs: Vec<Pair>,
+    undecided: FrameRuns,
+    ends: Option<[f64; 2]>,
+    width: usize,
     frames: usize,
     last_seconds: f64,
 }
@@ -97,9 +102,12 @@ struct Pair {
 #[derive(Clone, Copy, Debug)]
 struct Found {
     begins_shot: bool,
-    is_exchanged: bool,
+    run: usize,
+    order: Stereoscopy,
     alignment: Option<Alignment>,
     tones: Option<[Tone; 3]>,
+    /// The parallax of the nearest and of the farthest points in per cent of the width.
+    ends: Option<[f64; 2]>,
 }
 
 /// Amounts of shift, rotation and size are tolerated that move no point farther than this number of
@@ -168,7 +176,8 @@ impl Plan {
                 });
             }
         }
-        if found.iter().any(|found| found.is_exchanged) {
+        decide(&mut found);
+        if found.iter().any(Found::is_exchanged) {
             readings += 1;
             let mut source = open()?;
             let mut pairs = Pairs::new(&mut source, delay.frames);
@@ -176,9 +185,18 @@ impl Plan {
                 progress(readings, frame);
             })?;
         }
+        let mut undecided = FrameRuns::default();
+        let unknown = |(_, found): &(usize, &Found)| found.order == Stereoscopy::Unknown;
+        let all = found.iter().enumerate();
+        all.filter(unknown)
+            .for_each(|(frame, _)| undecided.add(frame));
+        let ends = found.iter().filter_map(|found| found.ends);
         Ok(Self {
             delay,
-            pairs: pairs_of(&found, properties.size),
+            pairs: pairs_of(&found, &properties),
+            undecided,
+            ends: ends.reduce(|[near, far], more| [near.min(more[0]), far.max(more[1])]),
+            width: properties.size[0],
             frames,
             last_seconds,
         })
@@ -209,6 +227,31 @@ impl Plan {
         self.pairs.iter().filter(|pair| pair.is_exchanged).count()
     }
 
+    /// The frames after alignment in which the order of the eyes could not be decided.
+    #[must_use]
+    pub fn undecided(&self) -> &FrameRuns {
+        &self.undecided
+    }
+
+    /// The parallax of the nearest and of the farthest points of all frames, with the eyes in
+    /// order, in per cent of the picture's width; `None` where no frame shows it.
+    #[must_use]
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        self.ends
+    }
+
+    /// The plan that also moves the right views of all frames by this part of the picture's width,
+    /// in per cent, to the right: what is shown moves away from the viewer, or towards him where it
+    /// is negative. What lies outside the right view is mirrored at its border.
+    #[must_use]
+    pub fn with_parallax(mut self, percent: f64) -> Self {
+        let columns = 0.01 * percent * self.width as f64;
+        for pair in &mut self.pairs {
+            pair.correction.parallax_px = columns;
+        }
+        self
+    }
+
     /// What is changed in the right view of each frame, after delay and exchange are undone.
     pub fn corrections(&self) -> impl ExactSizeIterator<Item = &Correction> {
         self.pairs.iter().map(|pair| &pair.correction)
@@ -224,7 +267,9 @@ impl Plan {
         source: &mut StereoSource,
         mut each: impl FnMut([&Frame; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut corrector = Corrector::new(source.properties().colours);
+        let properties = source.properties();
+        let mut corrector =
+            Corrector::new(properties.colours).with_pixel_aspect(properties.pixel_aspect);
         let mut pairs = Pairs::new(source, self.delay.frames);
         let mut views = <[Frame; 2]>::default();
         for pair in &self.pairs {
@@ -254,7 +299,8 @@ fn measured(
         each(&record);
         found.push(Found {
             begins_shot: record.begins_shot,
-            is_exchanged: record.stereoscopy == Stereoscopy::Exchanged,
+            run: record.run,
+            order: record.stereoscopy,
             ..Found::of(&record.measures)
         });
     };
@@ -281,20 +327,22 @@ fn measure_exchanged(
     found: &mut [Found],
     mut each: impl FnMut(usize),
 ) -> Result<(), ComfortError> {
-    let mut meter = FrameMeter::new(properties.size, properties.colours);
+    let mut meter = FrameMeter::new(properties.size, properties.colours)
+        .with_pixel_aspect(properties.pixel_aspect);
     let mut views = <[Frame; 2]>::default();
     for (index, found) in found.iter_mut().enumerate() {
         if !pairs.read(&mut views)? {
             break;
         }
-        if found.is_exchanged {
+        if found.is_exchanged() {
             let [right, left] = &views;
             let measures = meter.measure(&left.samples, &right.samples);
             let frame = left.index;
             let measures = measures.map_err(|source| ComfortError::Size { frame, source })?;
             *found = Found {
                 begins_shot: found.begins_shot,
-                is_exchanged: true,
+                run: found.run,
+                order: Stereoscopy::Exchanged,
                 ..Found::of(measures)
             };
         }
@@ -307,27 +355,51 @@ impl Found {
     fn of(measures: &FrameMeasures) -> Self {
         Self {
             begins_shot: false,
-            is_exchanged: false,
+            run: 0,
+            order: Stereoscopy::Unknown,
             alignment: measures.geometry.as_ref().map(Alignment::from),
             tones: measures.photometry.as_ref().map(|found| found.tones),
+            ends: measures
+                .parallax
+                .as_ref()
+                .map(|found| [found.near_px, found.far_px].map(|pixels| found.percent(pixels))),
         }
+    }
+
+    fn is_exchanged(&self) -> bool {
+        self.order == Stereoscopy::Exchanged
     }
 }
 
-/// Steady changes for all pairs of views of this size.
-fn pairs_of(found: &[Found], size: [usize; 2]) -> Vec<Pair> {
+/// Gives frames that do not show the order of the eyes that which the others of their run have in
+/// common.
+fn decide(found: &mut [Found]) {
+    for run in found.chunk_by_mut(|frame, next| frame.run == next.run) {
+        let orders = run.iter().filter_map(|found| found.order.order());
+        let common = Stereoscopy::common(orders).unwrap_or(Stereoscopy::Unknown);
+        let open = run.iter_mut();
+        let open = open.filter(|found| found.order == Stereoscopy::Unknown);
+        open.for_each(|found| found.order = common);
+    }
+}
+
+/// Steady changes for all pairs of views.
+fn pairs_of(found: &[Found], properties: &Properties) -> Vec<Pair> {
+    let size = properties.size;
+    let pixel_height = pixel_height(properties.pixel_aspect);
     let [half_width, half_height] = size.map(|side| 0.5 * side.max(1) as f64);
+    let half_height = pixel_height * half_height;
     let begins = |frame: usize| {
         let [before, now] = [&found[frame - 1], &found[frame]];
-        now.begins_shot || now.is_exchanged != before.is_exchanged
+        now.begins_shot || now.is_exchanged() != before.is_exchanged()
     };
-    // How far each difference moves a point at the border, in pixels.
+    // How far each difference moves a point at the border, in columns.
     let moves = found.iter().map(|found| {
         let alignment = found.alignment?;
         let rotation = alignment.rotation_degrees.to_radians().tan();
         let zoom = 0.01 * alignment.zoom_percent;
         Some([
-            alignment.shift_px,
+            pixel_height * alignment.shift_px,
             half_width * rotation,
             half_width.max(half_height) * zoom,
         ])
@@ -345,7 +417,7 @@ fn pairs_of(found: &[Found], size: [usize; 2]) -> Vec<Pair> {
         let mut correction = Correction::default();
         if moves.iter().map(|pixels| pixels.abs()).sum::<f64>() >= LEAST_PX {
             correction.alignment = Alignment {
-                shift_px: moves[0],
+                shift_px: moves[0] / pixel_height,
                 rotation_degrees: (moves[1] / half_width).atan().to_degrees(),
                 zoom_percent: 100.0 * moves[2] / half_width.max(half_height),
             };
@@ -357,9 +429,46 @@ fn pairs_of(found: &[Found], size: [usize; 2]) -> Vec<Pair> {
             });
         }
         Pair {
-            is_exchanged: found.is_exchanged,
+            is_exchanged: found.is_exchanged(),
             correction,
         }
     };
     found.iter().zip(moves).zip(codes).map(pair).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Found, Stereoscopy, decide};
+    use crate::comfort::FrameMeasures;
+
+    #[test]
+    fn undecided_frames_have_the_order_of_their_run() {
+        use Stereoscopy::{Exchanged, Identical, InOrder, Unknown};
+        let decided = |runs: &[&[Stereoscopy]]| -> Vec<Stereoscopy> {
+            let frames = runs.iter().enumerate().flat_map(|(run, orders)| {
+                orders.iter().map(move |order| Found {
+                    run,
+                    order: *order,
+                    ..Found::of(&FrameMeasures::default())
+                })
+            });
+            let mut found: Vec<Found> = frames.collect();
+            decide(&mut found);
+            found.into_iter().map(|found| found.order).collect()
+        };
+        let found = decided(&[
+            &[Unknown, Exchanged, Unknown, Exchanged],
+            &[Unknown, Unknown],
+            &[InOrder, Identical, Unknown],
+            // They contradict each other.
+            &[InOrder, Unknown, Exchanged],
+        ]);
+        let expected = [
+            [Exchanged; 4].as_slice(),
+            &[Unknown; 2],
+            &[InOrder, Identical, InOrder],
+            &[InOrder, Unknown, Exchanged],
+        ];
+        assert_eq!(found, expected.concat());
+    }
 }

@@ -29,13 +29,10 @@ impl Plan {
             frames_per_second: properties.rate(frames, last_seconds),
             sampling: properties.sampling,
             colours: properties.colours,
-            pixel_aspect: properties.pixel_aspect,
+            pixel_aspect: source.frame_aspect(),
         };
-        let [width, height] = properties.size;
-        let size = match layout {
-            Layout::SideBySide => [2 * width, height],
-            Layout::TopBottom => [width, 2 * height],
-        };
+        let mut size = properties.size;
+        size[layout.axis()] *= 2;
         let mut writer = Writer::new(out, size, properties.bit_depth, film)?;
         let mut frame = 0;
         self.apply(source, |views| {

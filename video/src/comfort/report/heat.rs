@@ -26,7 +26,7 @@ impl Cell {
         match (row.mean_score(), row.worst) {
             // A cast from float saturates.
             (Some(mean), Some((worst, _))) => Self::Scores(mean.round() as u8, worst),
-            _ if row.unknown > row.not_measurable => Self::Unknown,
+            _ if row.unknown() > row.not_measurable() => Self::Unknown,
             _ => Self::NotMeasurable,
         }
     }

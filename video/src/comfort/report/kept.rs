@@ -25,6 +25,8 @@ pub(super) struct Kept {
     pub(super) size: [usize; 2],
     /// Columns, and rows, of a view for each of the reduced one.
     factor: usize,
+    /// How many times a pixel is as high as wide.
+    pixel_height: f64,
     views: [Frame; 2],
     /// A place that both views show, where one of them is less sharp.
     detail: Option<Detail>,
@@ -39,7 +41,12 @@ struct Detail {
 }
 
 impl Kept {
-    pub(super) fn new(views: &[Frame; 2], measures: &FrameMeasures, viewing: &Viewing) -> Self {
+    pub(super) fn new(
+        views: &[Frame; 2],
+        measures: &FrameMeasures,
+        viewing: &Viewing,
+        pixel_height: f64,
+    ) -> Self {
         let size = views[0].samples.size();
         let factor = size[0].div_ceil(WIDEST).max(1);
         let gap = measures.row(Dimension::FocalGap, viewing);
@@ -49,6 +56,7 @@ impl Kept {
             frame: views[0].index,
             size,
             factor,
+            pixel_height,
             views: views.each_ref().map(|view| {
                 let samples = view.samples.eight_bits();
                 frame(Planes {
@@ -71,18 +79,33 @@ impl Kept {
     /// Where a pixel of a view is shown, where the reduced view is shown `width` wide with its top
     /// left corner at the origin.
     pub(super) fn place(&self, pixel: [f64; 2], width: f64) -> [f64; 2] {
-        pixel.map(|x| (x + 0.5) * self.scale(width))
+        let [x, y] = pixel.map(|x| (x + 0.5) * self.scale(width));
+        [x, self.pixel_height * y]
     }
 
-    /// The shown length of a pixel of a view, where the reduced view is shown `width` wide.
+    /// The pixel of the reduced view that shows a pixel of a view.
+    pub(super) fn reduced(&self, pixel: [f64; 2]) -> [usize; 2] {
+        // A cast from float saturates.
+        [0, 1].map(|axis| {
+            let place = (pixel[axis].max(0.0) + 0.5) as usize / self.factor;
+            place.min(self.size[axis].div_ceil(self.factor).saturating_sub(1))
+        })
+    }
+
+    /// The shown width of a pixel of a view, where the reduced view is shown `width` wide.
     pub(super) fn scale(&self, width: f64) -> f64 {
         width / (self.size[0].div_ceil(self.factor) * self.factor) as f64
+    }
+
+    /// How many times a pixel is as high as wide.
+    pub(super) fn pixel_height(&self) -> f64 {
+        self.pixel_height
     }
 
     /// How high the reduced view is shown where it is `width` wide.
     pub(super) fn height(&self, width: f64) -> f64 {
         let [columns, rows] = self.size.map(|side| side.div_ceil(self.factor) as f64);
-        width * rows / columns
+        width * self.pixel_height * rows / columns
     }
 
     /// The surroundings of a point in both views at full size, and the point in the left view.

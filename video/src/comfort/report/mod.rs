@@ -5,10 +5,12 @@
 //! [`Observer`](crate::comfort::Observer).
 
 mod axis;
+mod causes;
 mod depth;
 mod heat;
 mod kept;
 mod moments;
+mod notes;
 mod page;
 mod raw;
 mod thumbnail;
@@ -18,7 +20,9 @@ mod words;
 use crate::comfort::{Dimension, FrameMeasures, Level, Record, Timeline, Viewing};
 use crate::{Frame, Properties};
 
+use causes::Heights;
 use moments::Moments;
+pub use notes::notes;
 
 /// Whether `nullcone video align` removes something that strains the eyes in a frame.
 #[must_use]
@@ -37,6 +41,8 @@ pub struct About {
     pub title: String,
     /// The command that removes what can be removed; `None` for standard input.
     pub align: Option<String>,
+    /// Its options that shift parallax as is recommended for these viewers.
+    pub shift: String,
     /// Of each view.
     pub properties: Properties,
     /// Where the viewers sit.
@@ -49,6 +55,7 @@ pub struct Report {
     about: About,
     timeline: Timeline,
     moments: Moments,
+    heights: Heights,
     last_seconds: f64,
 }
 
@@ -58,7 +65,8 @@ impl Report {
     pub fn new(about: About) -> Self {
         Self {
             timeline: Timeline::default(),
-            moments: Moments::new(about.viewing),
+            moments: Moments::new(about.viewing, about.properties.pixel_aspect),
+            heights: Heights::default(),
             about,
             last_seconds: 0.0,
         }
@@ -72,6 +80,9 @@ impl Report {
     /// Adds a frame.
     pub fn complete(&mut self, record: Record) {
         self.timeline.add(&record);
+        if let Some(geometry) = &record.measures.geometry {
+            self.heights.add(geometry, self.about.properties.size);
+        }
         self.last_seconds = record.time_seconds;
         self.moments.complete(record);
     }

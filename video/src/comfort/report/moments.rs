@@ -6,6 +6,7 @@ use std::rc::Rc;
 use crate::Frame;
 use crate::comfort::asynchrony::REACH;
 use crate::comfort::{Dimension, FrameMeasures, Level, Record, Viewing};
+use crate::stereo::pixel_height;
 
 use super::kept::Kept;
 
@@ -30,6 +31,7 @@ pub(super) struct Moment {
 #[derive(Debug)]
 pub(super) struct Moments {
     viewing: Viewing,
+    pixel_height: f64,
     /// Frames that wait for their record, and those shortly before them.
     waiting: VecDeque<Rc<Kept>>,
     last: Option<(Rc<Record>, Rc<Kept>)>,
@@ -38,9 +40,11 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    pub(super) fn new(viewing: Viewing) -> Self {
+    /// For pixels of this width and height.
+    pub(super) fn new(viewing: Viewing, pixel_aspect: [u32; 2]) -> Self {
         Self {
             viewing,
+            pixel_height: pixel_height(pixel_aspect),
             waiting: VecDeque::new(),
             last: None,
             shot: 0,
@@ -50,7 +54,7 @@ impl Moments {
 
     /// The views of a frame whose record comes later.
     pub(super) fn measured(&mut self, views: &[Frame; 2], measures: &FrameMeasures) {
-        let kept = Kept::new(views, measures, &self.viewing);
+        let kept = Kept::new(views, measures, &self.viewing, self.pixel_height);
         self.waiting.push_back(Rc::new(kept));
     }
 
@@ -157,6 +161,7 @@ mod tests {
             frame,
             time_seconds: frame as f64,
             begins_shot: frame.is_multiple_of(10),
+            run: 0,
             measures: FrameMeasures::default(),
             asynchrony: Asynchrony::Measured(Delay {
                 frames: -3.1,
@@ -179,7 +184,7 @@ mod tests {
 
     /// Records come 28 frames after the views.
     fn moments(records: Vec<Record>) -> Moments {
-        let mut moments = Moments::new(Viewing::default());
+        let mut moments = Moments::new(Viewing::default(), [1, 1]);
         let count = records.len();
         let mut records = records.into_iter();
         for frame in 0..count + 28 {

@@ -1,12 +1,12 @@
 //! The page.
 
-use crate::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing};
-use crate::keyframe::scenes::timecode;
+use crate::comfort::{Dimension, RowSummary, Scale, Score, Summary, Viewing, comfortable_shift};
+use crate::keyframe::timecode::TimeBase;
 use ga_image::file::FormatError;
 
 use super::thumbnail::{self, Video};
 use super::verdict::{self, Problem};
-use super::{About, Report, axis, depth, heat, raw, words};
+use super::{About, Report, axis, depth, heat, notes, raw, words};
 use ga_draw::document::{Cell, Page, Tint};
 
 impl Report {
@@ -25,7 +25,7 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
     let viewing = &about.viewing;
     let rate = report.rate(summary.frames);
     let place = |frame: usize| format!("at {} (frame {frame})", timecode(frame, rate));
-    let problems = verdict::problems(summary, &report.moments);
+    let problems = verdict::problems(summary, &report.moments, &report.heights, viewing);
     let mut page = Page::new(&format!("Viewing comfort of {}", about.title));
     if let Some(failure) = failure {
         let frames = match summary.frames {
@@ -39,7 +39,7 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
     }
     page.heading("In short");
     page.paragraph(&verdict::sentences(summary, &problems, viewing, place).join(" "));
-    add_command(&mut page, about, &problems);
+    add_command(&mut page, report, &problems);
     page.paragraph(&conditions(report, summary, rate));
 
     page.heading("All checks");
@@ -48,6 +48,7 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
          13 strains after a while (orange), above that is severe (red).",
     );
     add_table(&mut page, summary, &problems, rate);
+    notes(summary).iter().for_each(|note| page.paragraph(note));
 
     page.heading("Scores over time");
     let axis = axis::TimeAxis::new(&report.timeline);
@@ -82,7 +83,7 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
     page.wide_svg(&depth::svg(&report.timeline, viewing)?, &caption);
 
     if !problems.is_empty() {
-        add_problems(&mut page, report, &problems, (summary.frames, rate))?;
+        add_problems(&mut page, report, &problems, (summary, rate))?;
     }
     page.heading("What the checks mean");
     let rows = Dimension::ALL.map(|dimension| {
@@ -102,7 +103,9 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
 }
 
 /// The command that removes what can be removed.
-fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
+fn add_command(page: &mut Page, report: &Report, problems: &[Problem<'_>]) {
+    let about = &report.about;
+    let shift = recommended_shift(report, problems);
     let names: Vec<String> = problems
         .iter()
         .filter(|problem| {
@@ -113,22 +116,58 @@ fn add_command(page: &mut Page, about: &About, problems: &[Problem<'_>]) {
             words::trouble(record, problem.dimension, &about.viewing).to_lowercase()
         })
         .collect();
-    if names.is_empty() {
+    if names.is_empty() && shift == 0.0 {
         return;
     }
     match &about.align {
+        Some(command) if names.is_empty() => {
+            page.paragraph(&moved(shift, about));
+            page.code(&format!("{command} {}", about.shift));
+        }
         Some(command) => {
             page.paragraph(&format!(
                 "This command writes the video without {}; measure it again afterwards:",
                 words::listed(&names)
             ));
             page.code(command);
+            if shift != 0.0 {
+                page.paragraph(&format!(
+                    "{} as well:",
+                    moved(shift, about).trim_end_matches(':')
+                ));
+                page.code(&format!("{command} {}", about.shift));
+            }
         }
+        None if names.is_empty() => {}
         None => page.paragraph(&format!(
             "“nullcone video align” removes {}, if the video is in a file.",
             words::listed(&names)
         )),
     }
+}
+
+/// The shift of parallax in per cent of the width that makes the depth comfortable, or less
+/// uncomfortable, where points are too far in front or behind for no other reason.
+fn recommended_shift(report: &Report, problems: &[Problem<'_>]) -> f64 {
+    let is_limit = |problem: &Problem| {
+        let limits = [Dimension::OverConvergence, Dimension::OverDivergence];
+        limits.contains(&problem.dimension) && problem.cause.is_none()
+    };
+    let ends = report.timeline.ends();
+    match ends.filter(|_| problems.iter().any(is_limit)) {
+        Some(ends) => comfortable_shift(ends, &report.about.viewing),
+        None => 0.0,
+    }
+}
+
+/// What a shift of parallax does.
+fn moved(shift: f64, about: &About) -> String {
+    let direction = if shift > 0.0 { "back" } else { "forward" };
+    format!(
+        "This command moves the whole scene {direction} by {}° ({} % of the width):",
+        words::number(about.viewing.degrees_of_parallax(shift).abs(), 2),
+        words::number(shift.abs(), 2)
+    )
 }
 
 /// The video and the eyes before it, in a sentence or two.
@@ -204,8 +243,8 @@ fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate:
                 row.mean_raw()
                     .map_or(String::new(), |raw| words::amount(dimension, raw)),
             ),
-            missing(row.not_measurable),
-            missing(row.unknown),
+            missing(row.not_measurable()),
+            missing(row.unknown()),
         ]
     });
     let names = [
@@ -250,6 +289,16 @@ fn none() -> Cell {
     }
 }
 
+/// When a frame is shown: hours, minutes, seconds and frames, or seconds where frames are slower
+/// than those are counted.
+fn timecode(frame: usize, rate: [u32; 2]) -> String {
+    let seconds = frame as f64 * f64::from(rate[1]) / f64::from(rate[0].max(1));
+    match TimeBase::new(rate, None) {
+        Ok(base) => base.code(seconds),
+        Err(_) => format!("{seconds:.3} s"),
+    }
+}
+
 /// A number of frames in per cent of all; empty for none.
 fn share(count: usize, all: usize) -> String {
     let percent = 100.0 * count as f64 / all.max(1) as f64;
@@ -266,19 +315,20 @@ fn add_problems(
     page: &mut Page,
     report: &Report,
     problems: &[Problem<'_>],
-    (frames, rate): (usize, [u32; 2]),
+    (summary, rate): (&Summary, [u32; 2]),
 ) -> Result<(), FormatError> {
     let viewing = &report.about.viewing;
     page.heading("What to mend, in this order");
     page.numbered(problems.iter().map(|problem| {
         let record = &problem.worst().record;
         let text = format!(
-            "{}. At {} (frame {}), {}. {}",
-            verdict::frames(problem.frames(), frames),
+            "{}. At {} (frame {}), {}. {}{}",
+            verdict::frames(problem.frames(), summary.frames),
             timecode(record.frame, rate),
             record.frame,
             words::finding(record, problem.dimension, viewing),
-            words::advice(record, problem.dimension, viewing)
+            words::advice(record, problem.dimension, viewing, summary.shots),
+            problem.explanation()
         );
         let level = match problem.is_red() {
             true => "severe",

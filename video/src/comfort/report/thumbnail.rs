@@ -64,7 +64,7 @@ fn heights(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> 
         .measures
         .geometry
         .map_or(0.0, |found| found.deviation_px);
-    let factor = exaggeration(deviation * kept.scale(HALF), LONG);
+    let factor = exaggeration(deviation * kept.pixel_height() * kept.scale(HALF), LONG);
     for found in some(matches, POINTS) {
         let [x, y] = kept.place(found.left, HALF);
         let [u, v] = kept.place(found.right, HALF);
@@ -139,7 +139,9 @@ fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
     let parallax = moment.record.measures.parallax.as_ref();
     let moved = parallax.map_or(0.0, |found| found.median_px) * kept.scale(left.width() as f64);
     let moved = moved.round() as i64;
-    let is_right = |column: usize, row: usize| (column / side + row / side) % 2 == 1;
+    // The rows of a square that is shown.
+    let rows = ((side as f64 / kept.pixel_height()).round() as usize).max(1);
+    let is_right = |column: usize, row: usize| (column / side + row / rows) % 2 == 1;
     let mixed = Plane::from_fn(left.width(), left.height(), |column, row| {
         match is_right(column, row) {
             true => {
@@ -158,10 +160,13 @@ fn checks(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> {
         "squares of both views in turn",
         &mixed,
     )?;
-    let shown = WIDE * side as f64 / left.width() as f64;
-    for row in 0..left.height().div_ceil(side) {
+    let shown = [
+        WIDE * side as f64 / left.width() as f64,
+        height * rows as f64 / left.height() as f64,
+    ];
+    for row in 0..left.height().div_ceil(rows) {
         for column in 0..left.width().div_ceil(side) {
-            let corner = [column as f64 * shown, TITLE + row as f64 * shown];
+            let corner = [column as f64 * shown[0], TITLE + row as f64 * shown[1]];
             let name = if (column + row) % 2 == 1 { "R" } else { "L" };
             let style = "fill=\"#fff\" stroke=\"#000\" stroke-width=\"2.5\" paint-order=\"stroke\"";
             let place = [corner[0] + 5.0, corner[1] + 15.0];
@@ -215,11 +220,7 @@ fn mean_colours(moment: &Moment, views: [&Plane<[u8; 3]>; 2]) -> [[f64; 3]; 2] {
     for found in matches {
         for (side, place) in [found.left, found.right].into_iter().enumerate() {
             let view = views[side];
-            let [x, y] = moment.pictures.place(place, view.width() as f64);
-            let [column, row] = [
-                (x.max(0.0) as usize).min(view.width() - 1),
-                (y.max(0.0) as usize).min(view.height() - 1),
-            ];
+            let [column, row] = moment.pictures.reduced(place);
             for (mean, code) in means[side].iter_mut().zip(view.row(row)[column]) {
                 *mean += f64::from(code) / matches.len() as f64;
             }
@@ -236,7 +237,7 @@ fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> 
     };
     let [columns, rows] = [details[0].width() as f64, details[0].height() as f64];
     let height = kept.height(THIRD);
-    let tall = THIRD * rows / columns;
+    let tall = THIRD * kept.pixel_height() * rows / columns;
     let mut svg = Svg::new(
         [WIDTH, TITLE + height.max(tall)],
         "A part of both views, enlarged",
@@ -245,7 +246,7 @@ fn details(moment: &Moment, video: Video<'_>) -> Result<Thumbnail, FormatError> 
     put(&mut svg, [0.0, TITLE], [THIRD, height], "left view", &left)?;
     let scale = kept.scale(THIRD);
     let [x, y] = kept.place(place, THIRD);
-    let size = [columns * scale, rows * scale];
+    let size = [columns * scale, kept.pixel_height() * rows * scale];
     let corner = [x - 0.5 * size[0], TITLE + y - 0.5 * size[1]];
     svg.rectangle(
         corner,

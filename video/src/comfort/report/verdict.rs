@@ -3,6 +3,7 @@
 use crate::comfort::stereoscopy::Stereoscopy;
 use crate::comfort::{Dimension, RowSummary, Summary, Viewing};
 
+use super::causes::{Cause, Heights, cause_of, causes};
 use super::moments::{Moment, Moments};
 use super::words;
 
@@ -12,18 +13,36 @@ pub(super) struct Problem<'a> {
     pub(super) row: &'a RowSummary,
     /// The worst frames, from the worst one; there is one at least.
     pub(super) moments: &'a [Moment],
+    /// Whether other rows may follow from it, and what it may follow from itself.
+    is_cause: bool,
+    pub(super) cause: Option<Cause>,
 }
 
 /// The rows with problems, from the one to be mended first.
-pub(super) fn problems<'a>(summary: &'a Summary, moments: &'a Moments) -> Vec<Problem<'a>> {
-    let all = Dimension::ALL.into_iter().map(|dimension| Problem {
-        dimension,
-        row: summary.row(dimension),
-        moments: moments.row(dimension),
+pub(super) fn problems<'a>(
+    summary: &'a Summary,
+    moments: &'a Moments,
+    heights: &Heights,
+    viewing: &Viewing,
+) -> Vec<Problem<'a>> {
+    let causes = causes(summary, heights, viewing);
+    let all = Dimension::ALL.into_iter().filter_map(|dimension| {
+        let moments = moments.row(dimension);
+        let worst = &moments.first()?.record;
+        Some(Problem {
+            dimension,
+            row: summary.row(dimension),
+            moments,
+            is_cause: causes.iter().any(|cause| cause.dimension() == dimension),
+            cause: cause_of(worst, dimension, (summary, heights), viewing),
+        })
     });
-    let mut problems: Vec<Problem> = all.filter(|problem| !problem.moments.is_empty()).collect();
+    let mut problems: Vec<Problem> = all.collect();
     // The sort is stable: equal ones stay in the order of the table.
-    problems.sort_by(|a, b| b.weight().total_cmp(&a.weight()));
+    problems.sort_by(|a, b| {
+        let by_weight = || b.weight().total_cmp(&a.weight());
+        a.rank().cmp(&b.rank()).then_with(by_weight)
+    });
     problems
 }
 
@@ -42,16 +61,33 @@ impl Problem<'_> {
         self.row.levels[2] > 0
     }
 
-    /// How much it matters: red frames count twice. The order of the eyes comes first, since depth
-    /// means nothing without it; weak depth comes last, since it does not strain the eyes.
+    /// The order of the eyes comes first, since depth means nothing without it, then what other
+    /// rows may follow from, and these after the rest; weak depth comes last, since it does not
+    /// strain the eyes.
+    fn rank(&self) -> usize {
+        match self.dimension {
+            Dimension::Stereoscopy => 0,
+            Dimension::WeakDepth => 4,
+            _ if self.is_cause => 1,
+            _ if self.cause.is_some() => 3,
+            _ => 2,
+        }
+    }
+
+    /// How much it matters among those of its rank: red frames count twice.
     fn weight(&self) -> f64 {
         let [_, orange, red] = self.row.levels.map(|count| count as f64);
-        let factor = match self.dimension {
-            Dimension::Stereoscopy => 1e6,
-            Dimension::WeakDepth => 1e-6,
-            _ => 1.0,
-        };
-        factor * (orange + 2.0 * red)
+        orange + 2.0 * red
+    }
+
+    /// What it may follow from, in a sentence that begins with a space.
+    pub(super) fn explanation(&self) -> String {
+        self.cause.map_or_else(String::new, |cause| {
+            format!(
+                " It may follow from {}: measure it again when that is removed.",
+                cause.name()
+            )
+        })
     }
 }
 

@@ -259,7 +259,7 @@ pub(super) fn finding(record: &Record, dimension: Dimension, viewing: &Viewing) 
             amount(raw.abs())
         ),
         Dimension::ParallaxDeviation => {
-            let from = match record.begins_shot {
+            let from = match record.begins_shot && record.frame > 0 {
                 true => "that of the shot before the cut",
                 false => "that of the shot so far",
             };
@@ -326,7 +326,12 @@ pub(super) fn can_align(record: &Record, dimension: Dimension, viewing: &Viewing
 }
 
 /// What to do about it.
-pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -> &'static str {
+pub(super) fn advice(
+    record: &Record,
+    dimension: Dimension,
+    viewing: &Viewing,
+    shots: usize,
+) -> &'static str {
     if can_align(record, dimension, viewing) {
         return match dimension {
             Dimension::Asynchrony => {
@@ -336,9 +341,12 @@ pub(super) fn advice(record: &Record, dimension: Dimension, viewing: &Viewing) -
         };
     }
     match dimension {
-        Dimension::ParallaxDeviation => {
+        Dimension::ParallaxDeviation if shots > 1 => {
             "Shift the views of one of the shots horizontally, or let the depth change slowly \
              before the cut."
+        }
+        Dimension::ParallaxDeviation => {
+            "Let the depth of the scene change more slowly: the eyes need time to follow."
         }
         Dimension::Stereoscopy => "Look for the file of the other view: this one does not fit.",
         Dimension::WeakDepth => {

@@ -43,6 +43,23 @@ pub enum Stereoscopy {
 }
 
 impl Stereoscopy {
+    /// It, where it is an order of the eyes.
+    pub(super) fn order(self) -> Option<Self> {
+        Some(self).filter(|order| matches!(order, Self::InOrder | Self::Exchanged))
+    }
+
+    /// The order that frames have in common: `None` where none shows one, and
+    /// [`Unknown`](Self::Unknown) where they differ.
+    pub(super) fn common(orders: impl Iterator<Item = Self>) -> Option<Self> {
+        orders.reduce(|common, order| {
+            if common == order {
+                order
+            } else {
+                Self::Unknown
+            }
+        })
+    }
+
     /// The name in files.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -139,7 +156,8 @@ impl Default for StereoscopyMeter {
 }
 
 impl StereoscopyMeter {
-    /// Takes the views of a frame. Frames too small to be matched add nothing.
+    /// Takes the views of a frame, and how they lie to each other by rows and columns. Frames too
+    /// small to be matched add nothing.
     ///
     /// # Errors
     ///

@@ -343,6 +343,7 @@ fn pixels_are_taken_from_where_the_alignment_says() {
         let correction = Correction {
             alignment,
             tones: [tone; 3],
+            ..Correction::default()
         };
         let found = Corrector::new(COLOURS).corrected(&right, &correction);
         for row in 12..79 {

@@ -236,3 +236,32 @@ fn a_delay_changes_its_sign_with_the_exchange() {
     // Without a division at the exchange, fewer are certain.
     assert!(measured > 23, "{measured}");
 }
+
+/// The order of the eyes cannot change within a shot without being seen: frames that do not show
+/// it, here those of a fade at the beginning, have that of the others.
+#[test]
+fn undecided_frames_have_the_order_of_their_shot() {
+    for (name, exchanged) in [("mb2003_Teddy", true), ("mb2005_Reindeer", false)] {
+        let file = |eye: &str| shared(&format!("data/vision/stereo/{name}/{eye}.png"));
+        let [Some(left), Some(right)] = ["left", "right"].map(file) else {
+            return;
+        };
+        let pair = [left, right].map(|path| read(&path).eight_bits().luma.clone());
+        let mut events = vec![Event::default(); 40];
+        events[0].exchanges = exchanged;
+        let (records, truth) = analysed(&events, |frame| {
+            let contrast = (0.02 * 1.25_f64.powi(frame as i32)).min(1.0);
+            let part = (6.0 * (1.0 + (0.4 * frame as f64).sin())) as usize;
+            pair.each_ref().map(|luma| {
+                let size = [luma.width(), luma.height()].map(|side| side - 14);
+                let part = luma.view().part(part, 3, size[0], size[1]).unwrap();
+                part.map(|code| (128.0 + contrast * (f64::from(code) - 128.0)).round() as u8)
+            })
+        });
+        assert_eq!(
+            records.iter().filter(|record| record.begins_shot).count(),
+            1
+        );
+        assert_eq!(counts(&records, &truth), [40, 0, 0], "{name}");
+    }
+}

@@ -40,6 +40,7 @@ fn records(count: usize, rate: [u32; 2], seed: u64, measures: &[FrameMeasures]) 
             frame,
             time_seconds: frame as f64 * f64::from(rate[1]) / f64::from(rate[0]),
             begins_shot: frame == 0 || random.bits().is_multiple_of(20),
+            run: 0,
             measures: measures[random.bits() as usize % measures.len()].clone(),
             asynchrony: Asynchrony::NoMotion,
             stereoscopy: Stereoscopy::Unknown,
@@ -106,8 +107,8 @@ fn check(count: usize, rate: [u32; 2], seed: u64, measures: &[FrameMeasures]) {
             let row = interval.summary.row(dimension);
             let rows = || group.iter().map(|record| record.row(dimension));
             let missing = |why| rows().filter(|row| row.score == Err(why)).count();
-            assert_eq!(row.unknown, missing(Missing::Unknown));
-            assert_eq!(row.not_measurable, missing(Missing::NotMeasurable));
+            assert_eq!(row.unknown(), missing(Missing::Unknown));
+            assert_eq!(row.not_measurable(), missing(Missing::NotMeasurable));
             let scored: Vec<(u8, f64, usize)> = group
                 .iter()
                 .filter_map(|record| {
@@ -116,7 +117,10 @@ fn check(count: usize, rate: [u32; 2], seed: u64, measures: &[FrameMeasures]) {
                 })
                 .collect();
             assert_eq!(row.scored, scored.len());
-            assert_eq!(row.scored + row.unknown + row.not_measurable, group.len());
+            assert_eq!(
+                row.scored + row.unknown() + row.not_measurable(),
+                group.len()
+            );
             let of = |range: std::ops::RangeInclusive<u8>| {
                 scored
                     .iter()

@@ -41,7 +41,12 @@ proptest! {
         sampling in prop::sample::select(vec![
             Sampling::Quarter, Sampling::Half, Sampling::Full, Sampling::Grey,
         ]),
-        layout in prop::sample::select(vec![Layout::SideBySide, Layout::TopBottom]),
+        (layout, aspect) in prop::sample::select(vec![
+            (Layout::SideBySide, [4, 3]),
+            (Layout::TopBottom, [4, 3]),
+            (Layout::HalfSideBySide, [8, 3]),
+            (Layout::HalfTopBottom, [2, 3]),
+        ]),
         seed in any::<u8>(),
     ) {
         let (width, height) = (4 * columns, 4 * rows);
@@ -49,7 +54,7 @@ proptest! {
             let mix = seed.wrapping_add((31 * c + 57 * r) as u8);
             [mix, mix.wrapping_mul(3), mix.wrapping_mul(11)]
         };
-        let film = Film { sampling, ..Film::default() };
+        let film = Film { sampling, pixel_aspect: [4, 3], ..Film::default() };
         let encode = |size: [usize; 2], start: [usize; 2]| {
             let part = Plane::from_fn(size[0], size[1], |c, r| pixel(c + start[0], r + start[1]));
             film::encode([&part], film).unwrap()
@@ -57,9 +62,11 @@ proptest! {
         let whole = video(encode([width, height], [0, 0]));
         let mut source = StereoSource::halves(whole, layout).unwrap();
         let (size, second) = match layout {
-            Layout::SideBySide => ([width / 2, height], [width / 2, 0]),
-            Layout::TopBottom => ([width, height / 2], [0, height / 2]),
+            Layout::SideBySide | Layout::HalfSideBySide => ([width / 2, height], [width / 2, 0]),
+            Layout::TopBottom | Layout::HalfTopBottom => ([width, height / 2], [0, height / 2]),
         };
+        prop_assert_eq!(source.properties().pixel_aspect, aspect);
+        prop_assert_eq!(source.frame_aspect(), [4, 3]);
         prop_assert_eq!(source.properties().size, size);
         let (found, end) = pairs(&mut source);
         prop_assert!(end.is_ok() && found.len() == 1);
