@@ -5,6 +5,7 @@
 mod animate;
 mod bad_input;
 mod bake;
+mod body_dots;
 mod body_evaluate;
 mod body_fit;
 mod camera_calibrate;
@@ -33,6 +34,7 @@ mod outputs;
 mod pages;
 mod patterns;
 mod people;
+mod people_cases;
 mod pictures;
 mod quality;
 mod quality_opinion;

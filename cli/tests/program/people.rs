@@ -31,9 +31,13 @@ fn inputs() -> TempDir {
     folder
 }
 
-fn write_film(path: &Path, frames: usize, [width, height]: [usize; 2]) {
+fn write_film(path: &Path, frames: usize, size: [usize; 2]) {
+    write_film_at(path, frames, size, RATE as u32);
+}
+
+fn write_film_at(path: &Path, frames: usize, [width, height]: [usize; 2], rate: u32) {
     let film = Film {
-        frames_per_second: [RATE as u32, 1],
+        frames_per_second: [rate, 1],
         ..Film::default()
     };
     let wall = Plane::filled(width, height, WALL);
@@ -249,6 +253,69 @@ fn what_films_lack_is_said() {
     let page = std::fs::read(path.join("page.html")).unwrap();
     assert!(text(&page).contains("no films were given"));
     assert_eq!(page, std::fs::read(path.join("out/report.html")).unwrap());
+
+    // The page of the folder may be asked for by its name, however that is written.
+    let output = people(path, &[], &["--report", "./out/report.html"]);
+    assert_success(&output);
+    let page = std::fs::read(path.join("out/report.html")).unwrap();
+    assert!(text(&page).contains("no films were given"));
+    // The film of the first run is not of this one.
+    let warnings = text(&output.stderr);
+    let left_side = format!("overlay-left_side.{ENDING}");
+    for part in ["of an earlier run", &left_side, "overlay-front"] {
+        assert!(warnings.contains(part), "{warnings}");
+    }
+    let output = people(path, &["wall.y4m"], &["--json"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let warnings = found["warnings"].as_array().unwrap().iter();
+    let earlier: Vec<&Value> = warnings
+        .filter(|warning| warning["kind"] == "earlier_films")
+        .collect();
+    assert_eq!(earlier.len(), 1);
+    let message = earlier[0]["message"].as_str().unwrap();
+    assert!(message.contains(&left_side) && !message.contains("overlay-front"));
+    assert!(path.join("out").join(left_side).exists());
+}
+
+/// The joints of `joints.json`, changed by a function, in another file.
+fn changed(folder: &Path, name: &str, change: impl FnOnce(&mut Value)) {
+    let joints = std::fs::read_to_string(folder.join("joints.json")).unwrap();
+    let mut joints: Value = serde_json::from_str(&joints).unwrap();
+    change(&mut joints);
+    std::fs::write(folder.join(name), joints.to_string()).unwrap();
+}
+
+#[test]
+fn a_film_of_another_rate_and_a_view_of_somebody_else_are_named() {
+    let folder = inputs();
+    let path = folder.path();
+    write_film_at(&path.join("fast.y4m"), FRAMES, SIZE, 2 * RATE as u32);
+    // In one view the detector followed a person who stands beside.
+    changed(path, "other.json", |joints| {
+        for joint in joints["views"][1]["frames"].as_array_mut().unwrap() {
+            for pixel in joint.as_array_mut().unwrap() {
+                pixel[0] = json!(pixel[0].as_f64().unwrap() - 300.0);
+            }
+        }
+    });
+    let given = [
+        "people",
+        "fast.y4m",
+        "--joints",
+        "other.json",
+        "--views",
+        "views.json",
+    ];
+    let more = ["--no-overlay", "--out", "out", "--json", "--check"];
+    let output = nullcone(path, [&given[..], &more].concat());
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["verdict"], "doubtful");
+    let kinds = kinds(&found);
+    for (kind, view) in [("bad_view", "left side"), ("film_rate", "front")] {
+        let expected = (kind.to_owned(), json!(view));
+        assert!(kinds.contains(&expected), "{kind}: {kinds:?}");
+    }
 }
 
 /// A detector's joints have no rate, but the film has.
@@ -256,10 +323,9 @@ fn what_films_lack_is_said() {
 fn the_rate_is_that_of_the_film_where_the_joints_have_none() {
     let folder = inputs();
     let path = folder.path();
-    let joints = std::fs::read_to_string(path.join("joints.json")).unwrap();
-    let mut joints: Value = serde_json::from_str(&joints).unwrap();
-    joints.as_object_mut().unwrap().remove("frames_per_second");
-    std::fs::write(path.join("joints.json"), joints.to_string()).unwrap();
+    changed(path, "joints.json", |joints| {
+        joints.as_object_mut().unwrap().remove("frames_per_second");
+    });
     let found = json(path, &arguments(&["wall.y4m"], &["--no-overlay"]));
     assert_eq!(found["frames_per_second"], RATE);
     let names = names(&path.join("out"));
@@ -282,6 +348,34 @@ fn nothing_is_written_after_an_error() {
     fails(&["joints.json"], &[], &["joints.json", "not a video"]);
     fails(&[], &["--fps", "0"], &["--fps 0"]);
     fails(&[], &["--deviation", "-1"], &["--deviation -1"]);
+    std::fs::write(path.join("empty.y4m"), "YUV4MPEG2 W64 H36 F25:1 C444\n").unwrap();
+    fails(&["empty.y4m"], &[], &["empty.y4m", "no frames"]);
+    let of = |joints: &str, parts: &[&str]| {
+        let given = [
+            "people",
+            "--joints",
+            joints,
+            "--views",
+            "views.json",
+            "--out",
+            "out",
+        ];
+        assert_failure(&nullcone(path, given), parts);
+        assert!(!path.join("out").exists(), "{joints}");
+    };
+    changed(path, "shorter.json", |joints| {
+        joints["views"][2]["frames"].as_array_mut().unwrap().pop();
+    });
+    of(
+        "shorter.json",
+        &["shorter.json", "\"back/top\"", "19 frames"],
+    );
+    changed(path, "more.json", |joints| {
+        let mut other = joints["views"][0].clone();
+        other["name"] = json!("other");
+        joints["views"].as_array_mut().unwrap().push(other);
+    });
+    of("more.json", &["views.json", "4 views", "3 cameras"]);
     // The film breaks off, which is seen before anything is fitted.
     let film = std::fs::read(path.join("wall.y4m")).unwrap();
     std::fs::write(path.join("cut.y4m"), &film[..film.len() - 9]).unwrap();
