@@ -89,7 +89,8 @@ fn depth_sampling_rate_and_layout_stay() {
     let output = align(&["film.y4m", "--layout", "top-bottom", "--out", "aligned.y4m"]);
     assert_success(&output);
     assert!(text(&output.stdout).contains("5 frames; views exchanged in 0"));
-    assert!(output.stderr.is_empty());
+    // Y4M has no sound that could be lost.
+    assert!(!text(&output.stderr).contains("sound"));
     let (size, rate, frames) = read(&path("aligned.y4m"));
     assert_eq!((size, rate, frames.len()), ([240, 272], [30_000, 1001], 5));
     for (index, frame) in frames.iter().enumerate() {
@@ -193,4 +194,137 @@ fn nothing_is_written_after_an_error() {
         assert_eq!(names(folder.path()), before, "{arguments:?}");
     }
     assert_eq!(std::fs::read(path("left.y4m")).unwrap(), left);
+}
+
+fn header(path: &Path) -> String {
+    let bytes = std::fs::read(path).unwrap();
+    let end = bytes.iter().position(|byte| *byte == b'\n').unwrap();
+    String::from_utf8(bytes[..end].to_vec()).unwrap()
+}
+
+/// The shape of pixels is that of the input, and so is the layout.
+#[test]
+fn half_views_keep_their_layout_and_shape() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    write(&path("film.y4m"), 3, |i| {
+        stacked([view(i, 0, 0), view(i, 3, 0)])
+    });
+    let mut bytes = std::fs::read(path("film.y4m")).unwrap();
+    let place = bytes.windows(4).position(|part| part == b"A1:1").unwrap();
+    bytes[place..place + 4].copy_from_slice(b"A2:1");
+    std::fs::write(path("wide.y4m"), bytes).unwrap();
+    for (name, layout, aspect) in [
+        ("film.y4m", "half-top-bottom", " A1:1 "),
+        ("wide.y4m", "half-tab", " A2:1 "),
+        ("wide.y4m", "top-bottom", " A2:1 "),
+    ] {
+        let align = [
+            "video", "align", name, "--layout", layout, "--out", "out.y4m",
+        ];
+        let output = nullcone(folder.path(), align);
+        assert_success(&output);
+        let header = header(&path("out.y4m"));
+        assert!(header.contains(aspect), "{header}");
+        let next = format!("--layout {}", layout.replace("half-tab", "half-top-bottom"));
+        assert!(text(&output.stdout).contains(&next));
+        // 240 × 136 pixels of a view are usual, and so are squeezed ones of twice the width.
+        let is_doubted = text(&output.stderr).contains("is it top-bottom?");
+        assert_eq!(is_doubted, name == "film.y4m", "{}", text(&output.stderr));
+    }
+}
+
+#[test]
+fn parallax_is_shifted_by_an_angle() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    write(&path("film.y4m"), 3, |i| {
+        stacked([view(i, 0, 0), view(i, 0, 0)])
+    });
+    let align = |shift: &str| {
+        nullcone(
+            folder.path(),
+            [
+                "video",
+                "align",
+                "film.y4m",
+                "--layout",
+                "top-bottom",
+                "--out",
+                "out.y4m",
+                "--json",
+                "--shift-parallax",
+                shift,
+            ],
+        )
+    };
+    let output = align("-0.85");
+    assert_success(&output);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    // A degree is 2.94 % of the width before the usual screen: 6 of 240 columns.
+    let percent = report["shift_parallax_percent"].as_f64().unwrap();
+    assert!((percent + 2.5).abs() < 0.03, "{report}");
+    let (_, _, frames) = read(&path("out.y4m"));
+    let luma = &frames[1][0];
+    for row in 20..110 {
+        for column in 20..220 {
+            let [left, right] = [luma.row(row)[column], luma.row(136 + row)[column - 6]];
+            // Steps of blocks are interpolated where the shift is not whole.
+            assert!(left.abs_diff(right) < 40, "{column} {row}: {left} {right}");
+        }
+    }
+    // Views without depth are comfortable as they are.
+    let report: Value = serde_json::from_slice(&align("recommended").stdout).unwrap();
+    assert_eq!(report["shift_parallax_percent"], 0.0);
+    for bad in ["back", "9", "nan"] {
+        assert_eq!(align(bad).status.code(), Some(2), "{bad}");
+    }
+}
+
+/// A film of MP4 may have sound, which Y4M cannot hold; and no frame of this one shows which eye is
+/// which.
+#[cfg(feature = "mp4")]
+#[test]
+fn what_is_lost_or_not_decided_is_said() {
+    let folder = tempdir().unwrap();
+    let Some(film) = nullcone_shared_data::shared("cases/video/align-swap-frame/swapped.mp4")
+    else {
+        return;
+    };
+    let film = film.to_str().unwrap();
+    let output = nullcone(
+        folder.path(),
+        ["video", "align", film, "--out", "out.y4m", "--json"],
+    );
+    assert_success(&output);
+    let error = text(&output.stderr);
+    assert!(
+        error.contains("Y4M has no sound, so that it is not kept"),
+        "{error}"
+    );
+    assert!(error.contains(&format!("ffmpeg -i out.y4m -i {film} -map 0:v -map 1:a")));
+    let words = "the order of the eyes could not be decided in frames 0 to 7";
+    assert!(error.contains(words), "{error}");
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (&report["undecided_frames"], &report["exchanged_frames"]),
+        (&8.into(), &0.into())
+    );
+    assert!(report["warnings"].to_string().contains(words), "{report}");
+    let comfort = |more: &[&str]| {
+        let all = [
+            &["video", "comfort", film, "--layout", "side-by-side"],
+            more,
+        ]
+        .concat();
+        nullcone(folder.path(), all)
+    };
+    let words = "The order of the eyes could not be decided in frames 0 to 7";
+    assert!(text(&comfort(&[]).stdout).contains(words));
+    let lines = comfort(&["--json", "--summary", "summary.json"]);
+    assert!(
+        text(&lines.stdout).contains("\"reason\":\"the pictures do not show which eye is which\"")
+    );
+    let summary = std::fs::read_to_string(folder.path().join("summary.json")).unwrap();
+    assert!(summary.contains(words));
 }

@@ -298,3 +298,24 @@ fn aligned_video_is_green() {
     let stream = nullcone(folder.path(), ["video", "align", "-", "--out", "a.y4m"]);
     assert_failure(&stream, &["read twice"]);
 }
+
+/// Views that would be narrower than usual pictures are asked for, and squeezed ones are not.
+#[test]
+fn views_of_an_unusual_shape_are_asked_for() {
+    let folder = tempdir().unwrap();
+    let frame = Plane::from_fn(240, 136, |column, row| [level(column % 120, row); 3]);
+    write(&folder.path().join("half.y4m"), 2, |_| frame.clone());
+    for (layout, is_asked) in [("side-by-side", true), ("half-sbs", false)] {
+        let arguments = ["video", "comfort", "half.y4m", "--layout", layout];
+        let output = nullcone(folder.path(), arguments);
+        assert_success(&output);
+        let error = text(&output.stderr);
+        assert_eq!(
+            error.contains("is it half-side-by-side?"),
+            is_asked,
+            "{error}"
+        );
+        // Nothing moves, which is said in words.
+        assert!(text(&output.stdout).contains("No score for delay of one eye in all 2 frames"));
+    }
+}

@@ -5,15 +5,25 @@ use std::path::Path;
 use anyhow::{Result, bail};
 use clap::ValueEnum;
 use ga_video::VideoError;
-use ga_video::stereo::{Layout, StereoSource};
+use ga_video::stereo::{Layout, StereoSource, shape};
+
+use crate::frame::Warning;
 
 /// How the two views are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::commands::video) enum LayoutName {
-    /// The left view in the left half of each frame.
+    /// The left view in the left half of each frame (SBS).
+    #[value(alias = "sbs")]
     SideBySide,
-    /// The left view in the upper half of each frame.
+    /// The left view in the upper half of each frame (TAB, over-under).
+    #[value(alias = "tab")]
     TopBottom,
+    /// Side by side, each view squeezed to half of its width (half SBS).
+    #[value(alias = "half-sbs")]
+    HalfSideBySide,
+    /// The left view above, each view squeezed to half of its height (half TAB, half over-under).
+    #[value(alias = "half-tab")]
+    HalfTopBottom,
     /// One file for each view.
     TwoFiles,
 }
@@ -25,15 +35,26 @@ impl LayoutName {
             (Some(Self::TwoFiles), false) => {
                 bail!("one file shows one view: name the video of the right view as well")
             }
-            (Some(name @ (Self::SideBySide | Self::TopBottom)), true) => bail!(
+            (Some(name), true) if name != Self::TwoFiles => bail!(
                 "--layout {} is for one file that has both views, and two are given",
                 name.word()
             ),
             (Some(name), _) => Ok(name),
             (None, true) => Ok(Self::TwoFiles),
             (None, false) => bail!(
-                "say with --layout where the two views lie in the video: side-by-side or top-bottom"
+                "say with --layout where the two views lie in the video: side-by-side, \
+                 top-bottom, half-side-by-side or half-top-bottom"
             ),
+        }
+    }
+
+    /// The name of a layout of both views in one frame.
+    pub(super) fn of_halves(layout: Layout) -> Self {
+        match layout {
+            Layout::SideBySide => Self::SideBySide,
+            Layout::TopBottom => Self::TopBottom,
+            Layout::HalfSideBySide => Self::HalfSideBySide,
+            Layout::HalfTopBottom => Self::HalfTopBottom,
         }
     }
 
@@ -48,6 +69,8 @@ impl LayoutName {
         match self {
             Self::SideBySide => Some(Layout::SideBySide),
             Self::TopBottom => Some(Layout::TopBottom),
+            Self::HalfSideBySide => Some(Layout::HalfSideBySide),
+            Self::HalfTopBottom => Some(Layout::HalfTopBottom),
             Self::TwoFiles => None,
         }
     }
@@ -63,5 +86,20 @@ impl LayoutName {
             (None, Some(right)) => StereoSource::pair(first, ga_video::open_with_stills(right)?),
             (layout, _) => StereoSource::halves(first, layout.unwrap_or(Layout::SideBySide)),
         }
+    }
+
+    /// A warning where the shape of the views looks as if they were stored in another layout.
+    pub(super) fn doubt(self, source: &StereoSource) -> Option<Warning> {
+        let properties = source.properties();
+        let other = self.halves()?.likelier(properties)?;
+        Some(Warning::new(
+            "unusual_shape",
+            format!(
+                "with --layout {}, each view is {:.2} times as wide as high: is it {}?",
+                self.word(),
+                shape(properties),
+                Self::of_halves(other).word()
+            ),
+        ))
     }
 }

@@ -2,6 +2,7 @@
 
 pub(super) mod align;
 mod input;
+mod screen;
 mod table;
 
 use std::path::PathBuf;
@@ -18,13 +19,17 @@ use crate::output;
 use crate::shell::quoted;
 use crate::standard_output;
 use input::LayoutName;
+use screen::Screen;
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
 ///
 /// Eleven quantities get a score from 0 to 15: green up to 7, orange up to 13, red above. The
 /// picture's width is the screen's, of 16:9 and 55 inches at three picture heights if nothing else
-/// is stated. Where a frame does not show a quantity, its score is null and its state says why:
-/// "not measurable" or "unknown".
+/// is stated. Where a frame does not show a quantity, its score is null, its state is
+/// "not measurable" or "unknown", and its reason says why in words.
+///
+/// Views that are squeezed to half of their width or height are measured in the shape in which
+/// they are shown; so are pixels that are not square, as the video states them.
 ///
 /// --json prints one line for each frame, while the video is read:
 /// {"frame": 0, "rows": {"brightness": {"score", "level", "raw", "unit", "offset_codes"},
@@ -62,12 +67,8 @@ pub(in crate::commands::video) struct Arguments {
     /// Where the views lie; two-files if RIGHT is given.
     #[arg(long, value_enum)]
     layout: Option<LayoutName>,
-    /// The diagonal of the screen, which has 16:9.
-    #[arg(long, value_name = "INCHES", default_value_t = 55.0)]
-    screen_inches: f64,
-    /// The distance of the eyes from the screen; three heights of the screen if it is not given.
-    #[arg(long, value_name = "METRES")]
-    distance_metres: Option<f64>,
+    #[command(flatten)]
+    screen: Screen,
     /// Print a table with a line for each frame.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
@@ -98,10 +99,11 @@ impl Command for Arguments {
             self.threads
         );
         self.check_out(context)?;
-        let viewing = Viewing::of_screen(self.screen_inches, self.distance_metres)?;
+        let viewing = self.screen.viewing()?;
         let layout = LayoutName::of(self.layout, self.right.as_deref())?;
         let mut source = layout.open(&self.video, self.right.as_deref())?;
         let properties = *source.properties();
+        let doubt = layout.doubt(&source);
         let options = Options {
             viewing,
             layout: layout.halves(),
@@ -145,14 +147,19 @@ impl Command for Arguments {
             bail!("{}: the video has no frames", self.video.display());
         }
         let verdict = verdict(&summary);
+        let notes = report::notes(&summary);
         let text = match lines {
             Lines::Csv => String::new(),
             Lines::Json | Lines::None => {
-                let table = table::text(&summary, &viewing);
-                format!("{table}\nthe result is {}\n", verdict.word())
+                let mut text = table::text(&summary, &viewing);
+                if !notes.is_empty() {
+                    text += &format!("\n{}\n", notes.join("\n"));
+                }
+                format!("{text}\nthe result is {}\n", verdict.word())
             }
         };
         let mut shown = Shown::new((), text);
+        shown.warnings = doubt.map(|warning| vec![warning]);
         shown.is_printed_as_json = true;
         shown.verdict = Some(verdict);
         shown.next = align.filter(|_| can_align && lines == Lines::None);
@@ -225,6 +232,7 @@ impl Arguments {
                     layout.word()
                 )
             }),
+            shift: format!("--shift-parallax recommended{}", self.screen.words()),
             properties,
             viewing,
         }
