@@ -57,7 +57,7 @@ mod tests {
     #[test]
     fn notes_do_not_look_like_warnings() {
         let mut page = Page::new("title");
-        let note = Warning::new("exchanged_sides", "this is put right").as_note();
+        let note = Warning::new("exchanged_sides", "this is put right").into_note();
         let all = [Warning::new("bad_view", "look at it"), note];
         judge(&mut page, Some(Verdict::Doubtful), &all);
         let html = page.into_html();

@@ -45,7 +45,7 @@ impl Warning {
     }
 
     /// The same as something that needs nothing to be done.
-    pub(crate) fn as_note(self) -> Self {
+    pub(crate) fn into_note(self) -> Self {
         Self {
             is_note: true,
             ..self

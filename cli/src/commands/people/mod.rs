@@ -282,7 +282,7 @@ fn without_film(joints: &JointViews, films: &[ViewFilm]) -> Vec<Warning> {
         let message = format!("the view {} has no film, and is not drawn over", view.name);
         Warning {
             view: Some(view.name.clone()),
-            ..Warning::new("no_film", message).as_note()
+            ..Warning::new("no_film", message).into_note()
         }
     });
     warnings.collect()
