@@ -228,6 +228,20 @@ impl Name {
     }
 }
 
+/// The row to which a numbered picture belongs, as a pattern such as `shot/frame_%d.png`, and its
+/// number; `None` for files with other names.
+#[must_use]
+pub fn row_of(path: &Path) -> Option<(PathBuf, u64)> {
+    let ending = path.extension()?.to_str()?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let (name, digits) = Name::split(folder, path.file_name()?.to_str()?)?;
+    let is_picture = ENDINGS
+        .iter()
+        .any(|other| ending.eq_ignore_ascii_case(other));
+    let number = digits.parse().ok().filter(|_| is_picture)?;
+    Some((name.file("%d"), number))
+}
+
 /// Whether a name is a pattern, such as `frame_%04d.png`.
 pub(super) fn is_pattern(path: &Path) -> bool {
     let name = path.file_name().and_then(|name| name.to_str());

@@ -1,8 +1,10 @@
 //! How many shots of videos have a background that stands still.
 
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 use anyhow::{Error, Result};
+use ga_video::images::row_of;
 use ga_video::keyframe::analyse;
 use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
@@ -16,10 +18,11 @@ use crate::frame::{Command, Context, Shown};
 /// --json prints {"clips": [{"file", "frames", "shots", "static", "dynamic", "static_proportion"},
 /// …], "total": {"frames", "shots", "static", "dynamic", "static_proportion"}}. Where a video
 /// cannot be read to its end, the frames and videos before that are counted, and the error follows.
+/// A file that is named twice counts once, and so does a row of numbered pictures.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(super) struct Arguments {
-    /// The videos: names, or patterns with `*`, `?` or `[abc]`.
+    /// The videos: names, or patterns with `*`, `?` or `[abc]`. Numbered pictures are one video.
     #[arg(value_name = "FILE or GLOB", required = true)]
     videos: Vec<PathBuf>,
     #[command(flatten)]
@@ -60,11 +63,28 @@ impl Row {
     }
 }
 
+/// The videos without those that are parts of others: each file once, and of the numbered pictures
+/// of a row the one with the least number, which stands for those after it.
+fn once(videos: Vec<PathBuf>) -> Vec<PathBuf> {
+    let mut first = HashMap::new();
+    for (row, number) in videos.iter().filter_map(|video| row_of(video)) {
+        let least = first.entry(row).or_insert(number);
+        *least = number.min(*least);
+    }
+    let mut seen = HashSet::new();
+    let mut videos = videos;
+    videos.retain(|video| {
+        let is_first = row_of(video).is_none_or(|(row, number)| first.get(&row) == Some(&number));
+        is_first && seen.insert(video.clone())
+    });
+    videos
+}
+
 impl Command for Arguments {
     type Report = Shown<Table>;
 
     fn run(&self, context: &Context) -> Result<Self::Report> {
-        let videos = expanded("FILE", &self.videos)?;
+        let videos = once(expanded("FILE", &self.videos)?);
         context.files(&videos)?;
         let progress = context.progress(videos.len() as u64);
         let (mut clips, mut total) = (Vec::new(), Row::default());
