@@ -63,6 +63,7 @@ fn key_frames_are_reported_and_written() {
         "cuts",
         "dissolves",
         "fades",
+        "flashes",
         "frames",
         "key_frames",
         "shots",
@@ -99,13 +100,127 @@ fn key_frames_are_reported_and_written() {
     assert_eq!([picture.width(), picture.height()], [128, 72]);
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(read("scenes.csv").lines().count(), 4);
-    assert!(read("scenes.csv").contains("\n2,30,60,00:00:01:05,00:00:02:10,30,static\n"));
+    assert!(
+        read("scenes.csv")
+            .contains("\n2,30,60,00:00:01:05,00:00:02:10,30,static,1.200000,2.400000,25/1\n")
+    );
     assert!(read("scenes.edl").contains("003  AX       V     C        00:00:02:10 00:00:03:15"));
     assert!(read("plot.svg").contains("mutual information"));
     let page = read("report.html");
     assert!(page.contains("<svg") && page.contains("data:image/png;base64,iVBOR"));
     assert!(page.contains("Cuts at frames 30, 60."));
     assert!(!page.contains("src=\"http"));
+}
+
+#[test]
+fn timecodes_have_the_rate_and_the_start_that_are_given() {
+    let folder = tempdir().unwrap();
+    write_clip(&folder.path().join("clip.y4m"));
+    let scenes = |options: &[&str]| {
+        let arguments = ["video", "keyframes", "clip.y4m", "--scenes", "scenes.edl"];
+        nullcone(folder.path(), [&arguments[..], options].concat())
+    };
+    let output = scenes(&["--rate", "29.97", "--start-timecode", "01:00:00;00"]);
+    assert_success(&output);
+    let list = std::fs::read_to_string(folder.path().join("scenes.edl")).unwrap();
+    // 1.2 s and 2.4 s of 30000/1001 frames in a second.
+    assert!(
+        list.contains("FCM: DROP FRAME") && list.contains("30000/1001"),
+        "{list}"
+    );
+    assert!(
+        list.contains(" 01:00:01;06 01:00:02;12 01:00:01;06 01:00:02;12\n"),
+        "{list}"
+    );
+    for (options, part) in [
+        (["--rate", "none"], "--rate none"),
+        (["--start-timecode", "01:00:00;00"], "25/1"),
+    ] {
+        assert_failure(&scenes(&options), &[part]);
+    }
+}
+
+/// Every third frame of 24000/1001 is left out.
+#[test]
+fn a_varying_rate_is_counted_in_frames_of_its_times() {
+    let Some(film) = shared("cases/video/vfr-edl/vfr.mp4") else {
+        return;
+    };
+    let folder = tempdir().unwrap();
+    let film = film.to_str().unwrap();
+    let arguments = [
+        "video",
+        "keyframes",
+        film,
+        "--scenes",
+        "scenes.edl",
+        "--scenes",
+        "scenes.csv",
+    ];
+    let output = nullcone(folder.path(), arguments);
+    if !output.status.success() && text(&output.stderr).contains("mp4") {
+        return;
+    }
+    assert_success(&output);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    // 8.758750 s are frame 210 of 24000/1001: 8 s of 24 frames and 18.
+    assert!(
+        read("scenes.edl").contains(" 00:00:08:18 "),
+        "{}",
+        read("scenes.edl")
+    );
+    assert!(
+        read("scenes.csv").contains("8.758750"),
+        "{}",
+        read("scenes.csv")
+    );
+    assert!(read("scenes.csv").contains("24000/1001"));
+}
+
+#[test]
+fn shots_are_split_to_the_frame() {
+    let folder = tempdir().unwrap();
+    write_clip(&folder.path().join("clip.y4m"));
+    let run = |film: &str| {
+        let arguments = ["video", "keyframes", film, "--split", "shots"];
+        assert_success(&nullcone(folder.path(), arguments));
+        names(&folder.path().join("shots"))
+    };
+    let films = run("clip.y4m");
+    assert_eq!(films, ["shot_0001.y4m", "shot_0002.y4m", "shot_0003.y4m"]);
+    let whole = std::fs::read(folder.path().join("clip.y4m")).unwrap();
+    let second = std::fs::read(folder.path().join("shots/shot_0002.y4m")).unwrap();
+    // The header, and the frames 30 to 60 of as many bytes each.
+    let header = whole.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+    let frame = (whole.len() - header) / 90;
+    assert_eq!(
+        second[header..],
+        whole[header + 30 * frame..header + 60 * frame]
+    );
+    if !ga_video::ffmpeg::is_installed() {
+        return;
+    }
+    std::fs::remove_dir_all(folder.path().join("shots")).unwrap();
+    let mut command = std::process::Command::new("ffmpeg");
+    command
+        .current_dir(folder.path())
+        .args(["-v", "error", "-i", "clip.y4m", "clip.mkv"]);
+    assert!(command.status().unwrap().success());
+    assert_eq!(
+        run("clip.mkv"),
+        ["shot_0001.mp4", "shot_0002.mp4", "shot_0003.mp4"]
+    );
+    for film in ["shot_0001.mp4", "shot_0002.mp4", "shot_0003.mp4"] {
+        let film = folder.path().join("shots").join(film);
+        let report = json_of(
+            folder.path(),
+            &["video", "keyframes", film.to_str().unwrap(), "--json"],
+        );
+        assert_eq!(
+            (&report["frames"], &report["cuts"]),
+            (&json!(30), &json!([]))
+        );
+    }
 }
 
 #[test]
@@ -227,6 +342,26 @@ fn statistics_of_the_clips_before_an_error_are_reported() {
         let message = text(&output.stderr);
         assert!(message.contains(second), "{message}");
     }
+    // Numbered pictures are one video, and a file that is named twice counts once.
+    std::fs::create_dir(folder.path().join("row")).unwrap();
+    for index in 0..30_usize {
+        let picture = Plane::from_fn(64, 36, |column, row| {
+            [(4 * column) as u8, (7 * row) as u8, 9]
+        });
+        file::write(folder.path().join(format!("row/{index}.png")), &picture).unwrap();
+    }
+    let arguments = [
+        "video",
+        "statistics",
+        "row/*.png",
+        "a.y4m",
+        "*.y4m",
+        "--json",
+    ];
+    std::fs::remove_file(&cut).unwrap();
+    let table = json_of(folder.path(), &arguments);
+    assert_eq!(table["clips"].as_array().unwrap().len(), 2, "{table}");
+    assert_eq!(table["total"]["frames"], 120);
     let output = nullcone(
         folder.path(),
         ["video", "statistics", "absent.y4m", "--json"],

@@ -5,6 +5,7 @@ use ga_image::quality::MutualInformation;
 use ga_image::ycbcr::YCbCr;
 use serde::{Serialize, Serializer};
 
+use super::colour::usual_colour;
 use super::cut::{CutDetector, threshold};
 use super::difference::{after_motion, at_rest, moments};
 use super::dissolve::{DissolveDetector, REACH, WINDOW};
@@ -87,7 +88,7 @@ fn number<S: Serializer>(frames: &[FrameMeasures], serializer: S) -> Result<S::O
     frames.len().serialize(serializer)
 }
 
-/// Analyses a video frame by frame. Its memory is that of three frames, of the signatures of 92
+/// Analyses a video frame by frame. Its memory is that of three frames, of the signatures of 140
 /// frames, and some numbers for each frame.
 ///
 /// ```
@@ -199,7 +200,7 @@ impl Analyser {
         self.changes.push(measures.change);
         self.window.push(signature);
         self.measure_motion(index);
-        let forced = self.detect(index);
+        let forced = self.detect(index, usual_colour(&eight, self.colours));
         let Some(signature) = self.window.get(index) else {
             return Err(error());
         };
@@ -240,13 +241,13 @@ impl Analyser {
             cuts: self.cuts.cuts(),
             dissolves: self.dissolves.finish(&self.window, layout),
             fades: self.fades.finish(&self.window),
+            flashes: self.cuts.flashes().to_vec(),
         };
         transitions.reconcile(&self.changes);
         let shots = transitions.shots(&self.moving, &self.reach, minimum_shot);
-        let flashes = self.cuts.flashes();
         let key_frames = self
             .selector
-            .finish(&transitions, &shots, flashes, least_new, budget);
+            .finish(&transitions, &shots, least_new, budget);
         let thresholds = (0..self.changes.len()).map(|index| threshold(&self.changes, index));
         Analysis {
             thresholds: thresholds.collect(),
@@ -276,12 +277,12 @@ impl Analyser {
     }
 
     /// Looks for transitions in the frames so far; returns whether a new shot has no candidate.
-    fn detect(&mut self, index: usize) -> bool {
+    fn detect(&mut self, index: usize, colour: [u8; 3]) -> bool {
         let layout = self.options.layout;
         self.cuts
             .advance(&self.changes, &self.window, layout, false);
         self.dissolves.advance(&self.window, layout);
-        self.fades.advance(&self.window);
+        self.fades.advance(&self.window, colour);
         let dissolve = self
             .dissolves
             .found()

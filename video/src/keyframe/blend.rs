@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use ga_image::plane::Plane;
 
-use super::difference::after_motion;
+use super::difference::{after_motion, products};
 use super::layout::{CELL_COUNT, Layout, Rectangle, cell, without_bars};
 use super::window::Window;
 
@@ -18,12 +18,32 @@ const FARTHEST: f32 = 5.0;
 /// The part of cells that a blend need not explain.
 const LEFT_OUT: f32 = 0.3;
 
+/// Motions are refined by steps of this number of boxes in the middle of a dissolve, each at most
+/// this often; boxes at this distance from the middle of the picture move so by growth.
+const STEPS: [f32; 3] = [2.0, 1.0, 0.5];
+const ROUNDS: usize = 4;
+const GROWING: f32 = 20.0;
+
+/// Boxes and rows that are this far apart are enough for that.
+const COARSE: usize = 4;
+
+/// One cell of this number has to be in both moved ends at least.
+const LEAST_SEEN: usize = 3;
+
 /// The frames at both ends of a dissolve, and how the camera moves at each.
+#[derive(Clone, Copy)]
 pub(super) struct Ends<'a> {
     pictures: [&'a Plane<f32>; 2],
     at: [usize; 2],
-    velocities: [[f32; 2]; 2],
+    motions: [Motion; 2],
     part: Rectangle<usize>,
+}
+
+/// How a picture moves in a frame: its translation in boxes, and by what part it grows.
+#[derive(Clone, Copy, Debug, Default)]
+struct Motion {
+    velocity: [f32; 2],
+    growth: f32,
 }
 
 impl<'a> Ends<'a> {
@@ -31,11 +51,14 @@ impl<'a> Ends<'a> {
         let pictures = [window.get(at[0])?, window.get(at[1])?];
         let velocity = |start: usize, end: usize| {
             let (Some(a), Some(b)) = (window.get(start), window.get(end)) else {
-                return [0.0; 2];
+                return Motion::default();
             };
             let frames = end.saturating_sub(start).max(1) as f32;
             let motion = after_motion(a, b, layout).motion;
-            motion.map(|boxes| boxes as f32 / frames)
+            Motion {
+                velocity: motion.map(|boxes| boxes as f32 / frames),
+                growth: 0.0,
+            }
         };
         let before = (0..=MOTION.min(at[0]))
             .rev()
@@ -45,7 +68,7 @@ impl<'a> Ends<'a> {
         Some(Self {
             pictures,
             at,
-            velocities: [velocity(before, at[0]), velocity(at[1], after)],
+            motions: [velocity(before, at[0]), velocity(at[1], after)],
             part: without_bars(pictures[0], pictures[1])?,
         })
     }
@@ -55,18 +78,30 @@ impl<'a> Ends<'a> {
     /// The cells that are explained worst are left out: captions and logos. Every second box of
     /// every second row counts, where both moved ends have boxes.
     pub(super) fn blend(&self, picture: &Plane<f32>, index: usize) -> Blend {
+        self.blend_of(picture, index, 2)
+    }
+
+    /// The same of boxes and rows that are this far apart.
+    fn blend_of(&self, picture: &Plane<f32>, index: usize, apart: usize) -> Blend {
+        let part = self.part;
+        let middle = [part.left + part.right, part.top + part.bottom].map(|sum| 0.5 * sum as f32);
         let moved = [0, 1].map(|end| {
             let frames = index as f32 - self.at[end] as f32;
-            self.velocities[end].map(|velocity| velocity * frames)
+            let Motion { velocity, growth } = self.motions[end];
+            let scale = 1.0 / (1.0 + growth * frames).max(0.5);
+            let shift =
+                [0, 1].map(|axis| middle[axis] - scale * (middle[axis] + velocity[axis] * frames));
+            (scale, shift)
         });
         let mut cells = [Products::default(); CELL_COUNT];
         for (index, products) in cells.iter_mut().enumerate() {
             let place = cell(self.part, index);
-            for row in (place.top..place.bottom).step_by(2) {
+            for row in (place.top..place.bottom).step_by(apart) {
                 let line = picture.row(row);
-                for column in (place.left..place.right).step_by(2) {
+                for column in (place.left..place.right).step_by(apart) {
                     let ends = [0, 1].map(|end| {
-                        let (x, y) = (column as f32 - moved[end][0], row as f32 - moved[end][1]);
+                        let (scale, [right, down]) = moved[end];
+                        let (x, y) = (scale * column as f32 + right, scale * row as f32 + down);
                         self.between(self.pictures[end], x, y)
                     });
                     if let [Some(a), Some(b)] = ends {
@@ -76,6 +111,9 @@ impl<'a> Ends<'a> {
             }
         }
         let mut kept: Vec<&Products> = cells.iter().filter(|cell| cell.count > 0.0).collect();
+        if kept.len() < CELL_COUNT / LEAST_SEEN {
+            return Blend::UNEXPLAINED;
+        }
         let mut weights = Products::fit(&kept);
         let most = (kept.len() as f32 * (1.0 - LEFT_OUT)).ceil() as usize;
         for _ in 0..2 {
@@ -93,11 +131,57 @@ impl<'a> Ends<'a> {
         }
     }
 
+    /// Changes the motions of both ends so that the pictures between them are explained best: those
+    /// outside of a long dissolve say too little of where its middle is. Each number is changed in
+    /// turn, by steps that become smaller.
+    pub(super) fn refine(&mut self, window: &Window) {
+        let span = (self.at[1] - self.at[0]) as f32;
+        let frames = [0.3, 0.5, 0.7].map(|part| self.at[0] + (part * span).round() as usize);
+        let Some(seen) = frames
+            .map(|frame| window.get(frame))
+            .into_iter()
+            .collect::<Option<Vec<_>>>()
+        else {
+            return;
+        };
+        let unexplained = |ends: &Self| -> f32 {
+            let pictures = seen.iter().zip(frames);
+            let blends = pictures.map(|(picture, frame)| ends.blend_of(picture, frame, COARSE));
+            blends.map(|blend| blend.residual.powi(2)).sum()
+        };
+        let mut least = unexplained(self);
+        for boxes in STEPS {
+            for _ in 0..ROUNDS {
+                let before = least;
+                for (end, number) in (0..6).map(|number| (number % 2, number / 2)) {
+                    let step = boxes / (0.5 * span);
+                    for step in [step, -step] {
+                        let mut motions = self.motions;
+                        match number {
+                            2 => motions[end].growth += step / GROWING,
+                            axis => motions[end].velocity[axis] += step,
+                        }
+                        let changed = Self { motions, ..*self };
+                        let rest = unexplained(&changed);
+                        if rest < least {
+                            least = rest;
+                            self.motions = motions;
+                            break;
+                        }
+                    }
+                }
+                if least > 0.98 * before {
+                    break;
+                }
+            }
+        }
+    }
+
     /// The change from frame to frame in the middle of a dissolve, after the motion of the camera.
     /// A camera that moves over one scene shows different pictures at its two ends, but in the
     /// middle nothing other than motion.
     pub(super) fn change(&self, frames: &Range<usize>, window: &Window, layout: Layout) -> f32 {
-        let speeds = self.velocities.iter();
+        let speeds = self.motions.iter().map(|motion| motion.velocity);
         let speed = speeds
             .map(|[x, y]| x.abs().max(1.25 * y.abs()))
             .fold(0.1, f32::max);
@@ -135,21 +219,7 @@ impl<'a> Ends<'a> {
     pub(super) fn correlation(&self) -> f32 {
         let [a, b] = self.pictures;
         let mut cells: Vec<[f64; 6]> = (0..CELL_COUNT)
-            .map(|index| {
-                let place = cell(self.part, index);
-                let mut sums = [0.0; 6];
-                for row in place.top..place.bottom {
-                    let columns = place.left..place.right;
-                    for (a, b) in a.row(row)[columns.clone()].iter().zip(&b.row(row)[columns]) {
-                        let (a, b) = (f64::from(*a), f64::from(*b));
-                        let terms = [1.0, a, b, a * a, a * b, b * b];
-                        sums.iter_mut()
-                            .zip(terms)
-                            .for_each(|(sum, term)| *sum += term);
-                    }
-                }
-                sums
-            })
+            .map(|index| products(a, b, cell(self.part, index)))
             .filter(|sums| sums[0] > 0.0)
             .collect();
         let apart = |[count, .., aa, ab, bb]: &[f64; 6]| (aa - 2.0 * ab + bb) / count;
@@ -170,6 +240,14 @@ pub(super) struct Blend {
     /// The root mean square of what the blend does not explain, relative to half the difference of
     /// the two pictures.
     pub(super) residual: f32,
+}
+
+impl Blend {
+    /// Of a picture of which the ends show too little.
+    const UNEXPLAINED: Self = Self {
+        fraction: 0.5,
+        residual: 2.0,
+    };
 }
 
 /// Sums of products of the values a and b of both ends and of the value p of a picture.

@@ -1,9 +1,13 @@
 //! Hard cuts, by a rule that adapts to what is usual around each frame.
 
-use super::difference::after_motion;
-use super::layout::Layout;
-use super::window::Window;
+use std::ops::Range;
+
 use ga_numerics::order_statistics::median;
+
+use super::flash::{self, Flash, Kind, STRAY};
+use super::layout::Layout;
+use super::likeness::is_one_scene;
+use super::window::Window;
 
 /// The number of frames before a frame, and after it, that say what change is usual there.
 pub const AROUND: usize = 8;
@@ -19,16 +23,10 @@ pub(super) const STILL: f32 = 0.04;
 const STEADY: f32 = 0.15;
 const SPREADS: f32 = 9.0;
 
-/// The least number of frames of the first and of the last shot: fewer cannot be told from a flash.
-const ENDS: usize = 2;
-
 /// The least change of a cut.
 const LEAST: f32 = 0.3;
 
-/// The greatest number of frames of a flash.
-const FLASH: usize = 3;
-
-/// The nearest that two cuts may be, in frames.
+/// The nearest that two cuts may be, in frames, unless there is a stray shot between them.
 const NEAREST: usize = 3;
 
 /// The frames at which a new shot begins, found while changes come in.
@@ -38,14 +36,23 @@ const NEAREST: usize = 3;
 /// them: independent of contrast and brightness, of flicker, of bars, and of a caption or an object
 /// in less than half of the blocks. A cut is a change of at least 0.3 that is three times the
 /// median of the changes of the 8 frames before it and of the 8 after it, or by far outside of
-/// their spread, and the greatest within two frames. Where a frame after it looks like one before
-/// it, it is a flash. Measured settings of our own; Cui, §3.1.2, states a fixed threshold without
-/// its value.
+/// their spread. Where both frames show one scene, behind an object or in other light, there is no
+/// cut; a few frames between two changes are a [`Flash`] or a shot. Measured settings of our own;
+/// Cui, §3.1.2, states a fixed threshold without its value.
 #[derive(Clone, Debug, Default)]
 pub struct CutDetector {
     next: usize,
-    suspects: Vec<(usize, f32)>,
-    flashes: Vec<usize>,
+    suspects: Vec<Suspect>,
+    flashes: Vec<Flash>,
+}
+
+/// A frame that may begin a shot.
+#[derive(Clone, Copy, Debug)]
+struct Suspect {
+    index: usize,
+    change: f32,
+    /// Whether the frames since the suspect before are a shot, however few they are.
+    is_apart: bool,
 }
 
 impl CutDetector {
@@ -57,46 +64,93 @@ impl CutDetector {
             false => changes.len().saturating_sub(AROUND),
         };
         for index in self.next.max(1)..end {
-            if changes[index] <= threshold(changes, index) {
-                continue;
-            }
-            if is_flash(window, index, changes[index], layout) {
-                self.flashes.push(index);
-            } else if (ENDS..(changes.len() + 1).saturating_sub(ENDS)).contains(&index) {
-                self.suspects.push((index, changes[index]));
+            if changes[index] > threshold(changes, index) {
+                self.examine(index, changes, window, layout);
             }
         }
         self.next = self.next.max(end);
     }
 
+    fn examine(&mut self, index: usize, changes: &[f32], window: &Window, layout: Layout) {
+        let change = changes[index];
+        let mut suspect = Suspect {
+            index,
+            change,
+            is_apart: false,
+        };
+        if let Some(frames) = flash::between(index, change, window, layout) {
+            let kind = flash::kind([frames.start - 1, frames.end], &frames, window, layout);
+            if kind == Kind::StrayShot {
+                suspect.is_apart = true;
+                self.suspects.push(suspect);
+            }
+            self.report(frames, kind);
+            return;
+        }
+        let [before, now] = [index - 1, index].map(|frame| window.get(frame));
+        if before.zip(now).is_some_and(|(a, b)| is_one_scene(a, b)) {
+            return;
+        }
+        // The first frames, and the last ones, have a shot on one side only.
+        for (frames, neighbour) in [(0..index, index), (index..changes.len(), index - 1)] {
+            if frames.len() <= STRAY {
+                let kind = flash::kind([neighbour; 2], &frames, window, layout);
+                self.report(frames, kind);
+                if kind == Kind::Flash {
+                    return;
+                }
+            }
+        }
+        let last = self.suspects.last().copied();
+        if let Some(last) = last.filter(|last| index - last.index < NEAREST && !last.is_apart) {
+            let frames = last.index..index;
+            let kind = flash::kind([last.index - 1, index], &frames, window, layout);
+            suspect.is_apart = kind == Kind::StrayShot;
+            if !flash::is_blend([last.index - 1, index], &frames, window, layout) {
+                self.report(frames, kind);
+            } else {
+                suspect.is_apart = false;
+            }
+        }
+        self.suspects.push(suspect);
+    }
+
+    fn report(&mut self, frames: Range<usize>, kind: Kind) {
+        if self
+            .flashes
+            .last()
+            .is_none_or(|flash| flash.frames.end <= frames.start)
+        {
+            self.flashes.push(Flash { frames, kind });
+        }
+    }
+
     /// The last frame so far that may begin a shot.
     #[must_use]
     pub fn last(&self) -> Option<usize> {
-        self.suspects.last().map(|(index, _)| *index)
+        self.suspects.last().map(|suspect| suspect.index)
     }
 
-    /// The frames with which a flash begins or ends.
+    /// The flashes and stray shots among the frames examined so far.
     #[must_use]
-    pub fn flashes(&self) -> &[usize] {
+    pub fn flashes(&self) -> &[Flash] {
         &self.flashes
     }
 
     /// The cuts among the frames examined so far: of suspects that are nearer than three frames,
-    /// the one with the greatest change.
+    /// the one with the greatest change, unless there is a shot between them.
     #[must_use]
     pub fn cuts(&self) -> Vec<usize> {
         let suspects = &self.suspects;
-        let greatest = |(index, change): &&(usize, f32)| {
-            let mut near = suspects
+        let groups = suspects.chunk_by(|a, b| b.index - a.index < NEAREST && !b.is_apart);
+        let greatest = |group: &[Suspect]| {
+            let greatest = group
                 .iter()
-                .filter(|(other, _)| other.abs_diff(*index) < NEAREST && other != index);
-            !near.any(|(other, more)| more > change || (more == change && other < index))
+                .rev()
+                .max_by(|a, b| a.change.total_cmp(&b.change));
+            greatest.map(|suspect| suspect.index)
         };
-        suspects
-            .iter()
-            .filter(greatest)
-            .map(|(index, _)| *index)
-            .collect()
+        groups.filter_map(greatest).collect()
     }
 }
 
@@ -128,21 +182,4 @@ pub(crate) fn exceptional(changes: &[f32]) -> f32 {
 /// The median; 0 of no values.
 pub(super) fn usual(mut values: Vec<f32>) -> f32 {
     median(&mut values).unwrap_or(0.0)
-}
-
-/// Whether a frame after the change looks like one before it.
-fn is_flash(window: &Window, index: usize, change: f32, layout: Layout) -> bool {
-    let before = (1..=FLASH).filter_map(|back| window.get(index.checked_sub(back)?));
-    for (back, a) in before.enumerate() {
-        for forth in 0..FLASH {
-            let Some(b) = window.get(index + forth) else {
-                break;
-            };
-            let apart = back + forth;
-            if (1..=FLASH).contains(&apart) && after_motion(a, b, layout).typical() < 0.4 * change {
-                return true;
-            }
-        }
-    }
-    false
 }

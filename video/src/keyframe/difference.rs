@@ -272,3 +272,18 @@ pub fn moments(signature: &Plane<f32>, part: Rectangle<usize>) -> [f32; 2] {
         (squares / count - mean * mean).max(0.0).sqrt() as f32,
     ]
 }
+
+/// Sums over a part of two signatures, of 1, a, b, a², a b and b².
+pub(super) fn products(a: &Plane<f32>, b: &Plane<f32>, part: Rectangle<usize>) -> [f64; 6] {
+    let mut sums = [0.0; 6];
+    for row in part.top..part.bottom {
+        let columns = part.left..part.right;
+        for (a, b) in a.row(row)[columns.clone()].iter().zip(&b.row(row)[columns]) {
+            let (a, b) = (f64::from(*a), f64::from(*b));
+            let terms = [1.0, a, b, a * a, a * b, b * b];
+            let pairs = sums.iter_mut().zip(terms);
+            pairs.for_each(|(sum, term)| *sum += term);
+        }
+    }
+    sums
+}

@@ -12,10 +12,10 @@ use super::layout::{CELL_COUNT, Layout, Rectangle, cell, without_bars};
 use super::window::Window;
 
 /// The distances of the two ends from the middle that are tried, in frames.
-const HALF_SPANS: [usize; 13] = [3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 26, 32, 40];
+const HALF_SPANS: [usize; 15] = [3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 26, 32, 40, 50, 64];
 
 /// The greatest of them.
-pub const REACH: usize = 40;
+pub const REACH: usize = 64;
 
 /// The number of signatures that are needed.
 pub const WINDOW: usize = 2 * REACH + 2 * MOTION + 2;
@@ -25,6 +25,19 @@ const CORRELATION: f32 = 0.8;
 
 /// The fraction of the first end in the middle.
 const FRACTION: Range<f32> = 0.25..0.75;
+
+/// From this half span on the motions of the ends are refined.
+const LONG: usize = 12;
+
+/// With a greater residual they are.
+const MOVED: f32 = 0.1;
+const LOST: f32 = 1.2;
+
+/// Of half spans that are so many times longer or more, not every frame is tried as the middle.
+const APART: usize = 6;
+
+/// The number of frames between the ends of a dissolve at which the blend is looked at, about.
+const LOOKS: usize = 40;
 
 /// The greatest residual of the blend.
 const RESIDUAL: f32 = 0.55;
@@ -41,11 +54,17 @@ const EVERYWHERE: f32 = 0.13;
 /// many of its frames.
 const PAIRS: usize = 3;
 
+/// So many are enough for the longest.
+const MOST_PAIRS: usize = 10;
+
 /// The least number of frames of a dissolve.
 const LEAST: usize = 3;
 
 /// The least change in the middle of a dissolve, in comparison with that between its ends.
 const CHANGES: f32 = 0.85;
+
+/// With a smaller residual, the middle need change less.
+const EXPLAINED: f32 = 0.3;
 
 /// A frame with a greater residual is a flash.
 const FLASH: f32 = 1.0;
@@ -123,7 +142,9 @@ impl DissolveDetector {
         }
         let found = self.found.into_iter().zip(self.pairs);
         found
-            .filter(|(dissolve, pairs)| *pairs >= PAIRS.max(dissolve.frames.len() / PAIRS))
+            .filter(|(dissolve, pairs)| {
+                *pairs >= PAIRS.max(dissolve.frames.len() / PAIRS).min(MOST_PAIRS)
+            })
             .map(|(dissolve, _)| dissolve)
             .collect()
     }
@@ -131,19 +152,24 @@ impl DissolveDetector {
     fn examine(&mut self, middle: usize, window: &Window, layout: Layout) {
         self.next = middle + 1;
         for half in HALF_SPANS {
+            // Near the middle of a long dissolve one frame is like the next.
+            let apart = (half / APART).max(1);
+            if !middle.is_multiple_of(apart) {
+                continue;
+            }
             let Some(dissolve) = self.blend(middle, half, window, layout) else {
                 continue;
             };
             match (self.found.last_mut(), self.pairs.last_mut()) {
                 (Some(other), Some(pairs)) if other.frames.end > dissolve.frames.start => {
-                    *pairs += 1;
+                    *pairs += apart;
                     if dissolve.residual < other.residual {
                         *other = dissolve;
                     }
                 }
                 _ => {
                     self.found.push(dissolve);
-                    self.pairs.push(1);
+                    self.pairs.push(apart);
                 }
             }
         }
@@ -166,18 +192,31 @@ impl DissolveDetector {
         if !self.contrast(middle)?.falls_between(first, last) {
             return None;
         }
-        let ends = Ends::new([start, end], window, layout)?;
+        let mut ends = Ends::new([start, end], window, layout)?;
         if ends.correlation() > CORRELATION {
             return None;
         }
-        let Blend { fraction, residual } = ends.blend(window.get(middle)?, middle);
+        let picture = window.get(middle)?;
+        let mut blend = ends.blend(picture, middle);
+        if half >= LONG && (MOVED..LOST).contains(&blend.residual) {
+            ends.refine(window);
+            blend = ends.blend(picture, middle);
+        }
+        let Blend { fraction, residual } = blend;
         if !FRACTION.contains(&fraction) || residual > RESIDUAL {
             return None;
         }
-        let blends: Option<Vec<Blend>> = (start..=end)
-            .map(|index| Some(ends.blend(window.get(index)?, index)))
+        let step = (2 * half / LOOKS).max(1);
+        let blends: Option<Vec<(f32, Blend)>> = (start..=end)
+            .step_by(step)
+            .map(|index| {
+                Some((
+                    (index - start) as f32,
+                    ends.blend(window.get(index)?, index),
+                ))
+            })
             .collect();
-        let [first, last] = ramp(&blends?)?;
+        let [first, last] = ramp(&blends?, step as f32)?;
         // Both ends are outside of the blended frames.
         if first < 0.5 || last > 2.0 * half as f32 - 0.5 {
             return None;
@@ -195,7 +234,8 @@ impl DissolveDetector {
         }
         let frames = start + first.round() as usize..start + last.round() as usize;
         let apart = difference.typical() / frames.len() as f32;
-        let changes = || ends.change(&frames, window, layout) > CHANGES * apart;
+        let least = CHANGES * (residual / EXPLAINED).min(1.0);
+        let changes = || ends.change(&frames, window, layout) > least * apart;
         (frames.len() >= LEAST && changes()).then_some(Dissolve { frames, residual })
     }
 }
@@ -256,16 +296,18 @@ impl Contrast {
     }
 }
 
-/// Where the line through falling fractions is 1 and 0, if they fall steadily.
-fn ramp(blends: &[Blend]) -> Option<[f32; 2]> {
+/// Where the line through falling fractions is 1 and 0, if they fall steadily. Each has its time in
+/// frames; they are `step` frames apart.
+fn ramp(blends: &[(f32, Blend)], step: f32) -> Option<[f32; 2]> {
     let inside: Vec<[f32; 2]> = blends
         .iter()
-        .enumerate()
         .filter(|(_, blend)| (0.12..0.88).contains(&blend.fraction) && blend.residual < FLASH)
-        .map(|(index, blend)| [index as f32, blend.fraction])
+        .map(|(time, blend)| [*time, blend.fraction])
         .collect();
     let count = inside.len() as f32;
-    let contiguous = inside.windows(2).all(|pair| pair[1][0] - pair[0][0] < 2.5);
+    let contiguous = inside
+        .windows(2)
+        .all(|pair| pair[1][0] - pair[0][0] < 2.5 * step);
     let falling = inside.windows(2).all(|pair| pair[1][1] < pair[0][1] + 0.05);
     if inside.len() < 2 || !contiguous || !falling {
         return None;

@@ -45,4 +45,24 @@ pub enum KeyFrameError {
         /// What is wrong.
         problem: FormatError,
     },
+    /// A shot cannot be written as a film.
+    #[error("cannot write the shots: {0}")]
+    Split(String),
+}
+
+/// Why frames cannot be counted.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TimeBaseError {
+    /// Half a frame in a second is the least.
+    #[error("{0} frames in a second: it must be a rate from 1/2 on")]
+    Rate(String),
+    /// The timecode of the first frame is none.
+    #[error(
+        "{0:?} is no timecode of this rate: it must be HH:MM:SS:FF, or HH:MM:SS;FF where numbers \
+         are dropped, and of a frame that is counted"
+    )]
+    Start(String),
+    /// Numbers are dropped at a rate for which this is not defined.
+    #[error("numbers of frames are dropped at 30000/1001 and 60000/1001 in a second, not at {0}")]
+    Drop(String),
 }

@@ -1,7 +1,5 @@
 //! Found cuts against labelled ones.
 
-use std::num::ParseIntError;
-
 use ga_files::table::{Table, TableError};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -60,26 +58,33 @@ pub enum LabelError {
     /// They are no table.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A cell of the first column is not the number of a frame.
-    #[error("line {line}: {text:?} is not a frame number: {problem}")]
+    /// A cell is not the number of a frame.
+    #[error("line {line}: {text:?} is not a frame number")]
     Frame {
         /// The line.
         line: usize,
         /// What the cell says.
         text: String,
-        /// What is wrong with it.
-        problem: ParseIntError,
     },
+    /// Several columns, none of which is named as one of frames.
+    #[error("none of several columns is named cut, frame or start, but {0}")]
+    Column(String),
 }
 
-/// The numbers of frames in the first column of a table, which may have a line of names.
+/// The names of columns of labels.
+const NAMES: [&str; 4] = ["cut", "cuts", "frame", "start"];
+
+/// The numbers of frames in a table: of its only column, whatever its name, or of the first one
+/// that is named `cut`, `cuts`, `frame` or `start`; of a table without names in the first column.
+/// Frame 0, with which a list of shots begins, follows no cut.
 ///
 /// ```
 /// use ga_video::keyframe::evaluation::{LabelError, labels};
 ///
 /// assert_eq!(labels(b"cut\n10\n25\n")?, [10, 25]);
+/// assert_eq!(labels(b"shot;start\n1;0\n2;30\n")?, [30]);
 /// let message = labels(b"10\n2.5\n").unwrap_err().to_string();
-/// assert!(message.starts_with("line 2: \"2.5\" is not a frame number"));
+/// assert_eq!(message, "line 2: \"2.5\" is not a frame number");
 /// # Ok::<(), LabelError>(())
 /// ```
 ///
@@ -88,15 +93,25 @@ pub enum LabelError {
 /// Any [`LabelError`].
 pub fn labels(bytes: &[u8]) -> Result<Vec<usize>, LabelError> {
     let table = Table::parse(bytes)?;
+    let named = NAMES.iter().find_map(|name| table.column(name));
+    let column = match (named, table.names()) {
+        (Some(column), _) => column,
+        (None, [] | [_]) => 0,
+        (None, names) => return Err(LabelError::Column(names.join(", "))),
+    };
     let labels = (0..table.len()).map(|row| {
-        let text = table.text(row, 0);
-        text.parse().map_err(|problem| LabelError::Frame {
-            line: table.line(row),
-            text: text.to_owned(),
-            problem,
-        })
+        let number = table.number(row, column).ok().flatten();
+        let frame = number.filter(|number| number.fract() == 0.0 && *number >= 0.0);
+        // Beyond 2⁵³ a number does not tell frames apart; no video has as many.
+        frame
+            .map(|frame| frame as usize)
+            .ok_or_else(|| LabelError::Frame {
+                line: table.line(row),
+                text: table.text(row, column).to_owned(),
+            })
     });
-    labels.collect()
+    let labels: Result<Vec<usize>, LabelError> = labels.collect();
+    Ok(labels?.into_iter().filter(|label| *label > 0).collect())
 }
 
 /// Pairs found cuts with labels at most `tolerance` frames away, each with at most one, and as many

@@ -1,4 +1,4 @@
-//! Fades from and to black or white.
+//! Fades from and to one colour.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -7,6 +7,7 @@ use ga_image::plane::Plane;
 use ga_numerics::order_statistics::Sorted;
 use serde::Serialize;
 
+use super::colour::Colour;
 use super::cut::usual;
 use super::difference::moments;
 use super::layout::{CELL_COUNT, Rectangle, cell, without_bars};
@@ -14,9 +15,6 @@ use super::window::Window;
 
 /// The greatest standard deviation of a frame without a picture, in numbers of 8 bits.
 const FLAT: f32 = 1.5;
-
-/// Below this mean a flat frame is black.
-const BLACK: f32 = 16.0;
 
 /// The least number of frames of a fade.
 const LEAST: usize = 4;
@@ -71,16 +69,6 @@ pub enum Direction {
     Out,
 }
 
-/// What a picture fades from or to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Colour {
-    /// Black.
-    Black,
-    /// White, or another bright colour.
-    White,
-}
-
 /// The mean and the standard deviation of a signature.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Level {
@@ -111,12 +99,14 @@ pub struct FadeDetector {
     whole: Vec<Level>,
     most: Vec<Level>,
     cells: Vec<[u8; CELL_COUNT]>,
+    colours: Vec<[u8; 3]>,
 }
 
 impl FadeDetector {
     /// Measures the frames for which enough later frames are known, after the last frame of the
-    /// window was added to it.
-    pub fn advance(&mut self, window: &Window) {
+    /// window, whose [usual colour](super::colour::usual_colour) is given, was added to it.
+    pub fn advance(&mut self, window: &Window, colour: [u8; 3]) {
+        self.colours.push(colour);
         let last = window.end().checked_sub(1);
         if let Some(signature) = last.and_then(|last| window.get(last)) {
             if self.extents.len() > 2 * AROUND {
@@ -164,9 +154,9 @@ impl FadeDetector {
     #[must_use]
     pub fn finish(mut self, window: &Window) -> Vec<Fade> {
         self.measure_before(window.end(), window);
-        let mut found = fades(&self.whole);
+        let mut found = fades(&self.whole, &self.colours);
         found.retain(|fade| self.unevenness(fade).is_none_or(|uneven| uneven < UNEVEN));
-        for fade in fades(&self.most) {
+        for fade in fades(&self.most, &self.colours) {
             let known = |other: &Fade| overlap(&other.frames, &fade.frames);
             let even = self.unevenness(&fade).is_some_and(|uneven| uneven < UNEVEN);
             if even && !found.iter().any(known) {
@@ -205,9 +195,9 @@ impl FadeDetector {
     }
 }
 
-/// The fades of a video, in order.
+/// The fades of a video, in order, from the level and the usual colour of each frame.
 #[must_use]
-pub fn fades(levels: &[Level]) -> Vec<Fade> {
+pub fn fades(levels: &[Level], colours: &[[u8; 3]]) -> Vec<Fade> {
     let flat = flat(levels);
     let mut found = Vec::new();
     let mut start = 0;
@@ -218,10 +208,8 @@ pub fn fades(levels: &[Level]) -> Vec<Fade> {
         }
         let length = flat[start..].iter().take_while(|flat| **flat).count();
         let end = start + length;
-        let colour = match levels[start].mean < BLACK {
-            true => Colour::Black,
-            false => Colour::White,
-        };
+        let middle = colours.get((start + end) / 2).copied().unwrap_or_default();
+        let colour = Colour::of(middle);
         let backwards = levels[..start].iter().rev().take(LONGEST).copied();
         if let Some(length) = rise(backwards, levels[start].mean) {
             let end = if end == levels.len() { end } else { start };

@@ -3,8 +3,8 @@
 use ga_draw::document::Page;
 
 use super::reading::Analysed;
-use super::scenes::timecode;
 use super::statistics::Statistics;
+use super::timecode::TimeBase;
 
 impl Analysed {
     /// The page: counts, the curves, which the chart `svg` shows, the shots, and the key frames as
@@ -32,14 +32,19 @@ impl Analysed {
         page.svg(svg);
         page.paragraph(&self.transitions());
         page.heading("Shots");
-        let rate = self.rate();
+        let (times, base) = (self.times(None), self.rate());
+        let base = base.and_then(|rate| TimeBase::new(rate, None).ok());
+        let shown = |frame: usize| match base {
+            Some(base) => base.code(times[frame]),
+            None => format!("{:.3} s", times[frame]),
+        };
         let shots = analysis.shots.iter().enumerate();
         let rows = shots.map(|(number, shot)| {
             let frames = &shot.frames;
             [
                 (number + 1).to_string(),
-                timecode(frames.start, rate),
-                timecode(frames.end, rate),
+                shown(frames.start),
+                shown(frames.end),
                 format!("{}–{}", frames.start, frames.end),
                 shot.background.name().to_owned(),
             ]

@@ -12,8 +12,8 @@ const SHADE: RGBColor = RGBColor(240, 228, 200);
 
 impl Analysis {
     /// The curves as SVG: above, the difference of each frame from the one before it, with the
-    /// threshold of cuts and the cuts; below, their mutual information. Dissolves and fades are
-    /// shaded.
+    /// threshold of cuts and the cuts; below, their mutual information. Dissolves, fades and
+    /// flashes are shaded.
     ///
     /// # Errors
     ///
@@ -70,11 +70,10 @@ fn panel(
         .y_label_area_size(64 * FINE)
         .build_cartesian_2d(0.0..end, 0.0..top)?;
     let transitions = &analysis.transitions;
-    let dissolves = transitions
-        .dissolves
-        .iter()
-        .map(|dissolve| &dissolve.frames);
-    for frames in dissolves.chain(transitions.fades.iter().map(|fade| &fade.frames)) {
+    let dissolves = transitions.dissolves.iter().map(|other| &other.frames);
+    let fades = transitions.fades.iter().map(|other| &other.frames);
+    let flashes = transitions.flashes.iter().map(|other| &other.frames);
+    for frames in dissolves.chain(fades).chain(flashes) {
         let corners = [(frames.start as f64, 0.0), (frames.end as f64, top)];
         chart.draw_series([Rectangle::new(corners, SHADE.filled())])?;
     }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::analysis::{Analyser, Analysis, Options};
 use super::error::KeyFrameError;
 use super::pictures::Pictures;
+use super::timecode::rate_of_times;
 use crate::{Frame, Properties, Samples};
 
 /// A video as far as it could be read. Its JSON is that of the analysis.
@@ -24,12 +25,48 @@ pub struct Analysed {
 }
 
 impl Analysed {
-    /// Frames in a second: as stated, or from the times of the frames.
+    /// The time of each frame in seconds, and that of the end of the last, which is shown as long
+    /// as the frame before it. Of a video that states no rate and whose times are nevertheless
+    /// even, as of pictures, they were assumed, and follow from the `given` rate instead.
     #[must_use]
-    pub fn rate(&self) -> [u32; 2] {
+    pub fn times(&self, given: Option<[u32; 2]>) -> Vec<f64> {
+        let frames = self.analysis.frames.iter();
+        let mut times: Vec<f64> = frames.map(|frame| frame.time_seconds).collect();
+        let step = |pair: &[f64]| pair[1] - pair[0];
+        let stated = self.properties.frames_per_second;
+        let is_even = times
+            .windows(2)
+            .all(|pair| (step(pair) - step(&times)).abs() < 1e-6);
+        let assumed = given.filter(|_| stated.is_none() && is_even && times.len() > 1);
+        if let Some([numerator, denominator]) = assumed {
+            let rate = f64::from(numerator) / f64::from(denominator);
+            return (0..=times.len()).map(|frame| frame as f64 / rate).collect();
+        }
+        let last = times.last().copied().unwrap_or(0.0);
+        let shown = match (stated, times.as_slice()) {
+            (Some([numerator, denominator]), _) => f64::from(denominator) / f64::from(numerator),
+            (None, [.., before, last]) => last - before,
+            (None, _) => 0.0,
+        };
+        times.push(last + shown);
+        times
+    }
+
+    /// Frames in a second: as stated, or their mean.
+    #[must_use]
+    pub fn mean_rate(&self) -> [u32; 2] {
         let frames = &self.analysis.frames;
         let seconds = frames.last().map_or(0.0, |frame| frame.time_seconds);
         self.properties.rate(frames.len(), seconds)
+    }
+
+    /// Frames in a second: as stated, or where that varies the usual rate at whose frames all times
+    /// are; `None` where there is none.
+    #[must_use]
+    pub fn rate(&self) -> Option<[u32; 2]> {
+        let stated = self.properties.frames_per_second;
+        let times = self.analysis.frames.iter().map(|frame| frame.time_seconds);
+        stated.or_else(|| rate_of_times(&times.collect::<Vec<f64>>()))
     }
 }
 

@@ -34,6 +34,9 @@ const CALM: f32 = 0.02;
 /// The difference from the last candidate that such a picture has.
 const SETTLED: f32 = 0.04;
 
+/// After this number of frames with a change below [`CALM`] whatever is usual, it need not differ.
+const REST_FRAMES: usize = 10;
+
 /// A frame is nearly black below this root mean square of red, and below this fraction of the
 /// brightest frame.
 const BLACK: f32 = 6.0;
@@ -124,7 +127,9 @@ pub(super) struct Selector {
     changes: Recent,
     bits: Recent,
     calm: usize,
+    rest: usize,
     unsettled: bool,
+    is_restless: bool,
 }
 
 /// The last 15 numbers.
@@ -186,6 +191,11 @@ impl Selector {
         } else {
             0
         };
+        self.rest = if seen.change_at_rest < CALM {
+            self.rest + 1
+        } else {
+            0
+        };
         let Some(last) = self.candidates.last() else {
             self.take(seen, Reason::Shot, 1.0);
             return Ok(true);
@@ -203,6 +213,8 @@ impl Selector {
         let settled = self.unsettled
             && self.calm >= CALM_FRAMES
             && (background > SETTLED || object > SETTLED);
+        // The last frames of a dissolve hardly differ from its end, which a shot needs.
+        let settled = settled || (self.is_restless && self.rest >= REST_FRAMES);
         if !(far || settled || seen.forced) {
             return Ok(false);
         }
@@ -252,6 +264,7 @@ impl Selector {
         self.anchor = seen.signature.clone();
         self.luma = seen.luma.to_plane();
         self.unsettled = self.calm < CALM_FRAMES;
+        self.is_restless = self.rest < REST_FRAMES;
     }
 
     /// The second stage: of the candidates that are neither blended, faded, flashes nor black, the
@@ -261,7 +274,6 @@ impl Selector {
         self,
         transitions: &Transitions,
         shots: &[Shot],
-        flashes: &[usize],
         threshold: f64,
         budget: Option<usize>,
     ) -> Vec<KeyFrame> {
@@ -278,7 +290,6 @@ impl Selector {
                     && transitions.is_clear(candidate.index)
                     && energy(candidate.level) > dark
                     && !candidate.level.is_flat()
-                    && !flashes.contains(&candidate.index)
             });
             for (position, candidate) in clear.enumerate() {
                 let reason = if position == 0 {

@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use super::cut::{STILL, usual};
 use super::dissolve::Dissolve;
-use super::fade::{Colour, Direction, Fade};
+use super::fade::{Direction, Fade};
+use super::flash::{Flash, Kind};
 
 /// A shot: the frames from one cut to the next.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -46,6 +47,8 @@ pub struct Transitions {
     pub dissolves: Vec<Dissolve>,
     /// Fades. Between one out and one in, the middle of the even frames divides two shots.
     pub fades: Vec<Fade>,
+    /// Flashes, which are no shots, and stray shots of one frame or two.
+    pub flashes: Vec<Flash>,
 }
 
 impl Transitions {
@@ -56,6 +59,7 @@ impl Transitions {
             cuts,
             dissolves,
             fades,
+            flashes,
         } = self;
         dissolves.retain(|dissolve| {
             let frames = &dissolve.frames;
@@ -77,9 +81,14 @@ impl Transitions {
             !fades.iter().any(|fade| within(&fade.frames, NEAR_FADE))
                 && !dissolves.iter().any(|dissolve| within(&dissolve.frames, 0))
         });
+        flashes.retain(|flash| {
+            let is_boundary = |frame| cuts.contains(&frame) || frame == 0 || frame == changes.len();
+            let Range { start, end } = flash.frames;
+            flash.kind == Kind::Flash || (is_boundary(start) && is_boundary(end))
+        });
     }
 
-    /// Whether a frame is neither blended nor faded.
+    /// Whether a frame is neither blended nor faded nor in a flash.
     #[must_use]
     pub fn is_clear(&self, frame: usize) -> bool {
         !self
@@ -87,9 +96,13 @@ impl Transitions {
             .iter()
             .any(|dissolve| dissolve.frames.contains(&frame))
             && !self.fades.iter().any(|fade| fade.frames.contains(&frame))
+            && !self
+                .flashes
+                .iter()
+                .any(|flash| flash.kind == Kind::Flash && flash.frames.contains(&frame))
     }
 
-    /// The dissolves and the fades in words.
+    /// The dissolves, the fades, and the flashes and stray shots in words.
     #[must_use]
     pub fn blended(&self) -> Vec<String> {
         let dissolves = self.dissolves.iter().map(|dissolve| &dissolve.frames);
@@ -99,14 +112,13 @@ impl Transitions {
                 Direction::In => "in from",
                 Direction::Out => "out to",
             };
-            let colour = match fade.colour {
-                Colour::Black => "black",
-                Colour::White => "white",
-            };
-            let Range { start, end } = fade.frames;
+            let (Range { start, end }, colour) = (&fade.frames, fade.colour);
             format!("fade {direction} {colour}, {start} to {end}")
         });
-        dissolves.chain(fades).collect()
+        let flashes = self.flashes.iter().map(|Flash { frames, kind }| {
+            format!("{} {} to {}", kind.name(), frames.start, frames.end)
+        });
+        dissolves.chain(fades).chain(flashes).collect()
     }
 
     /// The first frames of all shots but the first, in order, with `true` for hard cuts.

@@ -1,11 +1,14 @@
 //! The cuts, shots and key frames of a video.
 
-use std::path::PathBuf;
+use std::fs::File;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Error, Result, ensure};
+use anyhow::{Context as _, Error, Result, bail, ensure};
 use ga_files::Staged;
 use ga_image::png;
 use ga_render::sheet::{Captioned, captioned_sheet};
+use ga_video::keyframe::split::{self, Splitter};
+use ga_video::keyframe::timecode::{TimeBase, rate};
 use ga_video::keyframe::{Analysed, KeyFrame, Options, Pictures, analyse, scenes};
 
 use super::shots::ShotOptions;
@@ -13,16 +16,20 @@ use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
 use crate::output;
 
-/// Find cuts, dissolves, fades, shots and key frames of a video.
+/// Find cuts, dissolves, fades, flashes, shots and key frames of a video.
 ///
-/// Shots are divided at cuts and in the middle of dissolves. The background of a shot is static or
-/// dynamic. Key frames are chosen in two stages: frames whose background, or whose objects, differ
-/// from the last candidate, and of these the ones that have little mutual information with it; the
-/// first clear frame of each shot is always one. No key frame is nearly black or blended.
+/// Shots are divided at cuts and in the middle of dissolves. A fade has the colour from which or
+/// to which it leads: black, white, or #rrggbb. A flash is the same scene in more light, or no
+/// picture, for at most three frames, and divides nothing; a stray shot has one frame or two. The
+/// background of a shot is static or dynamic. Key frames are chosen in two stages: frames whose
+/// background, or whose objects, differ from the last candidate, and of these the ones that have
+/// little mutual information with it; the first clear frame of each shot is always one. No key
+/// frame is nearly black or blended.
 ///
 /// --json prints {"frames": 720, "cuts": [285, …], "dissolves": [{"start", "end"}, …],
-/// "fades": [{"start", "end", "direction", "colour"}, …], "shots": [{"start", "end",
-/// "background"}, …], "key_frames": [{"index", "time", "reason", "score"}, …]}. Frames are counted
+/// "fades": [{"start", "end", "direction", "colour"}, …], "flashes": [{"start", "end", "kind":
+/// "flash" or "stray_shot"}, …], "shots": [{"start", "end", "background"}, …], "key_frames":
+/// [{"index", "time", "reason", "score"}, …]}. Frames are counted
 /// from 0, intervals are half-open, a cut is the first frame of the new shot, times are in seconds.
 ///
 /// For instance
@@ -51,6 +58,18 @@ pub(super) struct Arguments {
     /// Write the shots as a table (.csv) or as an edit decision list (.edl); may be repeated.
     #[arg(long, value_name = "FILE")]
     scenes: Vec<PathBuf>,
+    /// Frames in a second of the timecodes of --scenes, such as 25, 29.97 or 24000/1001; by default
+    /// that of the video, or where it varies the usual one at whose frames all times are. The times
+    /// of pictures, which state none, follow from it.
+    #[arg(long, value_name = "RATE")]
+    rate: Option<String>,
+    /// The timecode of the first frame: HH:MM:SS:FF, or HH:MM:SS;FF to drop numbers of frames.
+    #[arg(long, value_name = "TIMECODE")]
+    start_timecode: Option<String>,
+    /// Write each shot as a film into this folder, exact to the frame: H.264 with its sound, by
+    /// ffmpeg, or Y4M for Y4M and pictures and where ffmpeg is not installed.
+    #[arg(long, value_name = "DIR")]
+    split: Option<PathBuf>,
     /// Write the differences and the mutual information of all frames as a chart, as Cui's fig. 6.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
@@ -116,8 +135,21 @@ impl Arguments {
             self.threshold
         );
         let mut files = context.files([&self.video])?;
-        if let Some(folder) = &self.out {
-            files.write_folder("--out", folder, [""; 0])?;
+        let folders = [("--out", &self.out), ("--split", &self.split)];
+        for (option, folder) in folders {
+            if let Some(folder) = folder {
+                files.write_folder(option, folder, [""; 0])?;
+            }
+        }
+        ensure!(
+            self.split.is_none() || self.video.as_os_str() != "-",
+            "--split reads the video twice, which standard input does not allow: write it to a \
+             file first"
+        );
+        if self.rate.is_some() || self.start_timecode.is_some() {
+            // What is wrong with them is said before the work.
+            let known = self.given_rate()?.map(|rate| self.base_of(rate));
+            known.transpose()?;
         }
         for path in &self.scenes {
             files.write("--scenes", path, &SCENES)?;
@@ -144,13 +176,9 @@ impl Arguments {
         sheet: &[u8],
         files: &mut Staged,
     ) -> Result<()> {
-        let shots = &found.analysis.shots;
-        for path in &self.scenes {
-            let text = match Format::Edl.fits(path) {
-                true => scenes::edl(shots, found.rate(), &self.title()),
-                false => scenes::csv(shots, found.rate()),
-            };
-            output::stage(files, path, text.as_bytes())?;
+        self.write_scenes(found, files)?;
+        if let Some(folder) = &self.split {
+            self.split(found, folder, files)?;
         }
         if let (Some(folder), Some(pictures)) = (&self.out, pictures) {
             for key in &found.analysis.key_frames {
@@ -162,6 +190,72 @@ impl Arguments {
         }
         if let Some(path) = &self.contact_sheet {
             output::stage(files, path, sheet)?;
+        }
+        Ok(())
+    }
+}
+
+impl Arguments {
+    fn given_rate(&self) -> Result<Option<[u32; 2]>> {
+        let parsed = |text: &String| {
+            let wrong = || format!("--rate {text}: it must be as 25, 29.97 or 24000/1001");
+            rate(text).with_context(wrong)
+        };
+        self.rate.as_ref().map(parsed).transpose()
+    }
+
+    fn base_of(&self, rate: [u32; 2]) -> Result<TimeBase> {
+        let base = TimeBase::new(rate, self.start_timecode.as_deref());
+        base.context(match &self.start_timecode {
+            Some(_) => "--start-timecode",
+            None => "--rate",
+        })
+    }
+
+    /// The shots as tables and edit decision lists.
+    fn write_scenes(&self, found: &Analysed, files: &mut Staged) -> Result<()> {
+        let given = self.given_rate()?;
+        let base = given
+            .or_else(|| found.rate())
+            .map(|rate| self.base_of(rate));
+        let base = base.transpose()?;
+        let (shots, times) = (&found.analysis.shots, found.times(given));
+        for path in &self.scenes {
+            let text = match (Format::Edl.fits(path), base) {
+                (false, _) => scenes::csv(shots, &times, base),
+                (true, Some(base)) => scenes::edl(shots, &times, base, &self.title()),
+                (true, None) => bail!(
+                    "--scenes {}: the rate of the video varies, and no usual one has all of its \
+                     times: say by --rate in what an edit decision list counts",
+                    path.display()
+                ),
+            };
+            output::stage(files, path, text.as_bytes())?;
+        }
+        Ok(())
+    }
+
+    /// Each shot as a film.
+    fn split(&self, found: &Analysed, folder: &Path, files: &mut Staged) -> Result<()> {
+        let shots = &found.analysis.shots;
+        let name = |number: usize, ending: &str| folder.join(format!("shot_{number:04}.{ending}"));
+        if split::is_for_ffmpeg(&self.video) {
+            let films = split::by_ffmpeg(&self.video, shots)?;
+            for (number, film) in (1..).zip(&films.files) {
+                output::stage_with(files, &name(number, "mp4"), |file| {
+                    let mut film = File::open(film)?;
+                    std::io::copy(&mut film, file)?;
+                    Ok(())
+                })?;
+            }
+            return Ok(());
+        }
+        let rate = self.given_rate()?.unwrap_or_else(|| found.mean_rate());
+        let mut splitter = Splitter::new(&self.video, rate)?;
+        for (number, shot) in (1..).zip(shots) {
+            output::stage_with(files, &name(number, "y4m"), |file| {
+                Ok(splitter.write(shot.frames.len(), file)?)
+            })?;
         }
         Ok(())
     }

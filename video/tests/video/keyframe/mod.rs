@@ -1,6 +1,7 @@
 //! Cuts, dissolves, fades and key frames of clips whose labels are known.
 
 mod clips;
+mod light;
 mod parts;
 mod selection;
 mod splices;
@@ -9,9 +10,11 @@ use std::ops::Range;
 
 use ga_image::plane::Plane;
 use ga_image::ycbcr::{self, YCbCr};
+use ga_video::keyframe::colour::Colour;
 use ga_video::keyframe::evaluation::{Score, score};
+use ga_video::keyframe::flash::{Flash, Kind};
 use ga_video::keyframe::{Analyser, Analysis, Background, Options, Reason};
-use ga_video::{Frame, Planes, Samples};
+use ga_video::{Frame, Planes, Samples, VideoError};
 use nullcone_shared_data::shared;
 use serde_json::Value;
 
@@ -253,6 +256,68 @@ fn the_cuts_and_the_dissolve_of_the_oracle_are_exact() {
     let dissolve = frames("dissolve");
     assert_eq!(dissolves(&found), vec![dissolve[0]..dissolve[1]; 1]);
     assert!(found.transitions.fades.is_empty());
+}
+
+/// A film of the cases, where it can be read.
+fn of_case(name: &str) -> Option<Analysis> {
+    let path = shared("cases/video")?.join(name);
+    match ga_video::open(&path) {
+        Err(VideoError::NeedsFfmpeg { .. } | VideoError::Ffmpeg { .. }) => None,
+        _ => Some(of_file(&path)),
+    }
+}
+
+#[test]
+fn a_dissolve_from_a_dark_picture_to_a_bright_one_is_found() {
+    let Some(found) = of_case("dissolve-missed/nasa60_195.mp4") else {
+        return;
+    };
+    let [frames] = &dissolves(&found)[..] else {
+        panic!("{:?}", found.transitions);
+    };
+    assert!(
+        frames.start.abs_diff(67) <= 2 && frames.end.abs_diff(92) <= 2,
+        "{frames:?}"
+    );
+    assert!(found.transitions.cuts.is_empty() && found.transitions.fades.is_empty());
+    let keys: Vec<usize> = found.key_frames.iter().map(|key| key.index).collect();
+    assert!(keys.iter().all(|key| !frames.contains(key)), "{keys:?}");
+    assert!(keys.iter().any(|key| *key >= frames.end), "{keys:?}");
+}
+
+#[test]
+fn a_fade_has_its_colour() {
+    let Some(found) = of_case("fade-dark-white/darkred.mp4") else {
+        return;
+    };
+    assert_eq!(fades(&found).len(), 2);
+    for fade in &found.transitions.fades {
+        let Colour::Other([red, green, blue]) = fade.colour else {
+            panic!("{fade:?}");
+        };
+        // Red of 70, as 4:2:0 of 8 bits keeps it.
+        assert!(red.abs_diff(70) <= 3 && green <= 3 && blue <= 3, "{fade:?}");
+    }
+}
+
+#[test]
+fn stray_frames_of_an_edit_are_reported() {
+    let Some(found) = of_case("flash-frame/sub.mp4") else {
+        return;
+    };
+    assert_eq!(found.transitions.cuts, [30, 31, 61, 63]);
+    let expected = [30..31, 61..63].map(|frames| Flash {
+        frames,
+        kind: Kind::StrayShot,
+    });
+    assert_eq!(found.transitions.flashes, expected);
+}
+
+#[test]
+fn a_hand_that_leaves_a_table_is_no_cut() {
+    if let Some(found) = of_case("false-cut-occluder/hand.mp4") {
+        assert_eq!(found.shots.len(), 1, "{:?}", found.transitions);
+    }
 }
 
 fn of_file(path: &std::path::Path) -> Analysis {

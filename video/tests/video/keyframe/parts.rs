@@ -2,11 +2,13 @@
 
 use ga_image::plane::Plane;
 use ga_image::ycbcr::{Range, YCbCr};
+use ga_video::keyframe::colour::Colour;
 use ga_video::keyframe::difference::{after_motion, at_rest};
 use ga_video::keyframe::evaluation::score;
-use ga_video::keyframe::fade::{Colour, Direction, Level, fades};
+use ga_video::keyframe::fade::{Direction, Level, fades};
 use ga_video::keyframe::layout::Layout;
-use ga_video::keyframe::scenes::{csv, edl, timecode};
+use ga_video::keyframe::scenes::{csv, edl};
+use ga_video::keyframe::timecode::{TimeBase, rate_of_times};
 use ga_video::keyframe::{Analyser, Background, Options, Shot, signature};
 use ga_video::{Frame, Planes, Samples, VideoError};
 use proptest::prelude::*;
@@ -89,10 +91,11 @@ proptest! {
 
     #[test]
     fn timecodes_count_frames(frame in 0usize..1_000_000, rate in 1u32..61) {
-        let code = timecode(frame, [rate, 1]);
+        let code = TimeBase::new([rate, 1], None).unwrap().code(frame as f64 / f64::from(rate));
         let parts: Vec<usize> = code.split(':').map(|part| part.parse().unwrap()).collect();
         let seconds = (60 * parts[0] + parts[1]) * 60 + parts[2];
-        prop_assert_eq!(seconds * rate as usize + parts[3], frame);
+        let day = 24 * 3600 * rate as usize;
+        prop_assert_eq!(seconds * rate as usize + parts[3], frame % day);
     }
 }
 
@@ -162,13 +165,13 @@ fn fades_are_steady_rises_from_even_frames() {
     levels.extend([level(1.0); 30]);
     levels.extend((1..=10).rev().map(|step| level((step - 1) as f32 / 10.0)));
     levels.extend([level(0.0); 3]);
-    let found = fades(&levels);
+    let found = fades(&levels, &vec![[70, 0, 0]; levels.len()]);
     assert_eq!(found.len(), 2);
     assert_eq!(
         [found[0].direction, found[1].direction],
         [Direction::In, Direction::Out]
     );
-    assert_eq!(found[0].colour, Colour::Black);
+    assert_eq!(found[0].colour, Colour::Other([70, 0, 0]));
     assert_eq!(found[0].frames.start, 0);
     assert!(found[0].frames.end.abs_diff(24) <= 1, "{found:?}");
     assert!(found[1].frames.start.abs_diff(54) <= 1, "{found:?}");
@@ -177,7 +180,7 @@ fn fades_are_steady_rises_from_even_frames() {
     // A hard cut from black is not a fade.
     let mut levels = vec![level(0.0); 4];
     levels.extend([level(1.0); 30]);
-    assert!(fades(&levels).is_empty());
+    assert!(fades(&levels, &vec![[70, 0, 0]; levels.len()]).is_empty());
 }
 
 #[test]
@@ -187,17 +190,104 @@ fn scenes_are_tables_and_edit_decision_lists() {
         shot(0..285, Background::Dynamic),
         shot(285..720, Background::Static),
     ];
+    let times: Vec<f64> = (0..=720).map(|frame| f64::from(frame) / 24.0).collect();
+    let base = TimeBase::new([24, 1], None).unwrap();
     assert_eq!(
-        csv(&shots, [24, 1]),
-        "shot,start,end,start_timecode,end_timecode,frames,background\n\
-         1,0,285,00:00:00:00,00:00:11:21,285,dynamic\n\
-         2,285,720,00:00:11:21,00:00:30:00,435,static\n"
+        csv(&shots, &times, Some(base)),
+        "shot,start,end,start_timecode,end_timecode,frames,background,start_seconds,end_seconds,\
+         rate\n\
+         1,0,285,00:00:00:00,00:00:11:21,285,dynamic,0.000000,11.875000,24/1\n\
+         2,285,720,00:00:11:21,00:00:30:00,435,static,11.875000,30.000000,24/1\n"
     );
-    let list = edl(&shots, [24, 1], "film\n.mp4");
+    assert!(csv(&shots, &times, None).contains("\n1,0,285,,,285,dynamic,0.000000,11.875000,\n"));
+    let list = edl(&shots, &times, base, "film\n.mp4");
     assert!(
         list.starts_with("TITLE: film.mp4\nFCM: NON-DROP FRAME\n\n001  AX       V     C        ")
     );
     assert!(list.contains("00:00:11:21 00:00:30:00 00:00:11:21 00:00:30:00\n"));
+    let dropped = TimeBase::new([30_000, 1001], Some("01:00:00;00")).unwrap();
+    let list = edl(&shots, &times, dropped, "film");
+    assert!(
+        list.contains("FCM: DROP FRAME") && list.contains(" 01:00:11;26 01:00:29;29 "),
+        "{list}"
+    );
+}
+
+/// Frames 0 and 1 of each minute but every tenth are left out, counted one by one.
+#[test]
+fn dropped_numbers_follow_the_clock() {
+    for (rate, start, nominal) in [
+        ([30_000, 1001], "00:00:00;00", 30),
+        ([60_000, 1001], "00:00:00;00", 60),
+    ] {
+        let base = TimeBase::new(rate, Some(start)).unwrap();
+        let mut parts = [0, 0, 0];
+        for frame in 0..40 * 60 * nominal {
+            let [minutes, seconds, frames] = parts;
+            let time = frame as f64 * 1001.0 / f64::from(rate[0]);
+            let expected = format!("00:{minutes:02}:{seconds:02};{frames:02}");
+            assert_eq!(base.code(time), expected);
+            parts[2] += 1;
+            if parts[2] == nominal {
+                parts = [minutes, seconds + 1, 0];
+            }
+            if parts[1] == 60 {
+                let left_out = if (minutes + 1) % 10 == 0 {
+                    0
+                } else {
+                    nominal / 15
+                };
+                parts = [minutes + 1, 0, left_out];
+            }
+        }
+        // An hour by the clock, within the tenth of a second that remains.
+        assert!(base.code(3600.0).starts_with("01:00:00;0"));
+    }
+    for wrong in [
+        "00:01:00;00",
+        "1:00:00:00",
+        "00:00:00:30",
+        "00:60:00:00",
+        "00;00:00:00",
+        "x",
+    ] {
+        assert!(
+            TimeBase::new([30_000, 1001], Some(wrong)).is_err(),
+            "{wrong}"
+        );
+    }
+    let error = TimeBase::new([25, 1], Some("00:00:00;00")).unwrap_err();
+    assert!(error.to_string().contains("25/1"), "{error}");
+    assert!(TimeBase::new([25, 0], None).is_err());
+}
+
+#[test]
+fn rates_are_those_of_all_times() {
+    let times = |rate: f64, kept: fn(&usize) -> bool| -> Vec<f64> {
+        let frames = (0..600).filter(kept);
+        // To the millisecond, as some containers have them.
+        frames
+            .map(|frame| (1000.0 * frame as f64 / rate).round() / 1000.0)
+            .collect()
+    };
+    let ntsc = 24_000.0 / 1001.0;
+    assert_eq!(
+        rate_of_times(&times(ntsc, |frame| frame % 3 != 2)),
+        Some([24_000, 1001])
+    );
+    assert_eq!(
+        rate_of_times(&times(25.0, |frame| frame % 7 != 2)),
+        Some([25, 1])
+    );
+    assert_eq!(
+        rate_of_times(&times(60.0, |frame| frame % 5 != 1)),
+        Some([60, 1])
+    );
+    let wandering: Vec<f64> = (0..100)
+        .map(|frame| f64::from(frame).powf(1.1) / 25.0)
+        .collect();
+    assert_eq!(rate_of_times(&wandering), None);
+    assert_eq!(rate_of_times(&[0.0]), None);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Clips spliced from photographs and films, with the frames at which their shots begin.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use ga_image::file;
 use ga_image::grey::Luma;
@@ -41,7 +41,8 @@ pub(crate) struct Material {
 }
 
 impl Material {
-    /// The shared photographs and films.
+    /// The shared photographs and films, and for a longer run the films of a folder, of one shot
+    /// each, which a variable names.
     pub(crate) fn read() -> Option<Self> {
         let folder = shared("data/vision")?;
         let photograph = |name: &&str| {
@@ -52,9 +53,16 @@ impl Material {
         };
         let mut film = lumas(&folder.join("clips/bbb_f265-305_320x180_cut285.y4m"));
         let second = film.split_off(CUT);
+        let mut films = vec![film, second];
+        if let Some(folder) = std::env::var_os("NULLCONE_FILMS") {
+            let files = std::fs::read_dir(folder).unwrap();
+            let mut files: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
+            files.sort();
+            films.extend(files.iter().map(|file| lumas(file)));
+        }
         Some(Self {
             photographs: PHOTOGRAPHS.iter().map(photograph).collect(),
-            films: vec![film, second],
+            films,
         })
     }
 
@@ -81,7 +89,7 @@ impl Material {
                 labels.cuts.push(start);
                 0
             } else if kind < 8 {
-                let length = random.index(8..31);
+                let length = [random.index(8..31), random.index(25..121)][random.index(0..2)];
                 for step in 0..length {
                     let part = (step + 1) as f32 / (length + 1) as f32;
                     frames.push(blended(&shot.frame(time + step), &next.frame(step), part));
@@ -89,8 +97,10 @@ impl Material {
                 labels.dissolves.push(start..frames.len());
                 length
             } else {
-                let flat = Plane::filled(SIZE[0], SIZE[1], [0.0, 255.0][random.index(0..2)]);
-                let [out, gap, back] = [8..31, 1..8, 8..31].map(|range| random.index(range));
+                // Red of black, white, greys and a dark red.
+                let level = [0.0, 255.0, 30.0, 70.0, 128.0][random.index(0..5)];
+                let flat = Plane::filled(SIZE[0], SIZE[1], level);
+                let [out, gap, back] = [8..61, 1..8, 8..61].map(|range| random.index(range));
                 for step in 0..out {
                     let part = (step + 1) as f32 / (out + 1) as f32;
                     frames.push(blended(&shot.frame(time + step), &flat, part));
@@ -111,6 +121,22 @@ impl Material {
             frames,
             labels,
             random,
+        }
+    }
+
+    /// The frames of a random shot.
+    pub(crate) fn one_shot(&self, random: &mut Random, count: usize) -> Vec<Plane<f32>> {
+        let shot = self.shot(random, usize::MAX);
+        (0..count).map(|time| shot.frame(time)).collect()
+    }
+
+    /// A random view of a photograph.
+    pub(crate) fn photograph(&self, scene: usize, random: &mut Random) -> Plane<f32> {
+        loop {
+            let shot = self.shot(random, usize::MAX);
+            if shot.scene == scene {
+                return shot.frame(0);
+            }
         }
     }
 
@@ -152,7 +178,7 @@ impl Material {
     }
 }
 
-/// A view that moves over a photograph, or over the frames of a film, which rests at its end.
+/// A view that moves over a photograph, or over the frames of a film, which runs to and fro.
 struct Shot<'a> {
     pictures: &'a [Plane<f32>],
     scene: usize,
@@ -165,7 +191,9 @@ struct Shot<'a> {
 
 impl Shot<'_> {
     fn frame(&self, time: usize) -> Plane<f32> {
-        let picture = &self.pictures[time.min(self.pictures.len() - 1)];
+        let last = self.pictures.len() - 1;
+        let at = time % (2 * last).max(1);
+        let picture = &self.pictures[at.min(2 * last - at.min(2 * last))];
         let scale = self.scale * (1.0 + self.growth * time as f32);
         let middle = [0, 1].map(|axis| self.centre[axis] + self.velocity[axis] * time as f32);
         Plane::from_fn(SIZE[0], SIZE[1], |column, row| {
