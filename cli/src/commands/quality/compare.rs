@@ -199,7 +199,7 @@ impl Arguments {
         let map = self.read_map(size)?;
         let mut notes = Vec::new();
         if let Some(found) = &alignment {
-            notes.push(Warning::new("aligned_times", in_words(found)).as_note());
+            notes.push(Warning::new("aligned_times", in_words(found)).into_note());
         }
         let own = distorted.properties().size;
         let scaled_from = (self.scale && own != size).then_some(own);
@@ -212,7 +212,7 @@ impl Arguments {
                 size[1],
                 scaled.method()
             );
-            notes.push(Warning::new("scaled", message).as_note());
+            notes.push(Warning::new("scaled", message).into_note());
             distorted = Box::new(scaled);
         }
         let comparison = VideoComparison::new(reference, distorted, map);

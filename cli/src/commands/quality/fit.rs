@@ -73,7 +73,7 @@ impl Command for Arguments {
         let few = found.too_few().into_iter();
         let few = few.map(|message| Warning::new("few_scores", message));
         let held = found.held_monotone().into_iter();
-        let held = held.map(|message| Warning::new("held_monotone", message).as_note());
+        let held = held.map(|message| Warning::new("held_monotone", message).into_note());
         let warnings = few.chain(held).collect();
         let text = text(&found);
         let shown = Shown {

@@ -208,7 +208,7 @@ impl Arguments {
                      -c:a copy -shortest joined.mp4"
                 ),
             )
-            .as_note(),
+            .into_note(),
         )
     }
 }
