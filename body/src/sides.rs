@@ -16,9 +16,9 @@ use ga_numerics::least_squares::Loss;
 use ga_numerics::order_statistics::median;
 use ga_runtime::geometry::ray::Ray;
 
+use crate::Observation;
 use crate::gap::{deviations, gap_in_pixels, pairs_of_views};
 use crate::model::BodyPoint;
-use crate::Observation;
 
 /// The cost of an exchange that begins or ends, in squared standard deviations.
 const CHANGE: f64 = 16.0;

@@ -5,6 +5,7 @@
 mod animate;
 mod bad_input;
 mod bake;
+mod body_dots;
 mod body_evaluate;
 mod body_fit;
 mod camera_calibrate;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
+use ga_files::is_same_file;
 use ga_image::plane::Plane;
 use ga_video::{Frame, Source};
 
@@ -57,16 +58,17 @@ impl Films {
         );
         let mut all: Vec<Film> = Vec::with_capacity(paths.len());
         for path in paths {
+            let is_new = all.iter().all(|film| !is_same_file(&film.path, path));
+            ensure!(
+                is_new,
+                "FILM {}: the film is given twice, and each view has its own",
+                path.display()
+            );
             let source = ga_video::open_with_stills(path)?;
             let mut name = ga_files::stem(path);
             if all.iter().any(|film| film.name == name) {
                 name = path.display().to_string();
             }
-            let is_new = all.iter().all(|film| film.name != name);
-            ensure!(
-                is_new,
-                "FILM {name}: the film is given twice, and each view has its own"
-            );
             all.push(Film {
                 path: path.clone(),
                 name,

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod films;
+mod found;
 mod report;
 
 pub(crate) use arguments::Arguments;
@@ -9,13 +10,7 @@ pub(crate) use arguments::Arguments;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail};
-use ga_body::agreement::Agreement;
 use ga_body::format::{JointView, JointViews};
-use ga_body::marked::MarkedBody;
-use ga_body::marker::{Dot, DotOptions, find_dots};
-use ga_body::{BodyError, JointPixel};
-use ga_camera::Camera;
-use ga_image::plane::Plane;
 use rayon::prelude::*;
 
 use crate::files::expanded;
@@ -24,6 +19,7 @@ use crate::frame::{Command, Context};
 use crate::output;
 use crate::person::{Dotted, ViewCamera};
 use films::Films;
+use found::{Found, View};
 use report::Report;
 
 impl Command for Arguments {
@@ -122,76 +118,5 @@ impl Arguments {
             Ok(View { camera, scale })
         });
         views.collect()
-    }
-}
-
-/// The camera of a film.
-struct View {
-    camera: Camera,
-    /// How many times wider and higher its pictures are than those of the film.
-    scale: [f64; 2],
-}
-
-impl View {
-    /// The dots in a picture of the film, in pixels of the camera.
-    fn dots(&self, picture: &Plane<[u8; 3]>) -> Vec<Dot> {
-        let dots = find_dots(picture.view(), &DotOptions::default());
-        let scaled = dots.into_iter().map(|dot| Dot {
-            centre: [0, 1].map(|k| self.scale[k] * (dot.centre[k] + 0.5) - 0.5),
-            semi_axes: dot.semi_axes.map(|semi_axis| self.scale[0] * semi_axis),
-            ..dot
-        });
-        scaled.collect()
-    }
-}
-
-/// What was found in a frame.
-struct Found {
-    /// How many dots each view shows.
-    dots: Vec<usize>,
-    fit: Result<Fit, BodyError>,
-}
-
-/// A body that was recognised.
-struct Fit {
-    /// For each view and each joint where it is.
-    joints: Vec<Vec<Option<JointPixel>>>,
-    /// For each view the distances of the recognised dots from where the body has them, in pixels.
-    residuals_px: Vec<Vec<f64>>,
-    /// The root mean square of these in standard deviations of the dots.
-    deviations: Option<f64>,
-}
-
-impl Found {
-    fn new(body: &MarkedBody, views: &[View], dots: Vec<Vec<Dot>>) -> Self {
-        let cameras: Vec<Camera> = views.iter().map(|view| view.camera).collect();
-        Self {
-            fit: Fit::new(body, &cameras, &dots),
-            dots: dots.iter().map(Vec::len).collect(),
-        }
-    }
-}
-
-impl Fit {
-    fn new(body: &MarkedBody, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<Self, BodyError> {
-        let found = body.fit(cameras, dots)?;
-        let joints = body.joints(cameras, &found)?;
-        let (fitted, seen) = ([found.fitted], [found.observation]);
-        let agreement = Agreement::new(&fitted, &seen);
-        let [fitted] = fitted;
-        let residuals = fitted.residuals_px.iter();
-        Ok(Self {
-            joints,
-            residuals_px: residuals
-                .map(|view| view.iter().copied().flatten().collect())
-                .collect(),
-            deviations: agreement.of_frames[0],
-        })
-    }
-
-    /// The numbers of the joints that are left out.
-    fn left_out(&self) -> impl Iterator<Item = usize> + '_ {
-        let joints = 0..self.joints.first().map_or(0, Vec::len);
-        joints.filter(|&joint| self.joints.iter().all(|view| view[joint].is_none()))
     }
 }

@@ -7,8 +7,9 @@ use ga_body::agreement::OUTLIER;
 use ga_body::format::JointViews;
 use serde::Serialize;
 
+use super::arguments::Arguments;
 use super::films::Films;
-use super::{Arguments, Found};
+use super::found::Found;
 use crate::format::Format;
 use crate::frame::{self, Verdict, Warning};
 use crate::shell::quoted;
@@ -64,13 +65,15 @@ impl Report {
     ) -> Self {
         let fits = || found.iter().filter_map(|frame| frame.fit.as_ref().ok());
         let of_view = |view: usize| fits().flat_map(move |fit| &fit.residuals_px[view]);
-        let views = films.all.iter().enumerate().map(|(view, film)| View {
+        let views = films.all.iter().enumerate();
+        let views = views.map(|(view, film)| View {
             name: film.name.clone(),
             film: film.path.display().to_string(),
             dots: found.iter().map(|frame| frame.dots[view]).sum(),
             dots_recognised: of_view(view).count(),
             reprojection_rms_px: rms(of_view(view)),
         });
+        let views: Vec<View> = views.collect();
         let names = joints.joints();
         let per_frame = found.iter().map(|frame| Frame::new(frame, names));
         let per_frame: Vec<Frame> = per_frame.collect();
@@ -78,6 +81,7 @@ impl Report {
         let left_out = || fits().map(|fit| fit.left_out().count());
         let mut warnings = not_recognised(found, &joints.view_names());
         warnings.extend(far(found));
+        warnings.extend(unseen(&views));
         warnings.extend(films.ended.clone());
         warnings.extend(films.other_rates());
         Self {
@@ -91,7 +95,7 @@ impl Report {
             frames_with_joints_left_out: left_out().filter(|count| *count > 0).count(),
             reprojection_rms_px: rms(fits().flat_map(|fit| fit.residuals_px.iter().flatten())),
             milliseconds_per_frame: 1e3 * seconds / found.len().max(1) as f64,
-            views: views.collect(),
+            views,
             per_frame,
             verdict: match 2 * without > found.len() {
                 true => Verdict::Failed,
@@ -184,6 +188,32 @@ fn far(found: &[Found]) -> Option<Warning> {
         count: Some(far.len()),
         ..Warning::new("large_error", message)
     })
+}
+
+/// Views in which far fewer of the dots are recognised than in others.
+fn unseen(views: &[View]) -> Vec<Warning> {
+    /// A part of the best view's.
+    const FEW: f64 = 0.5;
+    let share = |view: &View| view.dots_recognised as f64 / view.dots.max(1) as f64;
+    let Some(best) = views.iter().max_by(|a, b| share(a).total_cmp(&share(b))) else {
+        return Vec::new();
+    };
+    let few = views.iter().filter(|view| share(view) < FEW * share(best));
+    let warnings = few.map(|view| {
+        let message = format!(
+            "in the view {} {:.0} % of the dots are recognised, and in the view {} {:.0} %: does \
+             its camera stand elsewhere, or is it out of step?",
+            view.name,
+            100.0 * share(view),
+            best.name,
+            100.0 * share(best)
+        );
+        Warning {
+            view: Some(view.name.clone()),
+            ..Warning::new("bad_view", message)
+        }
+    });
+    warnings.collect()
 }
 
 /// The command that makes a character of the joints.
