@@ -165,6 +165,18 @@ pub enum BodyError {
         /// How many are needed.
         needed: usize,
     },
+    /// Too few dots of the body are recognised: they may be those of another body, or of cameras
+    /// that stand elsewhere.
+    #[error(
+        "{recognised} markers are recognised in all views, and {facing} would face the cameras: \
+         they may be those of another body, or of cameras that stand elsewhere"
+    )]
+    Unrecognised {
+        /// How many dots are recognised.
+        recognised: usize,
+        /// How many points of the body face the cameras in the most likely pose.
+        facing: usize,
+    },
     /// No point is observed.
     #[error("no point of the body is observed")]
     NoPoints,

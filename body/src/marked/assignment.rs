@@ -80,6 +80,22 @@ impl MarkedBody {
         Ok(assignment)
     }
 
+    /// How many points face the cameras in a pose, over all views.
+    pub(super) fn facing(
+        &self,
+        cameras: &[Camera],
+        fitted: &FittedPose,
+    ) -> Result<usize, SkeletonError> {
+        let normals = self.normals(fitted)?;
+        let faces = |camera: &Camera| {
+            let points = fitted.points.iter().zip(&normals);
+            let facing =
+                points.filter(|(place, normal)| cosine(camera, **place, **normal) >= FACING);
+            facing.count()
+        };
+        Ok(cameras.iter().map(faces).sum())
+    }
+
     /// An assignment as what views show; dots that are seen from the side count less.
     pub(super) fn observation(
         &self,

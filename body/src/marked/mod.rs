@@ -46,6 +46,10 @@ use space::space_dots;
 /// The distances from their expected places within which dots are searched, in pixels.
 const GATES: [f64; 5] = [8.0, 5.0, 4.0, 3.0, 3.0];
 
+/// Of the dots that face the cameras, one in so many is recognised of a body at least, half of
+/// which may be hidden: where cameras or dots are others than was said, some fit by chance.
+const RECOGNISED: usize = 4;
+
 /// How often limbs are searched that were not recognised.
 const COMPLETIONS: usize = 3;
 
@@ -120,7 +124,8 @@ impl MarkedBody {
     ///
     /// # Errors
     /// [`BodyError::DotViews`], [`BodyError::NoDots`], [`BodyError::DotNotFinite`] and
-    /// [`BodyError::TooFewMarkers`], and those of [`BodyFit::frame`](crate::BodyFit::frame).
+    /// [`BodyError::TooFewMarkers`], [`BodyError::Unrecognised`], and those of
+    /// [`BodyFit::frame`](crate::BodyFit::frame).
     pub fn fit(&self, cameras: &[Camera], dots: &[Vec<Dot>]) -> Result<MarkedFit, BodyError> {
         check(cameras, dots)?;
         let fit = BodyFit::new(&self.model, cameras)?;
@@ -166,6 +171,11 @@ impl MarkedBody {
         let unrecognised = joints
             .filter(|joint| self.strongest.contains(joint) && !is_seen(*joint))
             .collect();
+        let recognised = assignment.iter().flatten().flatten().count();
+        let facing = self.facing(cameras, &fitted).map_err(pose)?;
+        if RECOGNISED * recognised < facing {
+            return Err(BodyError::Unrecognised { recognised, facing });
+        }
         Ok(MarkedFit {
             fitted,
             observation,

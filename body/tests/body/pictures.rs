@@ -8,8 +8,10 @@ use ga_body::BodyError;
 use ga_body::marked::MarkedBody;
 use ga_body::marker::{Dot, Hue};
 use ga_body::pose_error::mean_per_joint_position_error;
+use ga_camera::Camera;
 use ga_mannequin::walk;
 use ga_render::Shading;
+use ga_runtime::vga3::Vector;
 
 use crate::studio::Studio;
 
@@ -84,6 +86,38 @@ fn a_limb_whose_dots_do_not_fit_is_not_recognised() {
         joints.iter().all(|view| view[joint].is_some())
     });
     assert!(thigh && foot);
+}
+
+/// Cameras that stand a fifth nearer than they did, so that the body is a fifth smaller.
+#[test]
+fn no_body_is_recognised_with_other_cameras() {
+    const NEARER: f64 = 0.8;
+    const DISTANCE: f64 = 5.0;
+    for time in [0.1, 0.6] {
+        let pose = walk(1).sample(time);
+        let cameras = STUDIO.rigs(&pose, &[0.0, 1.57], DISTANCE).unwrap();
+        let dots = STUDIO.dots(&pose, &cameras, Shading::Lit).unwrap();
+        let nearer = cameras.iter().map(|camera| {
+            let along = camera
+                .ray(camera.intrinsics.principal())
+                .unwrap()
+                .direction();
+            let eye = Vector::from(camera.centre());
+            let middle = eye + Vector::from(along) * DISTANCE;
+            let eye = middle + (eye - middle) * NEARER;
+            let up = [0.0, 1.0, 0.0];
+            Camera::look_at(camera.intrinsics, eye.into(), middle.into(), up).unwrap()
+        });
+        let error = STUDIO.body.fit(&nearer.collect::<Vec<_>>(), &dots);
+        let error = error.map(|fit| fit.unrecognised).unwrap_err();
+        let is_expected = matches!(
+            error,
+            BodyError::Unrecognised { .. }
+                | BodyError::TooFewPoints { .. }
+                | BodyError::TooFewMarkers { .. }
+        );
+        assert!(is_expected, "{error}");
+    }
 }
 
 /// The head of a joint is in the pictures where the true pose has it, within its deviation.
