@@ -104,9 +104,9 @@ impl Stream {
             | UnitType::SliceLayerWithoutPartitioningNonIdr => {
                 let mut bits = bits;
                 let slice = SliceHeader::from_bits(&self.context, &mut bits, header, None);
-                let (slice, sequence, set) =
+                let (slice, sequence, _) =
                     slice.map_err(|error| format!("the header of a slice: {error:?}"))?;
-                check_slice(&slice, sequence, set, picture)?;
+                check_slice(&slice, sequence, picture)?;
             }
             UnitType::SliceDataPartitionALayer
             | UnitType::SliceDataPartitionBLayer
@@ -184,7 +184,6 @@ fn check_picture(set: &PicParameterSet) -> Result<(), String> {
 fn check_slice(
     slice: &SliceHeader,
     sequence: &SeqParameterSet,
-    _set: &PicParameterSet,
     picture: &mut PictureSlices,
 ) -> Result<(), String> {
     match slice.slice_type.family {

@@ -112,6 +112,15 @@ fn assert_equal(found: &[u8], truth: &[u8], options: &str) {
     assert_eq!(found.len(), truth.len(), "{options}");
 }
 
+/// Fails where frames are not shown 25 times in a second.
+fn assert_times(source: &dyn Source, shown: &[Frame], options: &str) {
+    assert_eq!(source.properties().frames_per_second, Some([25, 1]));
+    for (index, frame) in shown.iter().enumerate() {
+        let expected = 0.04 * index as f64;
+        assert!((frame.time_seconds - expected).abs() < 1e-9, "{options}");
+    }
+}
+
 /// With each tool that encoders use, every sample of every frame is that of the encoder.
 #[cfg(feature = "mp4")]
 #[test]
@@ -151,13 +160,7 @@ fn what_is_decoded_here_is_what_the_encoder_reconstructs() {
         let mut source = source.unwrap_or_else(|error| panic!("{options}: {error}"));
         let (found, shown) = planes(&mut source);
         assert_equal(&found, &truth, options);
-        assert_eq!(source.properties().frames_per_second, Some([25, 1]));
-        for (index, frame) in shown.iter().enumerate() {
-            assert!(
-                (frame.time_seconds - 0.04 * index as f64).abs() < 1e-9,
-                "{options}"
-            );
-        }
+        assert_times(&source, &shown, options);
     }
 }
 
@@ -178,13 +181,7 @@ fn what_is_not_decoded_here_is_decoded_by_ffmpeg() {
             let mut source = open(folder.path().join(name)).unwrap();
             let (found, shown) = planes(&mut source);
             assert_equal(&found, &truth, options);
-            assert_eq!(source.properties().frames_per_second, Some([25, 1]));
-            for (index, frame) in shown.iter().enumerate() {
-                assert!(
-                    (frame.time_seconds - 0.04 * index as f64).abs() < 1e-9,
-                    "{options}"
-                );
-            }
+            assert_times(&source, &shown, options);
         }
         #[cfg(feature = "mp4")]
         {
