@@ -6,15 +6,24 @@ use anyhow::{Error, Result, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use ga_camera::LensModel;
 use ga_camera::format::{self, CameraFile, CameraFileError, Format, NamedCamera, NamedRig};
+use serde::{Serialize, Serializer};
 
 use crate::frame::{Warning, warn};
 
 /// The lens of a file that does not say which it is.
-#[derive(Clone, Copy, Debug, clap::Args)]
+#[derive(Clone, Copy, Debug, Serialize, clap::Args)]
 pub(crate) struct LensChoice {
     /// The lens of a file of cameras that has four coefficients and does not say whose they are.
     #[arg(long, value_name = "LENS", value_parser = lens())]
+    #[serde(serialize_with = "named")]
     lens: Option<LensModel>,
+}
+
+fn named<S: Serializer>(
+    lens: &Option<LensModel>,
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    lens.map(LensModel::name).serialize(serializer)
 }
 
 /// The kinds of lenses with four coefficients.

@@ -4,13 +4,14 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use ga_mesh::gltf::{Animation, Document};
+use serde::Serialize;
 
 use crate::frame::Warning;
 
 /// What stands for the pose of the nodes alone.
 const REST: &str = "rest";
 
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Serialize, clap::Args)]
 pub(crate) struct ChosenAnimation {
     /// The animation: its name, or its number from 0. `rest` is the pose of the nodes alone.
     ///

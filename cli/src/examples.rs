@@ -4,7 +4,7 @@ use clap::Command;
 
 /// How commands are called, after the name of the program. The example of a command with others
 /// below it is the first of theirs.
-const EXAMPLES: [&str; 48] = [
+const EXAMPLES: [&str; 49] = [
     "demo --bones --trails LeftFoot,RightHand --film walk.png",
     "animate --character hero.glb --motion walk.bvh --foot-locking --out hero",
     "body fit --joints joints.json --rig rig.yml --character mannequin --out p.glb",
@@ -27,6 +27,7 @@ const EXAMPLES: [&str; 48] = [
     "contour coins.png --out coins.svg --json",
     "curve path.csv --ends natural --tolerance 0.01 --out curve.csv --plot curve.svg",
     "draw scene.json --out scene.html",
+    "merge part-0.y4m part-1.y4m --out film.y4m",
     "mesh convert scan.ply scan.obj",
     "mesh info bunny.obj --json",
     "mesh subdivide cube.obj --levels 3 --out smooth.obj",

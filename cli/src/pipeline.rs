@@ -1,6 +1,6 @@
 //! From a figure and its motion to the files, the same for every command.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, Result};
@@ -23,7 +23,7 @@ use crate::report::{Input, Performed, Report, Tool, Written};
 pub(crate) const STEPS: u64 = 5;
 
 /// The name of the file that holds the report.
-const REPORT: &str = "report.json";
+pub(crate) const REPORT: &str = "report.json";
 
 /// Where the files are written, what is drawn over the pictures, and the seed of the random
 /// numbers.
@@ -52,6 +52,26 @@ pub(crate) struct OutputArguments {
 }
 
 impl OutputArguments {
+    /// The folder of the files.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.out
+    }
+
+    /// The seed of all random numbers.
+    pub(crate) fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The same with the files of the folder in another one, and the film where it was.
+    pub(crate) fn in_folder(&self, folder: &Path) -> Result<Self> {
+        let film = self.film.as_ref().map(std::path::absolute);
+        Ok(Self {
+            out: folder.to_path_buf(),
+            film: film.transpose().context("there is no current folder")?,
+            ..self.clone()
+        })
+    }
+
     /// Fails early where the files could not be written in the end, or would replace one of those
     /// that are read.
     pub(crate) fn check(&self, mut files: Files) -> Result<()> {

@@ -54,7 +54,7 @@ pub enum VideoError {
         /// Why it is not decoded here.
         problem: String,
     },
-    /// The program ffmpeg does not read the video, or its pixels are not read here.
+    /// The program ffmpeg does not read the video, or its colours are not read here.
     #[error("{}: {problem} (by ffmpeg)", file.display())]
     Ffmpeg {
         /// The file.
@@ -100,6 +100,18 @@ pub enum VideoError {
     Interlaced {
         /// The file.
         file: PathBuf,
+    },
+    /// The samples are of a kind that is not read, such as 12 bits.
+    #[error(
+        "{file}: {problem}; let ffmpeg convert the video: ffmpeg -i {file} -pix_fmt yuv420p10le \
+         -strict -1 -f yuv4mpegpipe -",
+        file = file.display()
+    )]
+    Samples {
+        /// The file.
+        file: PathBuf,
+        /// What is not read.
+        problem: String,
     },
     /// The header of a Y4M file is wrong.
     #[error("{}: {problem}", file.display())]
@@ -304,7 +316,8 @@ impl VideoError {
             | Self::WriteIndex { .. }
             | Self::Layout { .. }
             | Self::Views { .. }
-            | Self::Properties { .. } => None,
+            | Self::Properties { .. }
+            | Self::Samples { .. } => None,
         }
     }
 }

@@ -29,7 +29,7 @@ impl<R: Read> Y4mSource<R> {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Header`] when it is wrong, [`VideoError::Interlaced`],
+    /// [`VideoError::Header`] when it is wrong, [`VideoError::Samples`], [`VideoError::Interlaced`],
     /// [`VideoError::Open`] when it cannot be read.
     pub fn new(reader: R, file: impl Into<PathBuf>) -> Result<Self, VideoError> {
         let file = file.into();
@@ -37,6 +37,10 @@ impl<R: Read> Y4mSource<R> {
             Ok(stream) => stream,
             Err(FormatError::Read { source, .. }) => {
                 return Err(VideoError::Open { file, source });
+            }
+            Err(problem @ FormatError::Unsupported { .. }) => {
+                let problem = problem.to_string();
+                return Err(VideoError::Samples { file, problem });
             }
             Err(problem) => return Err(VideoError::Header { file, problem }),
         };

@@ -8,7 +8,7 @@ use crate::curve::CurveError;
 
 impl<V: Value> Curve<V> {
     /// The cubic spline through keys: the curve of cubic pieces with continuous first and second
-    /// derivatives, in O(n). Two keys are enough.
+    /// derivatives (Cui, eqs. 12, 13 and 17), in O(n). Two keys are enough.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl<V: Value> Curve<V> {
 /// The linear system of all cubic splines with keys at the same times, factorised once.
 ///
 /// With the durations hᵢ and the slopes δᵢ = (yᵢ₊₁ − yᵢ)/hᵢ, the second derivatives mᵢ at the keys
-/// satisfy (Cui, eq. 16)
+/// satisfy (Cui, eqs. 14 to 16 and fig. 3)
 ///
 /// ```text
 /// hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (δᵢ − δᵢ₋₁).

@@ -68,7 +68,7 @@ pub struct LegAngles {
     pub ankle_z: f64,
 }
 
-/// The pose of a leg.
+/// The pose of a leg: hip, knee and ankle are conformal points (Cui, eqs. 29 to 31).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LegPose {
     /// The hip joint.

@@ -12,6 +12,7 @@ pub(crate) mod demo;
 pub(crate) mod draw;
 pub(crate) mod expand;
 pub(crate) mod man;
+pub(crate) mod merge;
 pub(crate) mod mesh;
 pub(crate) mod people;
 pub(crate) mod quality;

@@ -12,9 +12,10 @@ use super::verdict::Verdict;
 use super::warning::Warning;
 
 /// Files in which a report is kept.
+#[derive(Default)]
 pub(crate) struct Kept {
-    pub(crate) page: PathBuf,
-    pub(crate) json: PathBuf,
+    pub(crate) page: Option<PathBuf>,
+    pub(crate) json: Option<PathBuf>,
 }
 
 /// A command with its arguments.

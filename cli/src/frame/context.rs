@@ -1,11 +1,13 @@
 //! What every command is told beside its own arguments.
 
+use std::cell::RefCell;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use clap::error::ErrorKind;
 
-use super::Progress;
+use super::{Progress, Recorded, command_line};
 use crate::files::Files;
 use crate::format::Format;
 
@@ -25,9 +27,27 @@ pub(crate) struct Options {
     /// Print nothing but errors and what is asked for by name.
     #[arg(short, long, global = true, display_order = 102)]
     quiet: bool,
+    /// How many threads compute; by default as many as the machine can run at the same time.
+    /// Results do not depend on it.
+    #[arg(
+        long,
+        global = true,
+        value_name = "N",
+        value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS),
+        display_order = 104
+    )]
+    threads: Option<u16>,
 }
 
+/// More threads than this are taken for a mistake.
+const MOST_THREADS: i64 = 1024;
+
 impl Options {
+    /// How many threads are to compute, where that is said.
+    pub(crate) fn threads(&self) -> Option<usize> {
+        self.threads.map(usize::from)
+    }
+
     /// Whether files that deviate from their formats are refused.
     pub(crate) fn is_strict(&self) -> bool {
         self.strict
@@ -35,16 +55,53 @@ impl Options {
 }
 
 /// The options of every command, and the words that it was called by.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Context {
     options: Options,
     words: Vec<String>,
+    line: Vec<OsString>,
+    /// What was said, where it is not to be printed.
+    recorded: Option<RefCell<Recorded>>,
 }
 
 impl Context {
-    /// The context of a command that was called by these words, as `stereo` and `pose`.
-    pub(crate) fn new(options: Options, words: Vec<String>) -> Self {
-        Self { options, words }
+    /// The context of a command that was called by these words, as `stereo` and `pose`, in this
+    /// line.
+    pub(crate) fn new(options: Options, words: Vec<String>, line: Vec<OsString>) -> Self {
+        Self {
+            options,
+            words,
+            line,
+            recorded: None,
+        }
+    }
+
+    /// The same, with all that would be printed kept.
+    pub(crate) fn recording(mut self) -> Self {
+        self.options.quiet = true;
+        self.recorded = Some(RefCell::default());
+        self
+    }
+
+    /// Whether what would be printed is kept, and the same on each run: without measured times.
+    pub(crate) fn is_recording(&self) -> bool {
+        self.recorded.is_some()
+    }
+
+    /// Where to keep what would be printed.
+    pub(super) fn recorder(&self) -> Option<&RefCell<Recorded>> {
+        self.recorded.as_ref()
+    }
+
+    /// What was kept.
+    pub(crate) fn into_recorded(self) -> Recorded {
+        self.recorded.map(RefCell::into_inner).unwrap_or_default()
+    }
+
+    /// The whole line, as a shell reads it.
+    pub(crate) fn line(&self) -> String {
+        let words = self.line.iter().skip(1).map(AsRef::as_ref);
+        command_line(std::iter::once("nullcone".as_ref()).chain(words))
     }
 
     /// Whether the report is printed as JSON.

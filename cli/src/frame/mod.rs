@@ -7,6 +7,7 @@ mod group;
 mod next;
 mod page;
 mod progress;
+mod recorded;
 mod shown;
 mod verdict;
 mod warning;
@@ -23,6 +24,7 @@ pub(crate) use group::{Execute, group};
 pub(crate) use next::command_line;
 pub(crate) use page::judge;
 pub(crate) use progress::Progress;
+pub(crate) use recorded::Recorded;
 pub(crate) use shown::Shown;
 pub(crate) use verdict::{Check, Verdict};
 pub(crate) use warning::{Warning, keep_for_failure, warn};
@@ -45,6 +47,7 @@ const NOT_GOOD: u8 = 3;
 
 /// Runs a command, and prints its report as it is asked for.
 fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
+    warning::forget();
     let mut report = match command.run(context) {
         Ok(report) => report,
         Err(error) => {
@@ -65,7 +68,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     let mut files = report.files();
     let kept = report.kept();
     let of_option = context.report().into_iter();
-    let paths = of_option.chain(kept.as_ref().map(|kept| kept.page.as_path()));
+    let paths = of_option.chain(kept.as_ref().and_then(|kept| kept.page.as_deref()));
     let paths: Vec<&Path> = paths.collect();
     if !paths.is_empty() {
         let page = match report.page() {
@@ -87,11 +90,19 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         report: &report,
         warnings,
     };
-    if let Some(kept) = &kept {
+    if let Some(path) = kept.and_then(|kept| kept.json) {
         let text = serde_json::to_string_pretty(&object)? + "\n";
-        output::stage(&mut files, &kept.json, text.as_bytes())?;
+        output::stage(&mut files, &path, text.as_bytes())?;
     }
     files.finish()?;
+    if let Some(recorder) = context.recorder() {
+        *recorder.borrow_mut() = Recorded {
+            values: serde_json::to_value(&object)?,
+            verdict,
+            page: report.page(),
+        };
+        return failure.map_or(Ok(ExitCode::SUCCESS), Err);
+    }
     if !context.is_quiet() {
         warning::print(warnings.unwrap_or_default());
     }

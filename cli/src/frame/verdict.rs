@@ -44,7 +44,7 @@ impl Verdict {
 }
 
 /// The option of commands that judge.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct Check {
     /// End with status 3 where the verdict is not good.
     #[arg(long)]

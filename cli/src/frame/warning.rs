@@ -90,6 +90,15 @@ pub(crate) fn warn(warning: Warning) {
     }
 }
 
+/// Begins anew for a command after another.
+pub(super) fn forget() {
+    for all in [&OF_INPUTS, &OF_FILES] {
+        if let Ok(mut kept) = all.lock() {
+            kept.clear();
+        }
+    }
+}
+
 /// What is said of files.
 pub(super) fn of_files() -> Vec<Warning> {
     let kept = OF_FILES.lock();

@@ -4,6 +4,7 @@
 mod cameras;
 mod character;
 mod dotted;
+mod film_rate;
 mod findings;
 mod joints;
 mod lengths;
@@ -11,6 +12,7 @@ mod lengths;
 pub(crate) use cameras::{CameraFiles, ViewCamera};
 pub(crate) use character::{CharacterFile, MANNEQUIN, at_rest};
 pub(crate) use dotted::{Dotted, HueSeed};
+pub(crate) use film_rate::{is_other_rate, stated_rate};
 pub(crate) use findings::{judged, noted};
 pub(crate) use joints::JointFiles;
 pub(crate) use lengths::FitLengths;

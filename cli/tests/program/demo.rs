@@ -1,4 +1,4 @@
-//! `nullcone demo`, run as a user runs it.
+//! `nullcone demo --figure`, run as a user runs it.
 
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
@@ -26,10 +26,10 @@ const FILES: [&str; 6] = [
 fn demo() -> &'static (Output, PathBuf) {
     static DEMO: OnceLock<(Output, PathBuf)> = OnceLock::new();
     DEMO.get_or_init(|| {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("demo");
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figure");
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).unwrap();
-        let output = nullcone(&folder, ["demo"]);
+        let output = nullcone(&folder, ["demo", "--figure"]);
         assert_success(&output);
         (output, folder.join("out"))
     })
@@ -148,7 +148,7 @@ fn bones_trails_and_a_film_are_drawn_where_they_are_asked_for() {
         "--film",
         "film.png",
     ];
-    let output = nullcone(folder.path(), ["demo"].iter().chain(&marked));
+    let output = nullcone(folder.path(), ["demo", "--figure"].iter().chain(&marked));
     assert_success(&output);
     assert!(text(&output.stdout).contains("film.png"));
     let film = std::fs::File::open(folder.path().join("film.png")).unwrap();
@@ -202,7 +202,7 @@ fn wrong_films_and_trails_are_named() {
             ["out/sheet.png", "another output"],
         ),
     ] {
-        let output = nullcone(folder.path(), ["demo"].iter().chain(&arguments));
+        let output = nullcone(folder.path(), ["demo", "--figure"].iter().chain(&arguments));
         assert_failure(&output, &parts);
     }
     assert!(names(folder.path()).is_empty());
@@ -312,7 +312,7 @@ fn a_second_run_writes_the_same_bytes_on_any_number_of_threads_and_is_quiet_if_a
     let folder = tempdir().unwrap();
     let mut command = program(folder.path());
     command
-        .args(["--quiet", "demo", "--out", "a/b"])
+        .args(["--quiet", "demo", "--figure", "--out", "a/b"])
         .env("RAYON_NUM_THREADS", "1");
     let output = command.output().unwrap();
     assert_success(&output);
@@ -328,7 +328,7 @@ fn a_second_run_writes_the_same_bytes_on_any_number_of_threads_and_is_quiet_if_a
 fn another_seed_is_other_noise_and_standard_output_may_be_closed() {
     let folder = tempdir().unwrap();
     let mut command = program(folder.path());
-    command.args(["demo", "--seed", "2"]);
+    command.args(["demo", "--figure", "--seed", "2"]);
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     drop(child.stdout.take());
@@ -352,11 +352,11 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
     let folder = tempdir().unwrap();
     std::fs::write(folder.path().join("file"), "kept").unwrap();
     assert_failure(
-        &nullcone(folder.path(), ["demo", "--out", "file"]),
+        &nullcone(folder.path(), ["demo", "--figure", "--out", "file"]),
         &["cannot make the folder file"],
     );
     assert_failure(
-        &nullcone(folder.path(), ["demo", "--out", "file/below"]),
+        &nullcone(folder.path(), ["demo", "--figure", "--out", "file/below"]),
         &["cannot make the folder file/below"],
     );
     assert_eq!(names(folder.path()), ["file"]);
@@ -365,7 +365,7 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
     std::fs::create_dir_all(out.join("report.json")).unwrap();
     std::fs::write(out.join("model.obj"), "kept").unwrap();
     assert_failure(
-        &nullcone(folder.path(), ["demo"]),
+        &nullcone(folder.path(), ["demo", "--figure"]),
         &["cannot write out/report.json", "is a directory"],
     );
     assert_eq!(names(&out), ["model.obj", "report.json"]);

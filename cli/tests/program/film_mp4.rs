@@ -7,7 +7,7 @@ use crate::common::{assert_success, nullcone};
 /// A folder with the figure that the program makes in `out`.
 fn walk() -> TempDir {
     let folder = tempdir().unwrap();
-    assert_success(&nullcone(folder.path(), ["demo"]));
+    assert_success(&nullcone(folder.path(), ["demo", "--figure"]));
     folder
 }
 
@@ -19,7 +19,7 @@ fn without_its_feature_a_film_in_mp4_is_refused_with_what_helps() {
     let folder = walk();
     let before = names(folder.path());
     let render = "render out/model.glb --animation walk --film film.mp4";
-    for command in [render, "demo --film film.mp4 --out other"] {
+    for command in [render, "demo --figure --film film.mp4 --out other"] {
         let output = nullcone(folder.path(), command.split(' '));
         assert_failure(
             &output,
@@ -74,7 +74,7 @@ mod with_its_feature {
             assert_eq!(report["warnings"], serde_json::json!([]));
         }
         for film in ["demo.y4m", "demo.mp4"] {
-            let command = format!("demo --film {film}");
+            let command = format!("demo --figure --film {film}");
             assert_success(&nullcone(folder.path(), command.split(' ')));
         }
         for (name, rate) in [("render", [25, 2]), ("demo", [88, 3])] {

@@ -46,7 +46,13 @@ fn every_command_has_the_options_of_the_frame() {
         let help = nullcone(Path::new("."), words);
         assert_success(&help);
         let help = text(&help.stdout);
-        for option in ["--json", "--report <", "-q, --quiet", "--strict"] {
+        for option in [
+            "--json",
+            "--report <",
+            "-q, --quiet",
+            "--strict",
+            "--threads <",
+        ] {
             let mut lines = help.lines().map(str::trim_start);
             let is_there = lines.any(|line| line.starts_with(option));
             assert!(is_there, "{command}: {option:?}");

@@ -47,7 +47,7 @@ fn demo() -> &'static Path {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages");
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).unwrap();
-        assert_success(&nullcone(&folder, ["demo"]));
+        assert_success(&nullcone(&folder, ["demo", "--figure"]));
         folder.join("out")
     })
 }
@@ -121,6 +121,14 @@ fn video() {
 }
 
 #[test]
+fn batch() {
+    page(
+        "batch.md",
+        &["whole.y4m", "frames.csv", "chart.svg", "quality.html"],
+    );
+}
+
+#[test]
 fn engine() {
     page("engine.md", &["scene.html", "scene.svg"]);
 }
@@ -136,7 +144,15 @@ fn no_page_is_left_out() {
         .collect();
     assert_eq!(
         pages,
-        ["animation", "engine", "meshes", "people", "stereo", "video"]
+        [
+            "animation",
+            "batch",
+            "engine",
+            "meshes",
+            "people",
+            "stereo",
+            "video"
+        ]
     );
 }
 

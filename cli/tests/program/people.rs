@@ -22,7 +22,7 @@ const VIEWS: [&str; 3] = ["front", "left side", "back/top"];
 const WALL: [u8; 3] = [20, 40, 20];
 
 /// Joints of three views, their cameras, and a film of a bare wall.
-fn inputs() -> TempDir {
+pub(crate) fn inputs() -> TempDir {
     let folder = tempdir().unwrap();
     let cameras = views(folder.path());
     let joints = in_views(&cameras, &VIEWS, 1.0, 0.05);
@@ -52,7 +52,7 @@ fn arguments<'a>(films: &'a [&'a str], more: &'a [&'a str]) -> Vec<&'a str> {
     [&["people"], films, &given, &ground, more].concat()
 }
 
-fn people(folder: &Path, films: &[&str], more: &[&str]) -> Output {
+pub(crate) fn people(folder: &Path, films: &[&str], more: &[&str]) -> Output {
     nullcone(folder, arguments(films, more))
 }
 

@@ -115,7 +115,8 @@ fn document() -> Document {
     }
 }
 
-fn folder() -> TempDir {
+/// A folder with the model as `square.glb`, whose animation `go` takes two seconds, and the camera.
+pub(crate) fn folder() -> TempDir {
     let folder = tempdir().unwrap();
     gltf::write(folder.path().join("square.glb"), &document()).unwrap();
     std::fs::write(folder.path().join("camera.json"), CAMERA).unwrap();

@@ -65,7 +65,7 @@ const NINTH: [&str; 3] = [
 fn a_person_looks_the_same_from_a_ninth_view() {
     let folder = tempdir().unwrap();
     let folder = folder.path();
-    run(folder, "demo --out .");
+    run(folder, "demo --figure --out .");
     let report = texture(folder, "model.obj", "model.obj", "--size 1024 --unwrap");
     assert_eq!(report["views"].as_array().unwrap().len(), 8);
     assert_eq!(report["unwrapped"], true);

@@ -1,4 +1,5 @@
-//! The moments of a motion that are shown: key frames, and three in-betweens from each to the next.
+//! The moments of a motion that are shown: key frames, and three in-betweens from each to the next,
+//! as in Cui, figs 7 and 8.
 
 use ga_anim::character::Character;
 use ga_anim::clip::Clip;

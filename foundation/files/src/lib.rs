@@ -15,6 +15,7 @@
 //! - [`table`] reads and writes rows of cells, as CSV.
 //! - [`text`] finds the encoding of text and the ends of its lines.
 //! - [`Reading`] is strict or tolerant; [`Deviations`] are what a tolerant one warns of.
+//! - [`TemporaryFolder`] is a folder for the time of the work.
 //! - [`remove_temporaries`] is for a program that ends at a signal.
 
 mod error;
@@ -39,6 +40,6 @@ pub use outputs::{OutputError, Outputs};
 pub use read::{ReadError, read};
 pub use reading::{Deviation, Deviations, Reading, Tolerated};
 pub use target::{check, is_same_file, is_standard_output, is_stream};
-pub use temporary::remove_temporaries;
+pub use temporary::{TemporaryFolder, remove_temporaries};
 pub use write::{Staged, WriteSeek, write, write_together};
 pub use write_all::write_all;

@@ -15,11 +15,14 @@ pub(crate) struct Leftovers {
     files: Vec<PathBuf>,
     /// Each after the one that contains it.
     folders: Vec<PathBuf>,
+    /// Folders with all that is in them.
+    trees: Vec<PathBuf>,
 }
 
 static LEFTOVERS: Mutex<Leftovers> = Mutex::new(Leftovers {
     files: Vec::new(),
     folders: Vec::new(),
+    trees: Vec::new(),
 });
 
 /// While the guard lives, [`remove_temporaries`] waits.
@@ -45,10 +48,75 @@ pub fn remove_temporaries() {
     for file in &leftovers.files {
         let _ = std::fs::remove_file(file);
     }
+    for tree in &leftovers.trees {
+        let _ = std::fs::remove_dir_all(tree);
+    }
     for folder in leftovers.folders.iter().rev() {
         let _ = std::fs::remove_dir(folder);
     }
     std::mem::forget(leftovers);
+}
+
+/// A folder for the work of a program, which is removed with all that is in it.
+///
+/// ```
+/// let work = ga_files::TemporaryFolder::beside("out/result")?;
+/// std::fs::write(work.path().join("part"), b"part")?;
+/// let path = work.path().to_path_buf();
+/// drop(work);
+/// assert!(!path.exists());
+/// # std::fs::remove_dir("out")?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct TemporaryFolder {
+    path: PathBuf,
+    // Dropped after the folder in them was removed.
+    _above: CreatedFolders,
+}
+
+impl TemporaryFolder {
+    /// A new folder in that of a path, which is created where it is missing and is removed as well
+    /// where it is empty in the end.
+    ///
+    /// # Errors
+    ///
+    /// No folder can be created there.
+    pub fn beside(path: impl AsRef<Path>) -> io::Result<Self> {
+        let parent = path.as_ref().parent().unwrap_or(Path::new(""));
+        let mut above = CreatedFolders::default();
+        let folder = match parent.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => {
+                above.create(parent)?;
+                parent
+            }
+        };
+        let folder = folder.canonicalize()?;
+        let mut leftovers = leftovers();
+        let made = Builder::new().prefix(".nullcone-").tempdir_in(folder)?;
+        let path = made.keep();
+        leftovers.trees.push(path.clone());
+        Ok(Self {
+            path,
+            _above: above,
+        })
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for TemporaryFolder {
+    fn drop(&mut self) {
+        let mut leftovers = leftovers();
+        // What cannot be removed is left, as there is nobody to tell.
+        let _ = std::fs::remove_dir_all(&self.path);
+        leftovers.trees.retain(|other| *other != self.path);
+    }
 }
 
 /// A file that is removed unless it takes the name of another.
@@ -76,6 +144,17 @@ impl Temporary {
             keep_access(&file, temporary.path().unwrap_or(folder), earlier)?;
         }
         Ok((temporary, file))
+    }
+
+    /// A file that lies elsewhere, moved into a folder; `None` where that is on another file
+    /// system.
+    pub(crate) fn moved(from: &Path, folder: &Path) -> io::Result<Option<Self>> {
+        let (empty, _) = Self::new(folder, None)?;
+        match std::fs::rename(from, empty.path().unwrap_or(folder)) {
+            Ok(()) => Ok(Some(empty)),
+            Err(error) if error.kind() == io::ErrorKind::CrossesDevices => Ok(None),
+            Err(error) => Err(error),
+        }
     }
 
     pub(crate) fn path(&self) -> Option<&Path> {

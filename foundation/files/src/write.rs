@@ -200,6 +200,36 @@ impl Staged {
         Ok(self.push(path, contents).map_err(io)?)
     }
 
+    /// Adds a file that is complete elsewhere, and is moved to its place, or copied where it has to
+    /// take the place of another file or lies on another file system.
+    ///
+    /// # Errors
+    ///
+    /// As [`add`](Self::add), and where the file cannot be read.
+    pub fn add_file(
+        &mut self,
+        path: impl AsRef<Path>,
+        from: impl AsRef<Path>,
+    ) -> Result<(), WriteError> {
+        let (path, from) = (path.as_ref(), from.as_ref());
+        let io = |error| failed(path, error);
+        if let Target::Replace {
+            path: place,
+            earlier: None,
+        } = Target::of(path).map_err(io)?
+        {
+            let place = self.with_folder(&place).map_err(io)?;
+            if let Some(file) = Temporary::moved(from, folder_of(&place)).map_err(io)? {
+                let contents = Contents::Replacement { place, file };
+                return self.push(path, contents).map_err(io);
+            }
+        }
+        self.add_with(path, |to| {
+            let copied = File::open(from).and_then(|mut from| io::copy(&mut from, to));
+            copied.map(|_| ()).map_err(io)
+        })
+    }
+
     /// As [`add_with`](Self::add_with), for the standard output of the program. `path` is how
     /// errors name it. A reader that has closed the pipe is not an error.
     ///

@@ -12,6 +12,7 @@
 //!   [`interpolation`]: values between pixels; [`warp`]: pictures seen through a map of places.
 //! - [`threshold`]: pixels above a level; [`canny`]: edges.
 //! - [`quality`]: PSNR and SSIM of two pictures.
+//! - [`sensor`]: exposure and noise; [`grain`](mod@grain): noise of several sizes.
 //!
 //! Columns are counted from the left and rows from the top, both from 0. The pixel in column *c*
 //! and row *r* covers the square from (*c*, *r*) to (*c* + 1, *r* + 1): its centre is at
@@ -42,6 +43,7 @@ pub mod film;
 pub mod filter;
 mod format;
 mod format_error;
+pub mod grain;
 pub mod grey;
 mod header;
 pub mod interpolation;
@@ -59,6 +61,7 @@ pub mod quality;
 pub mod resample;
 pub mod sample;
 mod save;
+pub mod sensor;
 mod size;
 pub mod threshold;
 pub mod warp;

@@ -124,7 +124,7 @@ crate::algebra! {
         struct Infinity { ei = 1 }
 
         /// The point x. It stores three numbers, and every product takes it as the whole conformal
-        /// vector `x + eo + ½x² ei`.
+        /// vector `x + eo + ½x² ei` (Cui, eqs. 27 and 28).
         ///
         /// Its weight, the coefficient of eo, is 1, and it is null: `P² = 0`. Sums of points are
         /// [`RoundVector`]s.

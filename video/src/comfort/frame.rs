@@ -3,6 +3,7 @@
 use super::dimension::Dimension;
 use ga_image::plane::PlaneError;
 use ga_image::ycbcr::YCbCr;
+use serde::{Deserialize, Serialize};
 
 use super::geometry::{self, Geometry};
 use super::matching::{Match, Matcher};
@@ -44,7 +45,7 @@ use crate::stereo::pixel_height;
 /// assert_eq!(row.score.map(|score| score.level()), Ok(Level::Orange));
 /// # Ok::<(), ga_image::plane::PlaneError>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameMeasures {
     /// The points that both views show and that agree on a geometry, from the top left one.
     pub matches: Vec<Match>,

@@ -7,6 +7,7 @@ use ga_numerics::order_statistics::{Sorted, median};
 use ga_numerics::ransac::Search;
 use ga_vision::diagnosis::row_model::{RowModel, Rows};
 use ga_vision::feature::PixelPair;
+use serde::{Deserialize, Serialize};
 
 /// The least number of points that agree, and their least share of all.
 const LEAST_POINTS: usize = 12;
@@ -21,7 +22,7 @@ const THRESHOLDS: [f64; 2] = [0.0015, 0.006];
 /// If the right camera is displaced vertically, rotated about its axis and has another focal
 /// length, then v_left = a u_right + b v_right + c for points at any depth, which is fitted to
 /// matches: see [`diagnosis`](ga_vision::diagnosis). Parallax plays no part.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Geometry {
     /// By how many rows the middle of the left view is lower in the right view.
     pub shift_px: f64,

@@ -63,7 +63,23 @@ pub fn observe(
     options: Options,
     observer: &mut impl Observer,
 ) -> Result<(), ComfortError> {
+    observe_measured(source, options, [], observer)
+}
+
+/// Analyses the whole of a video as [`observe`] does, whose first frames were measured before, by
+/// [`measure`](super::measure): these measures are taken as they are.
+///
+/// # Errors
+///
+/// [`ComfortError`]. The records of all frames before an error have been handed over.
+pub fn observe_measured(
+    source: &mut StereoSource,
+    options: Options,
+    measures: impl Into<VecDeque<FrameMeasures>>,
+    observer: &mut impl Observer,
+) -> Result<(), ComfortError> {
     let mut monitor = Monitor::new(source.properties(), options)?;
+    monitor.measured = measures.into();
     let mut batch: Vec<[Frame; 2]> = vec![Default::default(); BATCH];
     loop {
         let mut count = 0;
@@ -99,6 +115,8 @@ pub struct Monitor {
     properties: Properties,
     threads: ThreadPool,
     meters: Vec<FrameMeter>,
+    /// The measures of the next frames, where they are known.
+    measured: VecDeque<FrameMeasures>,
     asynchrony: AsynchronyMeter,
     changes: PairDetector,
     deviation: DeviationMeter,
@@ -136,6 +154,7 @@ impl Monitor {
             properties: *properties,
             threads: ThreadPoolBuilder::new().num_threads(threads).build()?,
             meters: vec![meter; BATCH],
+            measured: VecDeque::new(),
             asynchrony: AsynchronyMeter::default(),
             changes: Default::default(),
             deviation: DeviationMeter::default(),
@@ -193,6 +212,7 @@ impl Monitor {
         let Self {
             threads,
             meters,
+            measured,
             asynchrony,
             changes,
             properties,
@@ -202,6 +222,10 @@ impl Monitor {
         let (mut delays, mut seen) = (Vec::new(), Vec::new());
         threads.scope(|scope| {
             for ((views, meter), target) in batch.iter().zip(meters).zip(&mut measures) {
+                if let Some(known) = measured.pop_front() {
+                    *target = Ok(known);
+                    continue;
+                }
                 scope.spawn(move |_| {
                     let found = meter.measure(&views[0].samples, &views[1].samples);
                     *target = found.cloned();

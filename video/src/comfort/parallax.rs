@@ -4,6 +4,7 @@ use super::geometry::median_deviation;
 use super::matching::Match;
 use super::viewing::Viewing;
 use ga_numerics::order_statistics::median;
+use serde::{Deserialize, Serialize};
 
 /// The parallax x_R − x_L of points that both views show, in pixels: negative, or crossed, in front
 /// of the screen, positive, or uncrossed, behind it.
@@ -11,7 +12,7 @@ use ga_numerics::order_statistics::median;
 /// Points count whose parallax agrees with that of points near them, since those of repeated
 /// textures are confused singly. The ends are reached by enough points in several parts of the
 /// picture: by 2 % of all, four at least, in four of 16 × 9 parts.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parallax {
     /// The greatest parallax of the nearest points.
     pub near_px: f64,
@@ -173,7 +174,8 @@ fn end<'a>(
 }
 
 /// Counts of points by parallax, in equal intervals of the picture's width.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<u32>", into = "Vec<u32>")]
 pub struct Histogram {
     counts: [u32; Self::INTERVALS],
 }
@@ -183,6 +185,22 @@ impl Default for Histogram {
         Self {
             counts: [0; Self::INTERVALS],
         }
+    }
+}
+
+impl From<Histogram> for Vec<u32> {
+    fn from(histogram: Histogram) -> Self {
+        histogram.counts.to_vec()
+    }
+}
+
+impl TryFrom<Vec<u32>> for Histogram {
+    type Error = String;
+
+    fn try_from(counts: Vec<u32>) -> Result<Self, String> {
+        let counts = counts.try_into();
+        let counts = counts.map_err(|other: Vec<u32>| format!("{} intervals", other.len()))?;
+        Ok(Self { counts })
     }
 }
 

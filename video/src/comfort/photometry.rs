@@ -8,6 +8,7 @@ use super::matching::Match;
 use super::tone::{Tone, above_black};
 use crate::Planes;
 use ga_numerics::order_statistics::median;
+use serde::{Deserialize, Serialize};
 
 /// Colour differences are averaged over this number of pixels on either side of a match.
 const RADIUS: usize = 7;
@@ -16,7 +17,7 @@ const RADIUS: usize = 7;
 const MID_GREY: f64 = 128.0;
 
 /// How brightness and colour differ, right view less left view, at points that both show.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Photometry {
     /// By how many codes, of 255, the right view is brighter: the median of the channels'
     /// [`offsets`](Self::channel_offsets), so that another gain of one channel alone does not

@@ -1,6 +1,7 @@
 //! How the codes of one view follow from those of the other.
 
 use ga_numerics::order_statistics::median;
+use serde::{Deserialize, Serialize};
 
 /// The code of the left view that stands for one of the right view, in one channel: a straight
 /// line, left = factor · right + offset, in codes of 255.
@@ -12,7 +13,7 @@ use ga_numerics::order_statistics::median;
 /// assert_eq!(tone.apply(100.0), 70.0);
 /// assert_eq!(Tone::default().apply(100.0), 100.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tone {
     /// By what codes are multiplied.
     pub factor: f64,

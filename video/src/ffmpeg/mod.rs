@@ -53,8 +53,9 @@ impl FfmpegSource {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Ffmpeg`] where a program does not start or cannot read the file, or for pixels
-    /// that are not read; [`VideoError::Interlaced`], [`VideoError::Empty`].
+    /// [`VideoError::Ffmpeg`] where a program does not start or cannot read the file, or for colours
+    /// that are not read; [`VideoError::Samples`], [`VideoError::Interlaced`],
+    /// [`VideoError::Empty`].
     pub fn open(path: impl AsRef<Path>) -> Result<Self, VideoError> {
         let file = path.as_ref();
         let wrong = |problem| VideoError::Ffmpeg {
@@ -62,7 +63,11 @@ impl FfmpegSource {
             problem,
         };
         let probe = Probe::of(&named(file)).map_err(wrong)?;
-        let pixels = probe.pixels().map_err(wrong)?;
+        let pixels = probe.pixels();
+        let pixels = pixels.map_err(|problem| VideoError::Samples {
+            file: file.into(),
+            problem,
+        })?;
         let mut command = Command::new("ffmpeg");
         command
             .args(["-nostdin", "-hide_banner", "-nostats", "-xerror"])

@@ -13,12 +13,22 @@ pub(super) struct Probe {
     streams: Vec<Stream>,
     #[serde(default)]
     packets: Vec<Packet>,
+    /// The first frame, where it was asked for.
+    #[serde(default)]
+    frames: Vec<Pixels>,
+}
+
+/// What is said of pixels.
+#[derive(Clone, Debug, Default, Deserialize)]
+struct Pixels {
+    pix_fmt: Option<String>,
+    color_space: Option<String>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 struct Stream {
-    pix_fmt: Option<String>,
-    color_space: Option<String>,
+    #[serde(flatten)]
+    pixels: Pixels,
     r_frame_rate: Option<String>,
     time_base: Option<String>,
 }
@@ -51,14 +61,35 @@ const PIXELS: [(&str, &str); 16] = [
     ("gray10le", "gray10le"),
 ];
 
+/// The kind of pixels of which nothing is said.
+const UNKNOWN: &str = "unknown";
+
 impl Probe {
     /// Asks ffprobe. The error says what it says.
     pub(super) fn of(file: &OsStr) -> Result<Self, String> {
+        let shown = "stream=pix_fmt,color_space,r_frame_rate,time_base:packet=pts,flags";
+        let mut probe = Self::asked(file, &["-show_entries", shown])?;
+        if probe.streams.is_empty() {
+            return Err("the file has no video".into());
+        }
+        // Where a film begins with sound, ffprobe may give up before it has seen a picture.
+        if probe.kind_of_pixels() == UNKNOWN {
+            let shown = "frame=pix_fmt,color_space";
+            let first = ["-read_intervals", "%+#1", "-show_entries", shown];
+            let first = Self::asked(file, &first)?;
+            if let Some(pixels) = first.frames.into_iter().next() {
+                probe.streams[0].pixels = pixels;
+            }
+        }
+        Ok(probe)
+    }
+
+    fn asked(file: &OsStr, what: &[&str]) -> Result<Self, String> {
         let mut command = Command::new("ffprobe");
         command
             .args(["-loglevel", "error", "-protocol_whitelist", "file"])
-            .args(["-select_streams", "V:0", "-of", "json", "-show_entries"])
-            .arg("stream=pix_fmt,color_space,r_frame_rate,time_base:packet=pts,flags")
+            .args(["-select_streams", "V:0", "-of", "json"])
+            .args(what)
             .arg(file)
             .stdin(Stdio::null());
         let output = command.output();
@@ -69,25 +100,25 @@ impl Probe {
             let problem = last.rsplit_once(": ").map_or(last, |(_, problem)| problem);
             return Err(problem.to_owned());
         }
-        let probe: Self = serde_json::from_slice(&output.stdout)
-            .map_err(|error| format!("ffprobe does not print JSON: {error}"))?;
-        match probe.streams.is_empty() {
-            true => Err("the file has no video".into()),
-            false => Ok(probe),
-        }
+        serde_json::from_slice(&output.stdout)
+            .map_err(|error| format!("ffprobe does not print JSON: {error}"))
     }
 
     /// The kind of pixels for which ffmpeg is asked, which has the same numbers.
     pub(super) fn pixels(&self) -> Result<&'static str, String> {
-        let own = self.stream().pix_fmt.as_deref().unwrap_or("unknown");
+        let own = self.kind_of_pixels();
         let found = PIXELS.iter().find(|(name, _)| *name == own);
         let found = found.map(|(_, pixels)| *pixels);
         found.ok_or_else(|| format!("pixels of the kind {own} are not read"))
     }
 
+    fn kind_of_pixels(&self) -> &str {
+        self.stream().pixels.pix_fmt.as_deref().unwrap_or(UNKNOWN)
+    }
+
     /// The weights of luma; those of BT.601 where the file does not say them.
     pub(super) fn luma(&self) -> Result<Luma, String> {
-        match self.stream().color_space.as_deref() {
+        match self.stream().pixels.color_space.as_deref() {
             None | Some("unknown" | "bt470bg" | "smpte170m") => Ok(Luma::Bt601),
             Some("bt709") => Ok(Luma::Bt709),
             Some("bt2020nc") => Ok(Luma::Bt2020),
@@ -149,7 +180,12 @@ mod tests {
             flags: "_D_".into(),
         });
         let streams = vec![stream];
-        Probe { streams, packets }.constant_rate()
+        Probe {
+            streams,
+            packets,
+            ..Probe::default()
+        }
+        .constant_rate()
     }
 
     /// Milliseconds of frames at 24000/1001 in a second, in the order of decoding.

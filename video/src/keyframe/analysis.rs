@@ -1,5 +1,7 @@
 //! The analysis of a video, frame by frame.
 
+use std::collections::VecDeque;
+
 use ga_image::plane::Plane;
 use ga_image::quality::MutualInformation;
 use ga_image::ycbcr::YCbCr;
@@ -124,6 +126,8 @@ pub struct Analyser {
     fades: FadeDetector,
     selector: Selector,
     information: MutualInformation,
+    /// The mutual information of the next frames and those before them, where it is known.
+    measured: VecDeque<Option<f64>>,
     previous: Plane<u8>,
     frames: Vec<FrameMeasures>,
     changes: Vec<f32>,
@@ -144,11 +148,23 @@ impl Analyser {
             fades: FadeDetector::default(),
             selector: Selector::default(),
             information: MutualInformation::new(),
+            measured: VecDeque::new(),
             previous: Plane::default(),
             frames: Vec::new(),
             changes: Vec::new(),
             moving: Vec::new(),
             reach: Vec::new(),
+        }
+    }
+
+    /// The same for a video of whose first frames it is known how much each says of the one before
+    /// it: [`FrameMeasures::mutual_information_bits`], as [`information`](super::information)
+    /// measures it.
+    #[must_use]
+    pub fn with_information(self, measured: impl Into<VecDeque<Option<f64>>>) -> Self {
+        Self {
+            measured: measured.into(),
+            ..self
         }
     }
 
@@ -184,6 +200,7 @@ impl Analyser {
             mutual_information_bits: None,
         };
         let mut at_rest_change = 0.0;
+        let known = self.measured.pop_front().flatten();
         if let Some(before) = index
             .checked_sub(1)
             .and_then(|before| self.window.get(before))
@@ -192,9 +209,14 @@ impl Analyser {
             let rest = at_rest(before, &signature, layout);
             measures.background = rest.background(layout);
             at_rest_change = rest.typical();
-            let information = self.information.compare(&self.previous, &eight.luma);
-            measures.mutual_information_bits =
-                Some(information.map_err(|_| error())?.mutual_bits());
+            let bits = match known {
+                Some(bits) => bits,
+                None => {
+                    let information = self.information.compare(&self.previous, &eight.luma);
+                    information.map_err(|_| error())?.mutual_bits()
+                }
+            };
+            measures.mutual_information_bits = Some(bits);
         }
         self.frames.push(measures);
         self.changes.push(measures.change);

@@ -14,6 +14,7 @@
 //!   candidate; second stage, mutual information at full resolution.
 //! - [`analysis`]: all of it, frame by frame.
 //! - [`analyse`]: the same of a file, with [`Pictures`] of key frames, a page and a chart.
+//! - [`information`](fn@information): what takes the most time, for some of the frames.
 //! - [`statistics`]: Cui, table 1. [`evaluation`]: found cuts against labelled ones.
 //! - [`scenes`]: shots as CSV and as an edit decision list. [`timecode`]: how frames are counted.
 //! - [`split`]: each shot as a film.
@@ -28,6 +29,7 @@ mod error;
 pub mod evaluation;
 pub mod fade;
 pub mod flash;
+mod information;
 pub mod layout;
 mod likeness;
 mod page;
@@ -45,6 +47,7 @@ pub mod window;
 
 pub use analysis::{Analyser, Analysis, FrameMeasures, Options};
 pub use error::{KeyFrameError, TimeBaseError};
+pub use information::information;
 pub use pictures::Pictures;
 pub use reading::{Analysed, analyse};
 pub use select::{KeyFrame, Reason};

@@ -1,5 +1,6 @@
 //! Reading and analysing a whole video.
 
+use std::collections::VecDeque;
 use std::path::Path;
 
 use serde::Serialize;
@@ -73,9 +74,11 @@ impl Analysed {
 /// How many frames lie between two calls of `progress`.
 const STEP: usize = 16;
 
-/// Analyses a video, which is opened as by [`open`](crate::open). Pictures of frames that may
-/// become key frames are added to `pictures`. `progress` hears after every 16 frames how many there
-/// were, and how many there are, or about twice as many as there were where that is not known.
+/// Analyses a video, which is opened as by [`open`](crate::open). How much the first frames say of
+/// those before them may be known as `measured`, by [`information`](super::information). Pictures
+/// of frames that may become key frames are added to `pictures`. `progress` hears after every 16
+/// frames how many there were, and how many there are, or about twice as many as there were where
+/// that is not known.
 ///
 /// # Errors
 ///
@@ -84,12 +87,13 @@ const STEP: usize = 16;
 pub fn analyse(
     path: &Path,
     options: Options,
+    measured: impl Into<VecDeque<Option<f64>>>,
     mut pictures: Option<&mut Pictures>,
     mut progress: impl FnMut(usize, usize),
 ) -> Result<Analysed, KeyFrameError> {
     let mut source = crate::open(path)?;
     let properties = *source.properties();
-    let mut analyser = Analyser::new(options, properties.colours);
+    let mut analyser = Analyser::new(options, properties.colours).with_information(measured);
     let mut frame = Frame::default();
     let mut count = 0;
     let failure = loop {

@@ -2,7 +2,7 @@
 
 use ga_image::plane::{Plane, PlaneError};
 use ga_image::resample::{Method, resize};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::properties::{FRAME_COUNT, PropertyDifference};
 use crate::{Frame, Source, VideoError};
@@ -24,7 +24,7 @@ pub struct Moments {
 }
 
 /// Frames of two videos that show the same moments.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeAlignment {
     /// The seconds that are added to the times of the distorted video, so that its frames belong to
     /// those of the reference nearest in time.

@@ -33,6 +33,7 @@ pub(super) fn mean_frame(frames: &[FrameQuality]) -> Option<FrameQuality> {
             psnr: psnr(&|frame| frame.luma.psnr),
             ssim: mean_of_some(|frame| frame.luma.ssim),
             ms_ssim: mean_of_some(|frame| frame.luma.ms_ssim),
+            vif: mean_of_some(|frame| frame.luma.vif),
             attention_psnr: psnr(&|frame| frame.luma.attention_psnr),
             attention_ssim: mean_of_some(|frame| frame.luma.attention_ssim),
         },

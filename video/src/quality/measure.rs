@@ -4,6 +4,7 @@ use ga_image::quality::MULTISCALE_LEAST_SIDE;
 
 use super::FrameQuality;
 use super::measures::SSIM_LEAST_SIDE;
+use super::vif::VIF_LEAST_SIDE;
 
 /// A measure of a frame.
 #[derive(Clone, Copy, Debug)]
@@ -75,11 +76,11 @@ const fn measure(
 /// let frame = compare_pictures(&Picture::from(reference), &Picture::from(noisy), None)?;
 /// let found = MEASURES.iter().filter(|measure| (measure.value)(&frame).is_some());
 /// let keys: Vec<&str> = found.map(|measure| measure.key).collect();
-/// let expected = ["psnr", "ssim", "attention_psnr", "attention_ssim", "psnr_all", "ciede2000"];
-/// assert_eq!(keys, expected);
+/// assert_eq!(keys[..4], ["psnr", "ssim", "vif", "attention_psnr"]);
+/// assert_eq!(keys[4..], ["attention_ssim", "psnr_all", "ciede2000"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub const MEASURES: [Measure; 10] = [
+pub const MEASURES: [Measure; 11] = [
     measure("psnr", "PSNR", Scale::Decibels, Part::Luma, |frame| {
         Some(frame.luma.psnr)
     }),
@@ -93,6 +94,12 @@ pub const MEASURES: [Measure; 10] = [
         reason_for_none: too_small_for_scales,
         ..measure("ms_ssim", "MS-SSIM", Scale::Index, Part::Luma, |frame| {
             frame.luma.ms_ssim
+        })
+    },
+    Measure {
+        reason_for_none: too_small_for_fidelity,
+        ..measure("vif", "VIF", Scale::Index, Part::Luma, |frame| {
+            frame.luma.vif
         })
     },
     measure(
@@ -163,5 +170,12 @@ fn too_small_for_scales([width, height]: [usize; 2]) -> String {
     format!(
         "{width} × {height} pixels are too few, five scales need {MULTISCALE_LEAST_SIDE} × \
          {MULTISCALE_LEAST_SIDE}"
+    )
+}
+
+fn too_small_for_fidelity([width, height]: [usize; 2]) -> String {
+    format!(
+        "{width} × {height} pixels are too few, four scales need {VIF_LEAST_SIDE} × \
+         {VIF_LEAST_SIDE}"
     )
 }

@@ -3,15 +3,18 @@
 use ga_image::plane::{PlaneError, PlaneView};
 use ga_image::quality::{MULTISCALE_LEAST_SIDE, SCALES, Ssim, Weights, mse, weighted_psnr};
 use ga_image::sample::Pixel;
+use serde::{Deserialize, Serialize};
 
+use super::vif::{VIF_LEAST_SIDE, Vif};
 use crate::attention::Attention;
 
 /// How much a frame differs from its reference.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     /// The mean squared error.
     pub mse: f64,
     /// The peak signal-to-noise ratio in decibels; infinite where the frames are equal.
+    #[serde(with = "super::number")]
     pub psnr: f64,
     /// The structural similarity index, or `None` where a side has less than [`SSIM_LEAST_SIDE`]
     /// pixels.
@@ -19,7 +22,11 @@ pub struct Measures {
     /// The index at several scales, or `None` where a side has less than
     /// [`MULTISCALE_LEAST_SIDE`] pixels.
     pub ms_ssim: Option<f64>,
+    /// The visual information fidelity over all scales, or `None` where a side has less than
+    /// [`VIF_LEAST_SIDE`] pixels.
+    pub vif: Option<f64>,
     /// PSNR in decibels, weighted by attention.
+    #[serde(with = "super::number")]
     pub attention_psnr: f64,
     /// SSIM, weighted by attention; `None` where there is no SSIM.
     pub attention_ssim: Option<f64>,
@@ -120,11 +127,15 @@ impl Meter {
                 .multiscale_after(ssim.similarity, reference, distorted)
         });
         let multiscale = multiscale.transpose()?;
+        let vif = (least_side >= VIF_LEAST_SIDE)
+            .then(|| Vif::new(reference, distorted, self.range))
+            .transpose()?;
         Ok(Measures {
             mse,
             psnr: psnr_of(mse, self.range),
             ssim: ssim.map(|ssim| ssim.similarity.ssim),
             ms_ssim: multiscale.map(|scales| scales.ms_ssim()),
+            vif: vif.map(|vif| vif.all_scales),
             attention_psnr,
             attention_ssim: ssim.map(|ssim| ssim.weighted_ssim),
         })

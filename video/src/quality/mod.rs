@@ -1,6 +1,7 @@
 //! The quality of pictures and videos against a reference, with and without attention.
 //!
-//! - [`Meter`]: PSNR, SSIM and MS-SSIM of two frames, and PSNR and SSIM weighted by attention.
+//! - [`Meter`]: PSNR, SSIM, MS-SSIM and VIF of two frames, and PSNR and SSIM weighted by attention.
+//! - [`Vif`]: visual information fidelity at four scales.
 //! - [`VideoComparison`]: the measures of two videos, frame by frame as they are read.
 //! - [`TimeAlignment`], [`Scaled`]: videos of other times or another size than their reference.
 //! - [`compare_pictures`]: the same of two pictures.
@@ -19,6 +20,7 @@ mod entry;
 mod mean;
 mod measure;
 mod measures;
+mod number;
 mod page;
 mod pictures;
 mod plot;
@@ -30,6 +32,7 @@ mod same;
 mod scale;
 mod table;
 mod video;
+mod vif;
 
 pub use align::{Moments, TimeAlignment};
 pub use colour_difference::mean_ciede2000;
@@ -46,3 +49,4 @@ pub use same::Same;
 pub use scale::Scaled;
 pub use table::csv;
 pub use video::{FrameQuality, VideoComparison};
+pub use vif::{VIF_LEAST_SIDE, Vif};

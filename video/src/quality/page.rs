@@ -4,6 +4,7 @@ use std::path::Path;
 
 use ga_draw::document::Page;
 use ga_image::file::FormatError;
+use ga_image::picture::Picture;
 use ga_image::plane::Plane;
 use ga_image::png;
 
@@ -52,18 +53,30 @@ impl ComparedFiles<'_> {
 }
 
 impl PictureQuality {
-    /// The page: the measures of two pictures, and where they differ, by their
-    /// [`similarity_map`](super::similarity_map).
+    /// The page: the measures of two pictures, the reference first, both pictures, and where they
+    /// differ, by their [`similarity_map`](super::similarity_map).
     ///
     /// # Errors
     ///
-    /// The map cannot be encoded.
-    pub fn page(&self, files: ComparedFiles, similarity: &Plane<u8>) -> Result<Page, FormatError> {
+    /// A picture cannot be encoded.
+    pub fn page(
+        &self,
+        files: ComparedFiles,
+        pictures: [&Picture; 2],
+        similarity: &Plane<u8>,
+    ) -> Result<Page, FormatError> {
         let mut page = files.page("");
         add_measures(&mut page, &self.rows());
-        page.heading("SSIM around each pixel");
-        page.paragraph("White: the pictures are alike. Black: they have no structure in common.");
-        page.png("A map of SSIM", &png::encode(similarity)?);
+        page.heading("The pictures, and SSIM around each pixel");
+        let [reference, distorted] = pictures.map(|picture| png::encode(&picture.to_rgb::<u8>()));
+        page.pictures([
+            ("The reference", &reference?[..]),
+            (&files.name(), &distorted?),
+            (
+                "SSIM. White: the pictures are alike. Black: they have no structure in common.",
+                &png::encode(similarity)?,
+            ),
+        ]);
         Ok(page)
     }
 }

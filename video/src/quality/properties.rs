@@ -2,10 +2,13 @@
 
 use std::fmt::{Display, Formatter, Result as Formatted};
 
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
+
 use crate::{Properties, VideoError};
 
 /// Something that two videos state differently.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PropertyDifference {
     /// The property.
     pub what: &'static str,
@@ -13,6 +16,32 @@ pub struct PropertyDifference {
     pub reference: String,
     /// That of the other video.
     pub distorted: String,
+}
+
+/// The same as it is read.
+#[derive(Deserialize)]
+struct Stated {
+    what: String,
+    reference: String,
+    distorted: String,
+}
+
+impl<'de> Deserialize<'de> for PropertyDifference {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Stated {
+            what,
+            reference,
+            distorted,
+        } = Stated::deserialize(deserializer)?;
+        let known = [FRAME_RATE, FRAME_COUNT, LUMA, PIXELS];
+        let found = known.into_iter().find(|known| *known == what);
+        let wrong = || D::Error::custom(format!("{what:?} is not a property of videos"));
+        Ok(Self {
+            what: found.ok_or_else(wrong)?,
+            reference,
+            distorted,
+        })
+    }
 }
 
 impl Display for PropertyDifference {
@@ -45,6 +74,9 @@ pub const FRAME_RATE: &str = "frames in a second";
 
 /// The name of the number of frames.
 pub const FRAME_COUNT: &str = "number of frames";
+
+const LUMA: &str = "weights of luma";
+const PIXELS: &str = "shape of pixels";
 
 /// Whether the samples of two videos can be compared.
 pub(super) fn comparable(first: &Properties, second: &Properties) -> Result<(), VideoError> {
@@ -93,11 +125,11 @@ pub(super) fn property_differences(
     };
     let others = [
         PropertyDifference::of(
-            "weights of luma",
+            LUMA,
             both.map(|p| format!("{:?}", p.colours.luma).to_uppercase()),
         ),
         PropertyDifference::of(
-            "shape of pixels",
+            PIXELS,
             both.map(|p| format!("{}:{}", p.pixel_aspect[0], p.pixel_aspect[1])),
         ),
         rates,

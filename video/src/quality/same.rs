@@ -1,7 +1,9 @@
 //! What of two frames is identical.
 
+use serde::{Deserialize, Serialize};
+
 /// Which samples of two frames are all equal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Same {
     /// Those of luma.
     pub luma: bool,

@@ -3,6 +3,7 @@
 use ga_image::plane::{Plane, PlaneError};
 use ga_image::quality::{Weights, mse};
 use ga_image::sample::Pixel;
+use serde::{Deserialize, Serialize};
 
 use super::colour_difference::mean_ciede2000;
 use super::measures::{Measures, Meter, psnr_of};
@@ -11,7 +12,7 @@ use super::same::Same;
 use crate::{Frame, Planes, Samples, Source, VideoError};
 
 /// The measures of one frame of a video.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrameQuality {
     /// The number of the frame of the reference, from 0.
     pub index: usize,
@@ -24,9 +25,11 @@ pub struct FrameQuality {
     /// The measures of luma.
     pub luma: Measures,
     /// PSNR of Cb and Cr in decibels; `None` for grey videos.
+    #[serde(with = "super::number::pair")]
     pub psnr_differences: Option<[f64; 2]>,
     /// PSNR in decibels by the mean squared error over all samples: those of luma, Cb and Cr, where
     /// a plane counts by its size, or those of red, green and blue of pictures.
+    #[serde(with = "super::number")]
     pub psnr_all: f64,
     /// [`mean_ciede2000`] of the colours as sRGB, where colour differences are those stored for a
     /// pixel, without interpolation; `None` where numbers have more than 8 bits.
@@ -124,6 +127,25 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
             pairs: Some(pairs.into_iter()),
             ..self
         }
+    }
+
+    /// Begins with this frame of the comparison instead of the first. The frame before it is
+    /// measured, since attention looks at the motion from it, so that all measures are those of a
+    /// comparison of all frames.
+    ///
+    /// # Errors
+    ///
+    /// Those of the frame before.
+    pub fn starting_at(mut self, frame: usize) -> Result<Self, VideoError> {
+        let Some(before) = frame.checked_sub(1) else {
+            return Ok(self);
+        };
+        self.next = before;
+        if let Some(pairs) = &mut self.pairs {
+            pairs.by_ref().take(before).for_each(drop);
+        }
+        self.next().transpose()?;
+        Ok(self)
     }
 
     /// The number of frames that are compared, where it is known.

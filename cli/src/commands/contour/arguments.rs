@@ -7,7 +7,7 @@ use clap::{ArgGroup, ValueEnum};
 
 use super::super::stereo::Axes;
 use crate::camera_file::ChosenPair;
-use crate::contour::settling;
+use crate::commands::contour::settling;
 use crate::format::Format;
 use crate::frame::{Check, Context};
 

@@ -15,9 +15,10 @@ use crate::person::{CameraFiles, FitLengths, JointFiles, MANNEQUIN};
 /// together, and --refine-cameras and --synchronise put that right.
 ///
 /// The films are for looking at: one for each view, in the order of the views of the joints, as
-/// Y4M, MP4 (where the program was built with the feature `mp4`), folders of numbered pictures or
-/// patterns. There may be fewer, or none. They may be smaller than the pictures of the cameras,
-/// where the file of these says their size.
+/// Y4M, MP4 and what else ffmpeg reads where it is installed (H.264 in MP4 also where the program was
+/// built with the feature `mp4`), folders of numbered pictures or patterns. There may be fewer, or
+/// none. They may be smaller than the pictures of the cameras, where the file of these says their
+/// size.
 ///
 /// The folder of --out gets, all or nothing:
 ///
@@ -90,6 +91,10 @@ pub(crate) struct Arguments {
     /// Write no films with the body drawn over them; the page has them nevertheless.
     #[arg(long)]
     pub(super) no_overlay: bool,
+    /// Write the film with the body drawn over it of this view alone, and no other file: a task for
+    /// each view, beside one with --no-overlay, writes what one process writes.
+    #[arg(long, value_name = "NAME", conflicts_with = "no_overlay")]
+    pub(super) overlay_of: Option<String>,
     #[command(flatten)]
     pub(super) check: Check,
 }

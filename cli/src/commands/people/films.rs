@@ -7,11 +7,8 @@ use ga_body::format::{JointView, JointViews};
 use ga_video::{Frame, Properties, Source};
 
 use crate::frame::Warning;
-use crate::person::ViewCamera;
+use crate::person::{ViewCamera, is_other_rate, stated_rate};
 use crate::standard_output::is_dash;
-
-/// Rates differ where they do by more than this part.
-const RATE: f64 = 0.01;
 
 /// The film of a view, before its first frame is read.
 pub(super) struct ViewFilm {
@@ -26,8 +23,7 @@ pub(super) struct ViewFilm {
 impl ViewFilm {
     /// Frames in a second, where the film states it.
     pub(super) fn rate(&self) -> Option<f64> {
-        let [numerator, denominator] = self.source.properties().frames_per_second?;
-        Some(f64::from(numerator) / f64::from(denominator))
+        stated_rate(self.source.properties())
     }
 }
 
@@ -105,7 +101,7 @@ pub(super) fn doubts(
             doubt("film_length", message);
         }
         if let (Some(own), Some(rate)) = (film.rate(), rate)
-            && (own - rate).abs() > RATE * rate
+            && is_other_rate(own, rate)
         {
             let message = format!(
                 "the film has {own:.2} frames in a second, and the joints are taken for {rate:.2}; \

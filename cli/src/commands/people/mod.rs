@@ -72,6 +72,9 @@ impl Arguments {
         for (film, path) in films.iter_mut().zip(&outputs) {
             film.overlay = Some(path.clone());
         }
+        let only = self.overlay_of.as_deref();
+        let only = only.map(|name| number_of(name, &joints, films.len()));
+        let only = only.transpose()?;
         let of_film = films.iter().find_map(ViewFilm::rate);
         let rate = self.joints.rate(&joints, of_film)?;
         let stated = (!self.joints.has_rate()).then_some(rate);
@@ -107,6 +110,19 @@ impl Arguments {
             camera.size.or(of_film)
         });
         let sizes: Vec<Option<[usize; 2]>> = sizes.collect();
+        if let Some(view) = only {
+            staged = Staged::default();
+            let films = films.into_iter().enumerate().skip(view).take(1);
+            let drawn = self.draw(films, &figure, &fitted, &sizes, &mut staged, &progress)?;
+            warnings.extend(drawn.into_iter().filter_map(|drawn| drawn.warning));
+            let written = &outputs[view..=view];
+            let mut report =
+                Report::new(&self.character, &self.out, fitted.report, &known, written);
+            (report.verdict, report.warnings) = (verdict, warnings);
+            (report.is_of_view, report.staged) = (true, staged);
+            return Ok(report);
+        }
+        let films = films.into_iter().enumerate();
         let drawn = self.draw(films, &figure, &fitted, &sizes, &mut staged, &progress)?;
         written.extend(outputs);
         written.extend([report::PAGE, report::JSON].map(|name| self.out.join(name)));
@@ -115,6 +131,7 @@ impl Arguments {
         progress.step("writing");
         let page = page::page(Contents {
             title: &context.title(),
+            command: context.line(),
             verdict: verdict.with_files(),
             warnings: &warnings,
             figure: &figure,
@@ -123,6 +140,9 @@ impl Arguments {
             films: drawn,
         })?;
         let mut report = Report::new(&self.character, &self.out, fitted.report, &known, &written);
+        if context.is_recording() {
+            report.milliseconds_per_frame = None;
+        }
         (report.verdict, report.warnings) = (verdict, warnings);
         (report.page, report.staged) = (Some(page), staged);
         Ok(report)
@@ -235,10 +255,10 @@ impl Arguments {
         Ok(vec![model, motion])
     }
 
-    /// Draws the films one after the other.
+    /// Draws films, each with the number of its view, one after the other.
     fn draw(
         &self,
-        films: Vec<ViewFilm>,
+        films: impl ExactSizeIterator<Item = (usize, ViewFilm)>,
         figure: &Figure,
         fitted: &FittedCharacter,
         sizes: &[Option<[usize; 2]>],
@@ -246,9 +266,9 @@ impl Arguments {
         progress: &Progress,
     ) -> Result<Vec<Drawn>> {
         let count = films.len();
-        let views = fitted.report.per_view.iter();
-        let all = films.into_iter().zip(views).enumerate();
-        let drawn = all.map(|(view, (film, found))| {
+        let views = &fitted.report.per_view;
+        let drawn = films.map(|(view, film)| {
+            let found = &views[view];
             progress.step("drawing over films");
             let offset = match self.synchronise {
                 true => found.offset_frames.unwrap_or(0.0),
@@ -272,6 +292,20 @@ impl Arguments {
         });
         drawn.collect()
     }
+}
+
+/// The number of a view with a film.
+fn number_of(name: &str, joints: &JointViews, films: usize) -> Result<usize> {
+    let mut views = joints.views().iter().take(films);
+    let number = views.position(|view| view.name == name);
+    number.with_context(|| {
+        let known = joints.views().iter().take(films);
+        let known: Vec<&str> = known.map(|view| view.name.as_str()).collect();
+        format!(
+            "--overlay-of {name}: no view with a film has this name, but: {}",
+            known.join(", ")
+        )
+    })
 }
 
 /// Says which views have no film, where others have one.

@@ -9,7 +9,7 @@ use ga_runtime::cga3::Point;
 
 use super::drawing::Drawn;
 use super::figure::Figure;
-use crate::frame::{Verdict, Warning, command_line, judge};
+use crate::frame::{Verdict, Warning, judge};
 
 /// How far from the centre of a camera the base of its pyramid is, in metres.
 const PYRAMID: f64 = 0.3;
@@ -19,6 +19,8 @@ const MOST_CONTACTS: usize = 60;
 /// What a page shows.
 pub(super) struct Contents<'a> {
     pub(super) title: &'a str,
+    /// The line by which the command was called.
+    pub(super) command: String,
     pub(super) verdict: Verdict,
     pub(super) warnings: &'a [Warning],
     pub(super) figure: &'a Figure,
@@ -48,11 +50,7 @@ pub(super) fn page(contents: Contents<'_>) -> Result<Page> {
     bones(&mut page, report);
     contacts(&mut page, report);
     page.heading("Command");
-    let words: Vec<_> = std::env::args_os().skip(1).collect();
-    let words = words.iter().map(AsRef::as_ref);
-    page.code(&command_line(
-        std::iter::once("nullcone".as_ref()).chain(words),
-    ));
+    page.code(&contents.command);
     Ok(page)
 }
 

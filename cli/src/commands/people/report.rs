@@ -37,7 +37,9 @@ pub(crate) struct Report {
     reprojection_max_px: f64,
     joints_unseen: usize,
     frames_with_unseen_joints: usize,
-    milliseconds_per_frame: f64,
+    /// Left out where measured times are not wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) milliseconds_per_frame: Option<f64>,
     per_frame: Vec<FrameReport>,
     files: Vec<String>,
     #[serde(skip)]
@@ -46,6 +48,9 @@ pub(crate) struct Report {
     pub(super) warnings: Vec<Warning>,
     #[serde(skip)]
     pub(super) page: Option<Page>,
+    /// Whether one view alone was drawn, so that nothing else is written.
+    #[serde(skip)]
+    pub(super) is_of_view: bool,
     #[serde(skip)]
     pub(super) staged: Staged,
     #[serde(skip)]
@@ -113,7 +118,7 @@ impl Report {
             reprojection_max_px: fit.reprojection_max_px,
             joints_unseen: fit.joints_unseen,
             frames_with_unseen_joints: fit.frames_with_unseen_joints,
-            milliseconds_per_frame: fit.milliseconds_per_frame,
+            milliseconds_per_frame: Some(fit.milliseconds_per_frame),
             per_frame: fit.per_frame,
             files: files
                 .iter()
@@ -123,6 +128,7 @@ impl Report {
             warnings: Vec::new(),
             page: None,
             staged: Staged::default(),
+            is_of_view: false,
             folder: out.to_owned(),
         }
     }
@@ -138,6 +144,9 @@ impl frame::Report for Report {
     }
 
     fn next(&self) -> Option<String> {
+        if self.is_of_view {
+            return None;
+        }
         let film = quoted(self.folder.join("character.png"));
         let model = quoted(self.folder.join(CHARACTER));
         Some(format!(
@@ -150,9 +159,9 @@ impl frame::Report for Report {
     }
 
     fn kept(&self) -> Option<Kept> {
-        Some(Kept {
-            page: self.folder.join(PAGE),
-            json: self.folder.join(JSON),
+        (!self.is_of_view).then(|| Kept {
+            page: Some(self.folder.join(PAGE)),
+            json: Some(self.folder.join(JSON)),
         })
     }
 

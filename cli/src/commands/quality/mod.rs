@@ -1,6 +1,6 @@
 //! `nullcone quality`: measures of pictures and videos, and people's judgement of them.
 
-mod compare;
+pub(crate) mod compare;
 mod fit;
 mod ratings;
 

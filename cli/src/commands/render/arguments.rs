@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use serde::Serialize;
 
 use super::film_arguments::FilmArguments;
 use crate::camera_file::LensChoice;
 use crate::chosen_animation::ChosenAnimation;
+use crate::part::Frames;
 use crate::picture_file::picture_size;
 
 /// Draw a model.
@@ -46,7 +48,7 @@ use crate::picture_file::picture_size;
 /// "seconds": …, "files": […], "warnings": […]}; of an animation, also {"animation": …,
 /// "animation_name": …, "time_seconds": …, "duration_seconds": …}, where the time is that of the
 /// first picture and the duration that of the animation, and of a film "frames_per_second".
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Serialize, clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The model: its name ends in .obj, .ply, .glb or .gltf.
@@ -59,6 +61,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NAME")]
     pub(super) view: Option<String>,
     #[command(flatten)]
+    #[serde(flatten)]
     pub(super) lens: LensChoice,
     /// See the model from a camera inside the glTF document: the name of its node or of the camera,
     /// or the number of the node from 0. In a film it moves with its node.
@@ -74,8 +77,10 @@ pub(crate) struct Arguments {
         value_name = "FILE.png|FILE.y4m|FILE.mp4",
         required_unless_present = "film"
     )]
+    #[serde(skip)]
     pub(super) out: Option<PathBuf>,
     #[command(flatten)]
+    #[serde(flatten)]
     pub(super) animation: ChosenAnimation,
     /// The time in seconds of the animation that is drawn; by default 0.
     ///
@@ -84,7 +89,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SECONDS", conflicts_with = "film")]
     pub(super) time: Option<f64>,
     #[command(flatten)]
+    #[serde(flatten)]
     pub(super) film: FilmArguments,
+    /// Draw these pictures of the film or the turntable alone, the first included and the last not,
+    /// as A.. and ..B too: a part, which is described beside it in FILE.y4m.json for `nullcone
+    /// merge`.
+    #[arg(long, value_name = "A..B", conflicts_with_all = ["buffers", "views"])]
+    #[serde(skip)]
+    pub(super) frames: Option<Frames>,
     /// As many pictures with the camera moving once around the model: an animated PNG or a film
     /// with 25 pictures in a second. At most 1000, with at most 2^30 pixels together.
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "film")]
@@ -115,17 +127,21 @@ pub(crate) struct Arguments {
     /// rest); material.png, grey with 16 bits, the material, counted from 1. Where nothing is seen,
     /// all these are 0.
     #[arg(long, value_name = "DIR", conflicts_with = "film")]
+    #[serde(skip)]
     pub(super) buffers: Option<PathBuf>,
     /// Also write each picture as PNG into this folder, and views.json with their cameras, which
     /// `nullcone texture` and `nullcone body fit` read.
     #[arg(long, value_name = "DIR", conflicts_with = "film")]
+    #[serde(skip)]
     pub(super) views: Option<PathBuf>,
     /// Also write the camera of the first picture, as --camera reads it.
     #[arg(long, value_name = "FILE.json")]
+    #[serde(skip)]
     pub(super) camera_out: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub(super) enum Light {
     Lit,
     Unlit,

@@ -1,5 +1,6 @@
 //! Pictures of a model that does not move.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
@@ -17,6 +18,7 @@ use crate::film_file::Film;
 use crate::format::Format;
 use crate::frame::{Progress, Warning};
 use crate::output;
+use crate::part::{self, About, FilmPart, Part};
 
 /// Files that are complete but for their names, the picture or film first.
 #[derive(Default)]
@@ -24,6 +26,8 @@ pub(super) struct Drawing {
     pub(super) staged: Staged,
     pub(super) files: Vec<PathBuf>,
     pub(super) warnings: Vec<Warning>,
+    /// How many bytes the film has.
+    pub(super) film_bytes: usize,
 }
 
 impl Drawing {
@@ -33,13 +37,13 @@ impl Drawing {
         Ok(())
     }
 
-    /// Adds a film whose pictures a function makes one after another.
+    /// Adds a film of these pictures, which a function makes one after another.
     pub(super) fn add_film(
         &mut self,
         path: &Path,
         format: Format,
         style: &Style,
-        frames: usize,
+        pictures: Range<usize>,
         rate: f64,
         mut picture: impl FnMut(usize) -> Result<Plane<[u8; 3]>>,
     ) -> Result<()> {
@@ -47,14 +51,23 @@ impl Drawing {
             path,
             format,
             size: [style.width, style.height],
-            frames,
+            frames: pictures.len(),
             rate: Rate::new(rate).context("the rate is not above 0")?,
         };
-        film.stage(&mut self.staged, |show| {
-            (0..frames).try_for_each(|frame| show(&picture(frame)?))
+        self.film_bytes = film.stage(&mut self.staged, |show| {
+            (pictures.clone()).try_for_each(|frame| show(&picture(frame)?))
         })?;
         self.warnings.extend(film.warning());
         self.files.push(path.to_path_buf());
+        Ok(())
+    }
+
+    /// Adds the description of the part of a film.
+    pub(super) fn add_part(&mut self, film: &Path, about: About) -> Result<()> {
+        let path = part::beside(film);
+        let part = Part::new(about, FilmPart::new(film, self.film_bytes));
+        part.stage(&path, &mut self.staged)?;
+        self.files.push(path);
         Ok(())
     }
 
@@ -81,6 +94,7 @@ pub(super) fn draw(
     arguments: &Arguments,
     model: &Model,
     views: &[View],
+    pictures: Range<usize>,
     style: &Style,
     format: Format,
     progress: &Progress,
@@ -104,7 +118,7 @@ pub(super) fn draw(
         };
         match format {
             Format::Png if views.len() == 1 => drawing.add(out, &png::encode(&picture(0)?)?)?,
-            _ => drawing.add_film(&out, format, style, views.len(), TURNTABLE_RATE, picture)?,
+            _ => drawing.add_film(&out, format, style, pictures, TURNTABLE_RATE, picture)?,
         }
         if let (Some(folder), [first, ..]) = (&arguments.buffers, views) {
             let buffers = Buffers::new(scene, first, style.width, style.height)?;

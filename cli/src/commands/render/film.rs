@@ -1,5 +1,7 @@
 //! Films of a model that moves.
 
+use std::ops::Range;
+
 use anyhow::{Context as _, Result};
 use ga_character::AnimatedScene;
 use ga_character::animated_scene::Moment;
@@ -17,6 +19,8 @@ pub(super) struct Film<'a> {
     pub(super) animation: Option<usize>,
     pub(super) camera: &'a Camera,
     pub(super) times: &'a Times,
+    /// The pictures that are drawn, of all that the film has.
+    pub(super) pictures: Range<usize>,
 }
 
 impl Film<'_> {
@@ -55,18 +59,25 @@ impl Film<'_> {
         let mut drawing = Drawing::default();
         let path = arguments.film.file.clone().unwrap_or_default();
         let rate = arguments.film.rate;
-        drawing.add_film(&path, format, style, count, rate, |picture| {
-            let moment = self.moment(picture);
-            let view = match self.camera {
-                Camera::Outside(..) => first,
-                Camera::Node(node, _) => scene.view(*node, moment)?,
-            };
-            let model = scene.at(moment)?;
-            let drawn = model.with_scene(options, |scene| render(scene, &view, style));
-            progress.at(picture as u64 + 1, count as u64);
-            let drawn = drawn.with_context(|| format!("at {} s", moment.seconds))?;
-            Ok(drawn.colour)
-        })?;
+        drawing.add_film(
+            &path,
+            format,
+            style,
+            self.pictures.clone(),
+            rate,
+            |picture| {
+                let moment = self.moment(picture);
+                let view = match self.camera {
+                    Camera::Outside(..) => first,
+                    Camera::Node(node, _) => scene.view(*node, moment)?,
+                };
+                let model = scene.at(moment)?;
+                let drawn = model.with_scene(options, |scene| render(scene, &view, style));
+                progress.at(picture as u64 + 1, count as u64);
+                let drawn = drawn.with_context(|| format!("at {} s", moment.seconds))?;
+                Ok(drawn.colour)
+            },
+        )?;
         drawing.add_camera(arguments, &first, style)?;
         Ok(drawing)
     }

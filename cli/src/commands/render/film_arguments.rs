@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail, ensure};
+use serde::Serialize;
 
 /// A film in place of a picture.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Serialize, clap::Args)]
 pub(super) struct FilmArguments {
     /// A film of the animation, in place of a picture: an animated PNG if its name ends in .png, a
     /// film without compression if it ends in .y4m, which `ffmpeg -i FILE.y4m FILE.mp4` makes
@@ -16,6 +17,7 @@ pub(super) struct FilmArguments {
         value_name = "FILE.png|FILE.y4m|FILE.mp4",
         conflicts_with = "out"
     )]
+    #[serde(skip)]
     pub(super) file: Option<PathBuf>,
     /// The pictures of the film in a second, at most 1000.
     #[arg(long, value_name = "FPS", default_value_t = 25.0, requires = "film")]

@@ -28,6 +28,11 @@ use crate::chosen_animation::warn_of_times;
 use crate::film_file;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
+use crate::part::{self, About};
+use crate::standard_output::is_standard_output;
+
+/// The words of the command.
+pub(crate) const COMMAND: &str = "render";
 
 /// The most pictures of a turntable.
 const MOST_PICTURES: u32 = 1000;
@@ -109,6 +114,11 @@ impl Command for Arguments {
             Some(_) => self.film.times(duration)?,
             None => Times::one(time),
         };
+        let all = times.count().max(count as usize);
+        let pictures = match self.frames {
+            Some(frames) => frames.among(all)?,
+            None => 0..all,
+        };
         warn_of_times(path, played, times.ends(), &mut warnings);
 
         let mut scene = file.scene()?;
@@ -136,6 +146,7 @@ impl Command for Arguments {
                     animation,
                     camera: &camera,
                     times: &times,
+                    pictures: pictures.clone(),
                 };
                 film.draw(self, scene, &style, format, &progress)
             }
@@ -149,16 +160,32 @@ impl Command for Arguments {
                 let model = scene.at(first)?;
                 let views = viewpoint.turntable(model, style.aspect(), count);
                 let views = views.with_context(named)?;
-                drawing::draw(self, model, &views, &style, format, &progress)
+                drawing::draw(
+                    self,
+                    model,
+                    &views,
+                    pictures.clone(),
+                    &style,
+                    format,
+                    &progress,
+                )
             }
         };
-        let drawing = drawing.with_context(named)?;
+        let mut drawing = drawing.with_context(named)?;
+        if self.frames.is_some() {
+            let is_last = pictures.end == all;
+            let inputs = [path.as_path()]
+                .into_iter()
+                .chain(camera::file(&self.camera));
+            let about = About::new(COMMAND, self, inputs, pictures.clone(), is_last)?;
+            drawing.add_part(out, about)?;
+        }
         warnings.extend(drawing.warnings);
         Ok(Report {
             out: out.display().to_string(),
             width_px: width,
             height_px: height,
-            pictures: times.count().max(count as usize),
+            pictures: pictures.len(),
             triangles,
             seconds: begin.elapsed().as_secs_f64(),
             played: played.zip(animation).map(|(played, animation)| Played {
@@ -195,6 +222,19 @@ impl Arguments {
             (None, None) => bail!("--out or --film is needed"),
         };
         let format = film_file::format(&mut files, option, out)?;
+        if let Some(frames) = self.frames {
+            ensure!(
+                option == "--film" || self.turntable > 1,
+                "--frames {frames}: one picture has no frames: --film or --turntable is needed"
+            );
+            ensure!(
+                format == Format::Y4m && !is_standard_output(out),
+                "--frames {frames}: {option} {}: a part of a film must be a .y4m file, which alone \
+                 can be joined without loss: nullcone merge writes the whole",
+                out.display()
+            );
+            files.write(option, &part::beside(out), &[Format::Json])?;
+        }
         if let Some(folder) = &self.buffers {
             files.write_folder("--buffers", folder, buffer_files::NAMES)?;
         }

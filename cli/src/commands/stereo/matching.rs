@@ -8,9 +8,6 @@ use serde::Serialize;
 
 use crate::frame::Warning;
 
-/// More threads than this are taken for a mistake.
-const MOST_THREADS: i64 = 1024;
-
 /// What the commands that match views take.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct MatchingArguments {
@@ -31,9 +28,6 @@ pub(super) struct MatchingArguments {
     /// How much work is done.
     #[arg(long, value_enum, default_value_t = Mode::Balanced)]
     pub(super) mode: Mode,
-    /// The number of threads; by default as many as the machine can run at the same time.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
-    threads: Option<u16>,
 }
 
 impl MatchingArguments {
@@ -45,11 +39,6 @@ impl MatchingArguments {
             "--min-confidence {least} is not from 0 to 1"
         );
         Ok(())
-    }
-
-    /// The number of threads; 0 for as many as the machine can run at the same time.
-    pub(super) fn threads(&self) -> usize {
-        self.threads.map_or(0, usize::from)
     }
 }
 

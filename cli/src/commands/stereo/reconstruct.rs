@@ -159,7 +159,7 @@ impl Command for Arguments {
             min_disparity: matching.min_disparity,
             max_disparity: matching.max_disparity.or(given),
             mode: matching.mode.into(),
-            threads: matching.threads(),
+            threads: rayon::current_num_threads(),
             least_confidence: matching.min_confidence,
         };
         let found = pair.disparities(&options);

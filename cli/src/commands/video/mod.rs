@@ -1,7 +1,7 @@
 //! `nullcone video`: the shots and key frames of videos, and the comfort of stereoscopic ones.
 
-mod comfort;
-mod keyframes;
+pub(crate) mod comfort;
+pub(crate) mod keyframes;
 mod score;
 mod shots;
 mod statistics;

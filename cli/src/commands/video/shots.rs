@@ -3,8 +3,9 @@
 use clap::ValueEnum;
 use ga_video::keyframe::Options;
 use ga_video::keyframe::layout::Layout;
+use serde::{Deserialize, Serialize};
 
-#[derive(Clone, Copy, Debug, clap::Args)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize, clap::Args)]
 pub(super) struct ShotOptions {
     /// How frames are divided into blocks.
     #[arg(long, value_enum, default_value_t = Blocks::Five)]
@@ -15,7 +16,8 @@ pub(super) struct ShotOptions {
 }
 
 /// The blocks into which frames are divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 enum Blocks {
     /// Objects in the middle, background in the four corners.
     Five,

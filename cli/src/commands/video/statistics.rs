@@ -91,7 +91,7 @@ impl Command for Arguments {
         let mut failure = None;
         for path in &videos {
             progress.step("analysing");
-            let analysed = analyse(path, self.shots.options(), None, |done, of| {
+            let analysed = analyse(path, self.shots.options(), [], None, |done, of| {
                 progress.at(done as u64, of as u64);
             });
             let analysed = match analysed {

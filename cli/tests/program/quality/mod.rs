@@ -17,12 +17,13 @@ use tempfile::{TempDir, tempdir};
 use crate::common::{assert_failure, assert_success, nullcone, number, program, text};
 
 /// The measures of luma.
-const KEYS: [&str; 5] = [
+const KEYS: [&str; 6] = [
     "attention_psnr",
     "attention_ssim",
     "ms_ssim",
     "psnr",
     "ssim",
+    "vif",
 ];
 
 /// What else is printed of pictures, of which `differs_in` and `identical` are no measures.
@@ -112,7 +113,7 @@ fn equal_pictures_have_null_and_one() {
         assert_eq!(report[format!("{key}_reason")], "nothing differs");
     }
     assert_eq!(report["identical"], true);
-    for key in ["ssim", "ms_ssim", "attention_ssim"] {
+    for key in ["ssim", "ms_ssim", "vif", "attention_ssim"] {
         assert_eq!(report[key].as_f64(), Some(1.0), "{key}");
     }
     let output = compare(folder.path(), ["a.png", "a.png"]);
@@ -290,11 +291,17 @@ fn a_report_of_pictures_shows_where_they_differ() {
     let page = page(folder.path(), "q.html");
     assert!(page.contains("Reference: a &amp; b.png."));
     assert!(page.contains("none: 60 × 50 pixels are too few"));
-    let start = page.find("data:image/png;base64,").unwrap() + 22;
-    let end = page[start..].find('"').unwrap();
-    let map = BASE64_STANDARD.decode(&page[start..start + end]).unwrap();
-    let map = file::decode(&map).unwrap();
-    let map: Plane<u8> = map.to_grey(ga_image::grey::Luma::Bt601);
+    let pictures = page.split("data:image/png;base64,").skip(1).map(|rest| {
+        let end = rest.find('"').unwrap();
+        let picture = BASE64_STANDARD.decode(&rest[..end]).unwrap();
+        let picture = file::decode(&picture).unwrap();
+        picture.to_grey(ga_image::grey::Luma::Bt601)
+    });
+    let pictures: Vec<Plane<u8>> = pictures.collect();
+    let [reference, distorted, map] = &pictures[..] else {
+        panic!("{} pictures", pictures.len());
+    };
+    assert!(reference.rows().eq(a.rows()) && distorted.rows().eq(left.rows()));
     assert_eq!((map.width(), map.height()), (60, 50));
     assert!((0..20).all(|x| map.row(25)[x] == 255) && map.row(25)[45] < 255);
     // One of the files has no place: none is written.

@@ -137,9 +137,29 @@ pub fn shortened(text: &str, most: usize) -> String {
     format!("{}…", start.trim_end())
 }
 
+/// A text of at most this number of characters, in whose middle … stands for what is left out.
+#[must_use]
+pub fn shortened_between(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let shown = most.saturating_sub(1);
+    let start: String = text.chars().take(shown / 2).collect();
+    let end: String = text.chars().skip(count - shown.div_ceil(2)).collect();
+    format!("{start}…{end}")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::shortened;
+    use super::{shortened, shortened_between};
+
+    #[test]
+    fn a_long_text_keeps_its_ends() {
+        assert_eq!(shortened_between("über_crf20", 10), "über_crf20");
+        assert_eq!(shortened_between("über_0_crf20", 10), "über…crf20");
+        assert_eq!(shortened_between("clip", 1), "…");
+    }
 
     #[test]
     fn a_long_text_ends_with_an_ellipsis() {

@@ -15,6 +15,7 @@
 
 pub mod chart;
 mod line_chart;
+mod model;
 mod motion;
 mod overlay;
 mod page;
@@ -22,6 +23,7 @@ mod svg;
 mod values;
 
 pub use line_chart::{LineChart, Series};
+pub use model::{ModelCoordinates, ModelError, ModelTexture, ModelView};
 pub use motion::{
     Bone, Encoding, FilmProblem, Motion, MotionCamera, MotionError, MotionFilm, MotionPicture, Side,
 };

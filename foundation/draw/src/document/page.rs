@@ -16,12 +16,16 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     h1{overflow-wrap:anywhere}.wide{overflow-x:auto}\
     .warning{background:#fdf0d5;border-left:4px solid #d55e00;padding:.5em 1em}\
     .note{background:#e6f0f8;border-left:4px solid #0072b2;padding:.5em 1em}\
-    svg,img{max-width:100%;height:auto}.wide svg{min-width:760px}\
+    svg,img{max-width:100%;height:auto}.wide svg{max-width:none}\
+    .pictures{display:flex;flex-wrap:wrap;gap:1em}\
+    .pictures figure{flex:1 1 440px;min-width:0;margin:0}\
     figure{margin:1.2em 0 2em}figcaption{font-size:.95em;margin-top:.3em}\
     pre{background:#eef0f4;padding:.6em 1em;white-space:pre-wrap;overflow-wrap:anywhere}\
     .green{background:#d3efe3}.orange{background:#ffd27a}.red{background:#a3261b;color:#fff}\
     .text td,.text th{text-align:left;white-space:normal;vertical-align:top}\
-    .none{background:#ececf0;color:#555}";
+    .none{background:#ececf0;color:#555}\
+    details{border-left:2px solid #dde;padding-left:1em;margin:1em 0}\
+    summary{cursor:pointer;color:#0072b2}";
 
 /// A page to which parts are added from the top to the bottom. Text may have any characters.
 #[derive(Clone, Debug)]
@@ -31,6 +35,8 @@ pub struct Page {
     begin: usize,
     /// The style sheets that were added.
     styles: Vec<&'static str>,
+    /// The scripts that were added.
+    scripts: Vec<&'static str>,
 }
 
 impl Page {
@@ -48,6 +54,7 @@ impl Page {
             html,
             begin,
             styles: vec![],
+            scripts: vec![],
         }
     }
 
@@ -84,13 +91,16 @@ impl Page {
         self.add(format_args!("<h2>{}</h2>\n", escaped(text)));
     }
 
-    /// A chart, or any other SVG picture.
+    /// A chart, or any other SVG picture. It keeps its size, so that what is written in it is
+    /// legible; in narrow windows it can be moved to the side.
     pub fn svg(&mut self, svg: &str) {
-        self.add(format_args!("{}\n", svg.trim_end()));
+        self.add(format_args!(
+            "<div class=\"wide\">{}</div>\n",
+            svg.trim_end()
+        ));
     }
 
-    /// A chart that keeps its size in narrow windows, where it can be moved to the side, with what
-    /// it shows in words below it.
+    /// An [`svg`](Self::svg) with what it shows in words below it.
     pub fn wide_svg(&mut self, svg: &str, caption: &str) {
         self.add(format_args!(
             "<figure><div class=\"wide\">{}</div><figcaption>{}</figcaption></figure>\n",
@@ -128,6 +138,20 @@ impl Page {
         ));
     }
 
+    /// Pictures beside each other where there is room, with what each shows in words below it.
+    pub fn pictures<'a>(&mut self, pictures: impl IntoIterator<Item = (&'a str, &'a [u8])>) {
+        self.html += "<div class=\"pictures\">\n";
+        for (words, png) in pictures {
+            self.html += "<figure>";
+            self.png(words, png);
+            self.add(format_args!(
+                "<figcaption>{}</figcaption></figure>\n",
+                escaped(words)
+            ));
+        }
+        self.html += "</div>\n";
+    }
+
     /// A table. The first column is aligned to the left, the others to the right.
     pub fn table<const N: usize>(
         &mut self,
@@ -139,6 +163,28 @@ impl Page {
             names,
             rows.into_iter().map(|row| row.map(Cell::from)),
         );
+    }
+
+    /// A table of two columns, of which [a script beside the page](Self::script_beside) may fill in
+    /// the second: its cells have these keys as `data-time`, and say `missing` before.
+    pub fn table_to_fill<'a>(
+        &mut self,
+        names: [&str; 2],
+        rows: impl IntoIterator<Item = (&'a str, &'a str)>,
+        missing: &str,
+    ) {
+        let [first, second] = names.map(escaped);
+        self.add(format_args!(
+            "<div class=\"wide\"><table>\n<tr><th>{first}</th><th>{second}</th></tr>\n"
+        ));
+        let missing = escaped(missing);
+        for (text, key) in rows {
+            let [text, key] = [text, key].map(escaped);
+            self.add(format_args!(
+                "<tr><td>{text}</td><td data-time=\"{key}\">{missing}</td></tr>\n"
+            ));
+        }
+        self.html += "</table></div>\n";
     }
 
     /// A [`table`](Self::table) with many columns, whose cells may have colours.
@@ -188,6 +234,41 @@ impl Page {
         self.add_table("wide text", names, rows);
     }
 
+    /// A script of a file beside the page, which need not be there.
+    pub fn script_beside(&mut self, file: &str) {
+        self.add(format_args!(
+            "<script src=\"{}\"></script>\n",
+            escaped(file)
+        ));
+    }
+
+    /// The parts of another page, below a line that unfolds them.
+    pub fn fold(&mut self, summary: &str, other: Self) {
+        self.add(format_args!(
+            "<details><summary>{}</summary>\n",
+            escaped(summary)
+        ));
+        self.include(other);
+        self.add(format_args!("</details>\n"));
+    }
+
+    /// The parts of another page, without its heading.
+    pub fn include(&mut self, other: Self) {
+        for style in other.styles {
+            self.add_style(style);
+        }
+        let heading = other.html.find("</h1>\n").map_or(0, |place| place + 6);
+        let mut parts = other.html[heading..].to_owned();
+        for script in other.scripts {
+            if self.scripts.contains(&script) {
+                parts = parts.replace(script, "");
+            } else {
+                self.scripts.push(script);
+            }
+        }
+        self.html += &parts;
+    }
+
     /// The whole page.
     #[must_use]
     pub fn into_html(mut self) -> String {
@@ -195,16 +276,30 @@ impl Page {
         self.html
     }
 
-    /// Adds a style sheet for a kind of part, unless the page has it; says whether it was added.
-    pub(super) fn add_style(&mut self, style: &'static str) -> bool {
+    /// Adds a style sheet for a kind of part, unless the page has it.
+    pub(super) fn add_style(&mut self, style: &'static str) {
         if self.styles.contains(&style) {
-            return false;
+            return;
         }
         self.styles.push(style);
         let end = self.html.find("</style>").unwrap_or_default();
         self.html.insert_str(end, style);
         self.begin += style.len();
-        true
+    }
+
+    /// Adds those scripts for a kind of part that the page does not have: kinds share scripts, and
+    /// none may be declared twice.
+    pub(super) fn add_scripts(&mut self, scripts: &[&'static str]) {
+        let mut missing = String::new();
+        for script in scripts {
+            if !self.scripts.contains(script) {
+                self.scripts.push(script);
+                missing += script;
+            }
+        }
+        if !missing.is_empty() {
+            self.add(format_args!("<script>\n{missing}</script>\n"));
+        }
     }
 
     pub(super) fn add(&mut self, html: std::fmt::Arguments<'_>) {

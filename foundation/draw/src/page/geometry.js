@@ -59,7 +59,7 @@ const geometry = (() => {
       const height = Math.min((radius * radius) / distance, 0.999 * radius);
       return { normal, distance: dot(normal, centre) + height };
     };
-    return { depth, ray, project, isAbove, horizon, scale, middle };
+    return { depth, ray, project, isAbove, horizon, scale, middle, right, upward, toward };
   }
 
   /** The camera with which a picture fits into a canvas. */
@@ -318,7 +318,7 @@ const geometry = (() => {
   }
 
   return {
-    LETTER, TAU, along, basisAcross, clamp, difference, dot, fittedCamera, hiding, length, makeCamera,
-    outline, outlineCurve, placeLabels, scaled, strokes,
+    EYE, LETTER, TAU, along, basisAcross, clamp, difference, dot, fittedCamera, hiding, length,
+    makeCamera, outline, outlineCurve, placeLabels, scaled, strokes,
   };
 })();

@@ -52,16 +52,16 @@ use crate::vga3::Vector;
 /// A 4×4 matrix by rows.
 pub type Matrix<S> = [[S; 4]; 4];
 
-/// The matrix of the translation by t (eq. 4). A number that is not finite is passed on to the
-/// matrix, as in all functions here that do not return an `Option`.
+/// The matrix of the translation by t (Cui, eqs. 3 and 4). A number that is not finite is passed on
+/// to the matrix, as in all functions here that do not return an `Option`.
 #[inline]
 #[must_use]
 pub fn translation<S: Ring>(displacement: [S; 3]) -> Matrix<S> {
     Affine::from_translation(displacement).to_homogeneous()
 }
 
-/// The matrix of the rotation about the x axis, right-handed, by an angle in radians (eq. 6): from
-/// y to z. `None` where the angle is not finite.
+/// The matrix of the rotation about the x axis, right-handed, by an angle in radians (Cui, eqs. 5
+/// and 6): from y to z. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -73,8 +73,8 @@ pub fn rotation_about_x<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the rotation about the y axis, right-handed, by an angle in radians (eq. 7): from
-/// z to x. `None` where the angle is not finite.
+/// The matrix of the rotation about the y axis, right-handed, by an angle in radians (Cui, eq. 7):
+/// from z to x. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -86,8 +86,8 @@ pub fn rotation_about_y<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     ]))
 }
 
-/// The matrix of the rotation about the z axis, right-handed, by an angle in radians (eq. 8): from
-/// x to y. `None` where the angle is not finite.
+/// The matrix of the rotation about the z axis, right-handed, by an angle in radians (Cui, eq. 8):
+/// from x to y. `None` where the angle is not finite.
 #[must_use]
 pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
     let (sine, cosine) = sine_and_cosine(angle)?;
@@ -100,7 +100,7 @@ pub fn rotation_about_z<S: Real<Mask = bool>>(angle: S) -> Option<Matrix<S>> {
 }
 
 /// The matrix of the rotation about an axis through the origin, right-handed, by an angle in
-/// radians (eq. 9). `None` where the axis is zero, or the axis or the angle is not finite.
+/// radians (Cui, eq. 9). `None` where the axis is zero, or the axis or the angle is not finite.
 ///
 /// ```
 /// use ga_runtime::geometry::homogeneous::rotation;
@@ -149,7 +149,7 @@ pub fn rotation_about_axis<S: Real<Mask = bool>>(
     Some(product(translation(there), turned))
 }
 
-/// The matrix of the scaling by a factor along each axis about the origin (eq. 11).
+/// The matrix of the scaling by a factor along each axis about the origin (Cui, eqs. 10 and 11).
 #[inline]
 #[must_use]
 pub fn scaling<S: Ring>(factors: [S; 3]) -> Matrix<S> {

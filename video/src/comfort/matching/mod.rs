@@ -13,6 +13,7 @@ mod search;
 
 use ga_image::plane::PlaneView;
 use ga_runtime::batch::{Batch, Work};
+use serde::{Deserialize, Serialize};
 
 use alignment::{Aligned, align};
 use corner::Corners;
@@ -36,7 +37,7 @@ const FARTHEST: f32 = 2.5;
 const LEAST_CORRELATION: [f32; 2] = [0.6, 0.5];
 
 /// A point that both views show.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Match {
     /// The pixel in the left view, counted from the centre of the top left one.
     pub left: [f64; 2],

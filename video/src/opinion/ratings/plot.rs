@@ -2,7 +2,7 @@
 //! and how many people gave which rating.
 
 use ga_draw::document::chart::{
-    self, Area, COLOURS, ChartError, FINE, Mark, draw_legend, font, shortened,
+    self, Area, COLOURS, ChartError, FINE, Mark, draw_legend, font, shortened, shortened_between,
 };
 use ga_draw::document::percent;
 use plotters::prelude::*;
@@ -12,8 +12,13 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::classes::{classes, scale};
 use super::{Evaluation, Ratings};
 
-/// The size of the picture as it is shown, without the names of the questions.
+/// The size of the picture as it is shown, without the names of the questions. Many questions make
+/// it wider.
 const SIZE: (u32, u32) = (900, 600);
+/// The least width of a question, in which upright names do not touch, and that of each of its
+/// dots.
+const PITCH: u32 = 16;
+const DOT_PITCH: u32 = 7;
 const LEGEND: u32 = 170;
 /// The space beside the charts that no question takes.
 const BESIDE: u32 = 80;
@@ -21,8 +26,8 @@ const BESIDE: u32 = 80;
 const LETTER: u32 = 7;
 /// Half the width of a bar, where questions are 1 apart.
 const HALF_BAR: f64 = 0.32;
-/// The most letters of a name that are shown.
-const QUESTION: usize = 22;
+/// The most letters of a name that are shown. Names of clips often differ at their ends.
+const QUESTION: usize = 26;
 const GROUP: usize = 18;
 
 impl Evaluation {
@@ -34,7 +39,7 @@ impl Evaluation {
     pub fn svg(&self) -> Result<String, ChartError> {
         let ratings = &self.ratings;
         let names = Names::new(ratings);
-        let size = (SIZE.0, SIZE.1 + 2 * names.height);
+        let size = (names.width + LEGEND, SIZE.1 + 2 * names.height);
         chart::svg(size, |area| {
             let (above, below) = area.split_vertically(size.1 * FINE / 2);
             draw_opinions(&above, ratings, &names, self.confidence)?;
@@ -50,17 +55,25 @@ struct Names {
     upright: bool,
     /// The height that they take.
     height: u32,
+    /// The width of the charts.
+    width: u32,
 }
 
 impl Names {
     fn new(ratings: &Ratings) -> Self {
         let questions = ratings.questions();
-        let names: Vec<String> = questions.iter().map(|q| shortened(q, QUESTION)).collect();
+        let names = questions.iter().map(|q| shortened_between(q, QUESTION));
+        let names: Vec<String> = names.collect();
         let longest = names.iter().map(|name| name.chars().count()).max();
         let longest = LETTER * longest.unwrap_or(0) as u32;
-        let upright = longest * names.len() as u32 > SIZE.0 - LEGEND - BESIDE;
+        let count = names.len() as u32;
+        let upright = longest * count > SIZE.0 - LEGEND - BESIDE;
+        let dots = 1 + ratings.groups().len() as u32;
+        let pitch = PITCH.max(DOT_PITCH * dots);
+        let width = (SIZE.0 - LEGEND).max(BESIDE + pitch * count);
         Self {
             names,
+            width,
             upright,
             height: if upright { longest + 12 } else { 26 },
         }
@@ -139,7 +152,7 @@ fn draw_opinions(
     let scale = scale(ratings);
     let (least, greatest) = (scale[0], scale[scale.len() - 1]);
     let margin = 0.08 * (greatest - least).max(1.0);
-    let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
+    let (legend_area, charts) = area.split_horizontally(LEGEND * FINE);
     let chart = Chart {
         caption: format!(
             "Mean opinion scores with {} % intervals",
@@ -149,7 +162,7 @@ fn draw_opinions(
         range: [least - margin, greatest + margin],
         numbers: 8,
     };
-    let mut chart = chart.draw(&left, names)?;
+    let mut chart = chart.draw(&charts, names)?;
     let groups = ratings.groups();
     let shown: Vec<Option<&str>> = std::iter::once(None)
         .chain(groups.iter().map(|group| Some(*group)))
@@ -175,12 +188,12 @@ fn draw_opinions(
         }))?;
         let dots = found.iter();
         let dots =
-            dots.map(|(x, mean, _)| Circle::new((*x, *mean), 4 * FINE as i32, colour.filled()));
+            dots.map(|(x, mean, _)| Circle::new((*x, *mean), 3 * FINE as i32, colour.filled()));
         chart.draw_series(dots)?;
         legend.push((Mark::Dot, colour, shortened(group.unwrap_or("all"), GROUP)));
     }
     if !groups.is_empty() {
-        draw_legend(&right, &legend)?;
+        draw_legend(&legend_area, &legend)?;
     }
     Ok(())
 }
@@ -190,7 +203,7 @@ fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<(), 
     let classes = classes(&scale(ratings));
     let count = ratings.questions().len();
     let people = ratings.raters().len();
-    let (left, right) = area.split_horizontally((SIZE.0 - LEGEND) * FINE);
+    let (legend_area, charts) = area.split_horizontally(LEGEND * FINE);
     let chart = Chart {
         caption: "Raters by rating".to_owned(),
         unit: "raters",
@@ -198,7 +211,7 @@ fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<(), 
         // People are counted in whole numbers.
         numbers: (people + 1).min(11),
     };
-    let mut chart = chart.draw(&left, names)?;
+    let mut chart = chart.draw(&charts, names)?;
     let mut tops = vec![0.0; count];
     let mut legend = Vec::new();
     for (place, class) in classes.iter().enumerate() {
@@ -217,7 +230,7 @@ fn draw_counts(area: &Area<'_>, ratings: &Ratings, names: &Names) -> Result<(), 
     }
     // The greatest rating on top, as in the bars.
     legend.reverse();
-    draw_legend(&right, &legend)
+    draw_legend(&legend_area, &legend)
 }
 
 /// From the colour of the least rating to that of the greatest, through a light grey.

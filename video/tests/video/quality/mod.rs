@@ -2,6 +2,7 @@
 
 mod identity;
 mod matching;
+mod vif;
 
 use ga_image::plane::Plane;
 use ga_image::quality::{Ssim, Weights, mse, psnr, weighted_psnr};

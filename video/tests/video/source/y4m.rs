@@ -132,7 +132,8 @@ fn errors_name_file_and_frame() {
         .unwrap();
     assert_eq!(
         error.to_string(),
-        "cut.y4m: Y4M: the sampling 411 is not supported"
+        "cut.y4m: Y4M: the sampling 411 is not supported; let ffmpeg convert the video: ffmpeg -i \
+         cut.y4m -pix_fmt yuv420p10le -strict -1 -f yuv4mpegpipe -"
     );
 }
 

@@ -18,11 +18,12 @@ use crate::person::{CameraFiles, HueSeed};
 /// joints are where the body is not recognised: a warning says why. Frames of equal numbers
 /// were taken at one time; the shortest film ends all.
 ///
-/// Films are Y4M, MP4 (where the program was built with the feature `mp4`), folders of numbered
-/// pictures, patterns such as film_%04d.png, or one picture for each view. They may be smaller or
-/// larger than the pictures of the cameras, where the file of these says their size; the pixels of
-/// the joints are those of the cameras. A view belongs to the camera of the name of its film
-/// without the ending, or where no camera has such a name, to that in its place.
+/// Films are Y4M, MP4 and what else ffmpeg reads where it is installed (H.264 in MP4 also where the
+/// program was built with the feature `mp4`), folders of numbered pictures, patterns such as
+/// film_%04d.png, or one picture for each view. They may be smaller or larger than the pictures of
+/// the cameras, where the file of these says their size; the pixels of the joints are those of the
+/// cameras. A view belongs to the camera of the name of its film without the ending, or where no
+/// camera has such a name, to that in its place.
 ///
 /// For instance
 ///

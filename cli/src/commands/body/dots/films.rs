@@ -8,9 +8,7 @@ use ga_image::plane::Plane;
 use ga_video::{Frame, Source};
 
 use crate::frame::Warning;
-
-/// Rates differ where they do by more than this part.
-const RATE: f64 = 0.01;
+use crate::person::{is_other_rate, stated_rate};
 
 /// The film of a view.
 pub(super) struct Film {
@@ -24,12 +22,6 @@ impl Film {
     /// Columns and rows.
     pub(super) fn size(&self) -> [usize; 2] {
         self.source.properties().size
-    }
-
-    /// Frames in a second, where the film states it.
-    fn rate(&self) -> Option<f64> {
-        let [numerator, denominator] = self.source.properties().frames_per_second?;
-        Some(f64::from(numerator) / f64::from(denominator))
     }
 
     fn read(&mut self) -> Result<Option<Plane<[u8; 3]>>> {
@@ -93,7 +85,8 @@ impl Films {
 
     /// Frames in a second: of the first film that states it.
     pub(super) fn rate(&self) -> Option<f64> {
-        self.all.iter().find_map(Film::rate)
+        let rates = self.all.iter().map(|film| film.source.properties());
+        rates.filter_map(stated_rate).next()
     }
 
     /// The films that do not agree with this rate.
@@ -102,8 +95,8 @@ impl Films {
             return Vec::new();
         };
         let others = self.all.iter().filter_map(|film| {
-            let own = film.rate()?;
-            ((own - rate).abs() > RATE * rate).then(|| {
+            let own = stated_rate(film.source.properties())?;
+            is_other_rate(own, rate).then(|| {
                 let message = format!(
                     "the film has {own:.2} frames in a second, and the first {rate:.2}: frames of \
                      equal numbers are taken for one time"

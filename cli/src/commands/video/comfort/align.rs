@@ -144,7 +144,8 @@ impl Command for Arguments {
             }
         };
         progress.step("measuring");
-        let mut plan = Plan::of(open, layout.halves(), 2, |reading, frame| {
+        let threads = rayon::current_num_threads();
+        let mut plan = Plan::of(open, layout.halves(), threads, |reading, frame| {
             if reading > 0 && frame == 0 {
                 progress.step("measuring again");
             }
@@ -266,7 +267,11 @@ impl Report {
                 )
             }
             measured => {
-                let mut text = format!("delay of {} frames removed", self.delay_frames);
+                let mut text = match self.delay_frames {
+                    0 => "no delay of a whole frame".to_owned(),
+                    1 | -1 => format!("delay of {} frame removed", self.delay_frames),
+                    frames => format!("delay of {frames} frames removed"),
+                };
                 let others = measured - self.frames_with_this_delay;
                 if others > 0 {
                     text += &format!("; {others} of {measured} frames show another delay");

@@ -6,11 +6,13 @@ use anyhow::{Result, bail};
 use clap::ValueEnum;
 use ga_video::VideoError;
 use ga_video::stereo::{Layout, StereoSource, shape};
+use serde::{Deserialize, Serialize};
 
 use crate::frame::Warning;
 
 /// How the two views are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub(in crate::commands::video) enum LayoutName {
     /// The left view in the left half of each frame (SBS).
     #[value(alias = "sbs")]

@@ -2,23 +2,28 @@
 
 pub(super) mod align;
 mod input;
+mod parts;
 mod screen;
 mod table;
 
-use std::path::PathBuf;
+use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result, bail, ensure};
-use ga_video::comfort::monitor::{Options, observe};
+use ga_video::comfort::monitor::{Options, observe_measured};
 use ga_video::comfort::report::{self, About, Report};
 use ga_video::comfort::{FrameMeasures, Level, Observer, Record, Summary, Viewing};
 use ga_video::{Frame, Properties};
+use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 use crate::frame::{Check, Command, Context, Progress, Shown, Verdict};
 use crate::output;
+use crate::part::{PartArguments, PartWritten};
 use crate::shell::quoted;
 use crate::standard_output;
 use input::LayoutName;
+pub(crate) use parts::{COMMAND, FORMATS, merged};
 use screen::Screen;
 
 /// Measure how comfortable stereoscopic video is, frame by frame.
@@ -55,9 +60,9 @@ use screen::Screen;
 ///   nullcone video comfort film.y4m --layout side-by-side --out report.html
 ///   nullcone video comfort film.y4m --layout side-by-side --json
 ///   nullcone video comfort left.y4m right.y4m --layout two-files --csv > comfort.csv
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Serialize, Deserialize, clap::Args)]
 #[command(verbatim_doc_comment)]
-pub(in crate::commands::video) struct Arguments {
+pub(crate) struct Arguments {
     /// The video of both views, or of the left one; - is Y4M from standard input.
     #[arg(value_name = "FILE")]
     video: PathBuf,
@@ -68,37 +73,53 @@ pub(in crate::commands::video) struct Arguments {
     #[arg(long, value_enum)]
     layout: Option<LayoutName>,
     #[command(flatten)]
+    #[serde(flatten)]
     screen: Screen,
     /// Print a table with a line for each frame.
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long, conflicts_with_all = ["json", "part"])]
+    #[serde(skip)]
     csv: bool,
     /// Write a page with a verdict, charts and the worst moments; it needs no other file.
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_name = "FILE.html", conflicts_with = "part")]
+    #[serde(skip)]
     out: Option<PathBuf>,
     /// Write the summary as JSON.
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json", conflicts_with = "part")]
+    #[serde(skip)]
     summary: Option<PathBuf>,
-    /// The number of threads, 1 or 2. Results do not depend on it.
-    #[arg(long, value_name = "COUNT", default_value_t = 2)]
-    threads: usize,
     #[command(flatten)]
+    #[serde(skip)]
+    part: PartArguments,
+    #[command(flatten)]
+    #[serde(skip)]
     check: Check,
 }
 
 impl Command for Arguments {
-    type Report = Shown<()>;
+    type Report = Shown<Option<PartWritten>>;
 
     fn is_check(&self) -> bool {
         self.check.check
     }
 
     fn run(&self, context: &Context) -> Result<Self::Report> {
-        ensure!(
-            (1..=2).contains(&self.threads),
-            "--threads {}: it must be 1 or 2",
-            self.threads
-        );
         self.check_out(context)?;
+        match self.part.asked() {
+            Some((frames, path)) => self.measure(frames, path),
+            None => self.observe(VecDeque::new(), None, context),
+        }
+    }
+}
+
+impl Arguments {
+    /// Analyses the video, of whose first frames the measures may be known, and writes a table of
+    /// its frames where that is asked for.
+    fn observe(
+        &self,
+        measured: VecDeque<FrameMeasures>,
+        table: Option<&Path>,
+        context: &Context,
+    ) -> Result<Shown<Option<PartWritten>>> {
         let viewing = self.screen.viewing()?;
         let layout = LayoutName::of(self.layout, self.right.as_deref())?;
         let mut source = layout.open(&self.video, self.right.as_deref())?;
@@ -107,7 +128,7 @@ impl Command for Arguments {
         let options = Options {
             viewing,
             layout: layout.halves(),
-            threads: self.threads,
+            threads: rayon::current_num_threads(),
         };
         let progress = context.progress(1);
         progress.step("analysing");
@@ -128,14 +149,16 @@ impl Command for Arguments {
                 Lines::Csv => output::print(&Record::csv_header()),
                 Lines::Json | Lines::None => Ok(()),
             },
+            table: table.map(|_| Record::csv_header()),
             can_align: false,
             viewing,
             report: with_page.then(|| Report::new(about)),
         };
-        let result = observe(&mut source, options, &mut watcher);
+        let result = observe_measured(&mut source, options, measured, &mut watcher);
         let Watcher {
             summary,
             printed,
+            table: rows,
             can_align,
             report,
             ..
@@ -158,7 +181,7 @@ impl Command for Arguments {
                 format!("{text}\nthe result is {}\n", verdict.word())
             }
         };
-        let mut shown = Shown::new((), text);
+        let mut shown = Shown::new(None, text);
         shown.warnings = doubt.map(|warning| vec![warning]);
         shown.is_printed_as_json = true;
         shown.verdict = Some(verdict);
@@ -177,6 +200,9 @@ impl Command for Arguments {
             object["verdict"] = serde_json::to_value(verdict)?;
             let text = serde_json::to_string_pretty(&object)? + "\n";
             output::stage(&mut shown.files, path, text.as_bytes())?;
+        }
+        if let (Some(path), Some(rows)) = (table, rows) {
+            output::stage(&mut shown.files, path, rows.as_bytes())?;
         }
         shown.failure = result.err().map(Error::from);
         Ok(shown)
@@ -211,6 +237,7 @@ impl Arguments {
         let mut files = files.printing("--csv", self.csv);
         files.write_if_given("--out", self.out.as_ref(), &[Format::Html])?;
         files.write_if_given("--summary", self.summary.as_ref(), &[Format::Json])?;
+        self.part.check(&mut files)?;
         Ok(())
     }
 
@@ -247,6 +274,8 @@ struct Watcher<'a> {
     count: Option<u64>,
     summary: Summary,
     printed: Result<()>,
+    /// The table that is written at the end.
+    table: Option<String>,
     /// Whether a frame shows what can be removed.
     can_align: bool,
     viewing: Viewing,
@@ -273,6 +302,9 @@ impl Observer for Watcher<'_> {
                 Lines::None => String::new(),
             };
             self.printed = output::print(&text);
+        }
+        if let Some(table) = &mut self.table {
+            table.push_str(&record.csv());
         }
         self.can_align |= report::can_align(&record, &self.viewing);
         if let Some(report) = &mut self.report {

@@ -2,9 +2,10 @@
 
 use anyhow::Result;
 use ga_video::comfort::Viewing;
+use serde::{Deserialize, Serialize};
 
 /// The screen on which a video is seen.
-#[derive(Clone, Copy, Debug, clap::Args)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize, clap::Args)]
 pub(super) struct Screen {
     /// The diagonal of the screen, which has 16:9.
     #[arg(long, value_name = "INCHES", default_value_t = 55.0)]

@@ -1,13 +1,11 @@
 //! The data from which the script draws a motion. Places are three whole numbers of tenths of
 //! millimetres, one after the other.
 
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
 use ga_runtime::vga3::Vector;
 use serde::Serialize;
 
 use super::check::poses;
-use super::model::{Encoding, Motion, MotionCamera, MotionFilm, Side};
+use super::model::{Motion, MotionCamera, MotionFilm, Side};
 use crate::camera::Camera;
 use crate::colour::Colour;
 use crate::view::{Up, View};
@@ -222,19 +220,10 @@ fn pyramid(camera: &MotionCamera) -> Pyramid<'_> {
 }
 
 fn film(film: &MotionFilm) -> Film<'_> {
-    let still = film.pictures.iter().map(|picture| {
-        let kind = match picture.encoding {
-            Encoding::Jpeg => "jpeg",
-            Encoding::Png => "png",
-        };
-        Still {
-            start: picture.frames.start,
-            end: picture.frames.end,
-            source: format!(
-                "data:image/{kind};base64,{}",
-                BASE64_STANDARD.encode(&picture.bytes)
-            ),
-        }
+    let still = film.pictures.iter().map(|picture| Still {
+        start: picture.frames.start,
+        end: picture.frames.end,
+        source: picture.encoding.address(&picture.bytes),
     });
     Film {
         name: &film.name,

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+
 use crate::colour::{Colour, PALETTE};
 
 /// A figure of points and bones that moves, beside films of the same frames. Lengths are in metres,
@@ -122,4 +125,15 @@ pub enum Encoding {
     Jpeg,
     /// PNG.
     Png,
+}
+
+impl Encoding {
+    /// The address under which a page has a picture in itself.
+    pub(in crate::document) fn address(self, bytes: &[u8]) -> String {
+        let kind = match self {
+            Self::Jpeg => "jpeg",
+            Self::Png => "png",
+        };
+        format!("data:image/{kind};base64,{}", BASE64_STANDARD.encode(bytes))
+    }
 }

@@ -75,13 +75,9 @@ impl Page {
             escaped(caption),
             in_script(&json(&data))
         );
-        let is_first = self.add_style(SHEET);
+        self.add_style(SHEET);
         self.add(format_args!("{html}"));
-        if is_first {
-            self.add(format_args!(
-                "<script>\n{GEOMETRY}{STAGE}{FIGURE}{SCRIPT}</script>\n"
-            ));
-        }
+        self.add_scripts(&[GEOMETRY, STAGE, FIGURE, SCRIPT]);
         Ok(())
     }
 }

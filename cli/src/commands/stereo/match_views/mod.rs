@@ -1,24 +1,29 @@
 //! `nullcone stereo match`: the disparities of two rectified views.
 
-use std::path::PathBuf;
+mod films;
+
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
 use clap::ArgGroup;
+use ga_files::Staged;
 use ga_image::png;
 use ga_image::sample::Sample;
 use ga_vision::diagnosis::of_match::faults_of_match;
 use ga_vision::disparity::range::DisparityRange;
 use ga_vision::disparity::{file, picture};
-use ga_vision::matcher::{MatchSummary, Matcher, MatcherOptions};
+use ga_vision::matcher::{Match, MatchSummary, Matcher, MatcherOptions};
 use serde::Serialize;
 
+use self::films::{FilmReport, numbered};
 use super::matching::{MatchingArguments, Mode, warnings};
 use super::rectify::RIG;
 use super::views::{self, ViewPair};
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
 use crate::output;
+use crate::part::Frames;
 
 /// Find the disparity of each pixel of two rectified views.
 ///
@@ -38,6 +43,12 @@ use crate::output;
 /// of one level, range_points the number of corners that --auto-range found, and seconds the time
 /// of the matching. The disparities are the same for any number of threads. Where most of them are
 /// uncertain, a warning says what `nullcone stereo diagnose` finds, and the verdict is doubtful.
+///
+/// With %d or %04d in the name of --out, where the number of the frame is written, LEFT and RIGHT
+/// are films or folders of numbered pictures, which are matched frame by frame in luma. --json then
+/// prints {"out": …, "frames": …, "first_frame": …, "last_frame": …, "min_disparity_px": …,
+/// "max_disparity_px": …, "range_points": …, "mode": …, "per_frame": [{"frame": …, "least_px": …,
+/// …}, …]}. The range of --auto-range is that of the first frame.
 #[derive(Clone, Debug, clap::Args)]
 #[command(verbatim_doc_comment)]
 #[command(group = ArgGroup::new("range").args(["max_disparity", "auto_range"]).required(true))]
@@ -59,13 +70,25 @@ pub(crate) struct Arguments {
     /// Write a picture of the disparities in colours.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
+    /// Match these frames of films alone, the first included and the last not, as A.. and ..B too.
+    /// Their files are those that all frames would have.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Frames>,
     #[command(flatten)]
     check: Check,
 }
 
-/// What is printed.
+/// What is printed of two pictures or two films.
 #[derive(Serialize)]
-pub(crate) struct Report {
+#[serde(untagged)]
+pub(crate) enum Report {
+    Pair(PairReport),
+    Films(FilmReport),
+}
+
+/// What is printed of two pictures.
+#[derive(Serialize)]
+pub(crate) struct PairReport {
     #[serde(skip)]
     out: String,
     #[serde(skip)]
@@ -92,6 +115,20 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Report> {
         self.matching.check()?;
+        if numbered(&self.out, 0).is_some() {
+            return Ok(Report::Films(self.films(context)?));
+        }
+        ensure!(
+            self.frames.is_none() && !self.views.paths().into_iter().any(Path::is_dir),
+            "--out {}: films have many frames, whose number takes the place of %04d in the name",
+            self.out.display()
+        );
+        Ok(Report::Pair(self.pair(context)?))
+    }
+}
+
+impl Arguments {
+    fn pair(&self, context: &Context) -> Result<PairReport> {
         let mut files = context.files(self.views.paths())?;
         let format = files.write("--out", &self.out, &[Format::Pfm, Format::Png])?;
         files.write_if_given("--confidence", self.confidence.as_ref(), &[Format::Png])?;
@@ -101,7 +138,7 @@ impl Command for Arguments {
         let [left, right] = views::read_pair::<u16>(&self.views.left, &self.views.right)?;
 
         progress.step("finding the range");
-        let threads = self.matching.threads();
+        let threads = rayon::current_num_threads();
         let (range, range_points) = match self.matching.max_disparity {
             Some(beyond) => ([self.matching.min_disparity, beyond], None),
             None => {
@@ -130,22 +167,10 @@ impl Command for Arguments {
 
         progress.step("writing");
         let map = &found.disparity;
-        let encoded = match format {
-            Format::Png => file::encode_png(map).with_context(|| self.out.display().to_string())?,
-            _ => file::encode(map)?,
-        };
-        let mut files = vec![(&self.out, encoded)];
-        if let Some(path) = &self.confidence {
-            let levels = found.confidence.map(u8::from_unit);
-            files.push((path, png::encode(&levels)?));
-        }
-        if let Some(path) = &self.picture {
-            files.push((path, png::encode(&picture::captioned(map))?));
-        }
-        output::write_together(files)?;
+        output::write_together(self.encoded(&found, format, Path::to_path_buf)?)?;
         drop(progress);
 
-        Ok(Report {
+        Ok(PairReport {
             out: self.out.display().to_string(),
             next: self.reconstruction(),
             width_px: map.width(),
@@ -159,9 +184,31 @@ impl Command for Arguments {
             seconds,
         })
     }
-}
 
-impl Arguments {
+    /// The files of a matched pair, whose names a function gives by those of the options.
+    fn encoded(
+        &self,
+        found: &Match,
+        format: Format,
+        name: impl Fn(&Path) -> PathBuf,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+        let map = &found.disparity;
+        let out = name(&self.out);
+        let encoded = match format {
+            Format::Png => file::encode_png(map).with_context(|| out.display().to_string())?,
+            _ => file::encode(map)?,
+        };
+        let mut files = vec![(out, encoded)];
+        if let Some(path) = &self.confidence {
+            let levels = found.confidence.map(u8::from_unit);
+            files.push((name(path), png::encode(&levels)?));
+        }
+        if let Some(path) = &self.picture {
+            files.push((name(path), png::encode(&picture::captioned(map))?));
+        }
+        Ok(files)
+    }
+
     /// How the same views are reconstructed, where the file of cameras is beside them that
     /// `nullcone stereo rectify` writes.
     fn reconstruction(&self) -> Option<String> {
@@ -182,17 +229,39 @@ impl Arguments {
 
 impl frame::Report for Report {
     fn warnings(&self) -> Option<&[Warning]> {
-        Some(&self.warnings)
+        Some(match self {
+            Self::Pair(report) => &report.warnings,
+            Self::Films(report) => &report.warnings,
+        })
     }
 
     fn verdict(&self) -> Option<Verdict> {
-        Some(Verdict::of(&self.warnings))
+        self.warnings().map(Verdict::of)
     }
 
     fn next(&self) -> Option<String> {
-        self.next.clone()
+        match self {
+            Self::Pair(report) => report.next.clone(),
+            Self::Films(_) => None,
+        }
     }
 
+    fn text(&self) -> String {
+        match self {
+            Self::Pair(report) => report.text(),
+            Self::Films(report) => report.text(),
+        }
+    }
+
+    fn files(&mut self) -> Staged {
+        match self {
+            Self::Pair(_) => Staged::default(),
+            Self::Films(report) => std::mem::take(&mut report.staged),
+        }
+    }
+}
+
+impl PairReport {
     fn text(&self) -> String {
         let range = match (self.found.least, self.found.greatest) {
             (Some(least), Some(greatest)) => format!("{least:.2} to {greatest:.2} px"),

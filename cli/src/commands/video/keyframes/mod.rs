@@ -1,5 +1,7 @@
 //! The cuts, shots and key frames of a video.
 
+mod parts;
+
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -10,11 +12,14 @@ use ga_render::sheet::{Captioned, captioned_sheet};
 use ga_video::keyframe::split::{self, Splitter};
 use ga_video::keyframe::timecode::{TimeBase, rate};
 use ga_video::keyframe::{Analysed, KeyFrame, Options, Pictures, analyse, scenes};
+use serde::{Deserialize, Serialize};
 
-use super::shots::ShotOptions;
+pub(crate) use self::parts::{COMMAND, FORMATS, merged};
+use crate::commands::video::shots::ShotOptions;
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
 use crate::output;
+use crate::part::{PartArguments, PartWritten};
 
 /// Find cuts, dissolves, fades, flashes, shots and key frames of a video.
 ///
@@ -36,14 +41,15 @@ use crate::output;
 ///
 ///   nullcone video keyframes film.y4m --out keys --contact-sheet sheet.png --plot curves.svg
 ///   ffmpeg -i film.mp4 -f yuv4mpegpipe -pix_fmt yuv420p - | nullcone video keyframes - --json
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Serialize, Deserialize, clap::Args)]
 #[command(verbatim_doc_comment)]
-pub(super) struct Arguments {
+pub(crate) struct Arguments {
     /// The video; - is Y4M from standard input.
     #[arg(value_name = "FILE")]
     video: PathBuf,
     /// Write the key frames as PNG into this folder.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "part")]
+    #[serde(skip)]
     out: Option<PathBuf>,
     /// Choose at most this number of key frames: the first of each shot, then those with most that
     /// is new.
@@ -54,9 +60,11 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "PART", default_value_t = Options::default().threshold)]
     threshold: f64,
     #[command(flatten)]
+    #[serde(flatten)]
     shots: ShotOptions,
     /// Write the shots as a table (.csv) or as an edit decision list (.edl); may be repeated.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "part")]
+    #[serde(skip)]
     scenes: Vec<PathBuf>,
     /// Frames in a second of the timecodes of --scenes, such as 25, 29.97 or 24000/1001; by default
     /// that of the video, or where it varies the usual one at whose frames all times are. The times
@@ -68,14 +76,20 @@ pub(super) struct Arguments {
     start_timecode: Option<String>,
     /// Write each shot as a film into this folder, exact to the frame: H.264 with its sound, by
     /// ffmpeg, or Y4M for Y4M and pictures and where ffmpeg is not installed.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "part")]
+    #[serde(skip)]
     split: Option<PathBuf>,
     /// Write the differences and the mutual information of all frames as a chart, as Cui's fig. 6.
-    #[arg(long, value_name = "FILE.svg")]
+    #[arg(long, value_name = "FILE.svg", conflicts_with = "part")]
+    #[serde(skip)]
     plot: Option<PathBuf>,
     /// Write the key frames side by side as one picture.
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", conflicts_with = "part")]
+    #[serde(skip)]
     contact_sheet: Option<PathBuf>,
+    #[command(flatten)]
+    #[serde(skip)]
+    part: PartArguments,
 }
 
 /// The formats of tables of shots.
@@ -85,10 +99,30 @@ const SCENES: [Format; 2] = [Format::Csv, Format::Edl];
 const MOST_ON_SHEET: usize = 200;
 
 impl Command for Arguments {
-    type Report = Shown<Analysed>;
+    type Report = Shown<Found>;
 
     fn run(&self, context: &Context) -> Result<Self::Report> {
         self.check(context)?;
+        match self.part.asked() {
+            Some((frames, path)) => Ok(self.measure(frames, path)?.map(Found::Part)),
+            None => Ok(self
+                .analyse(Vec::new(), context)?
+                .map(|found| Found::All(Box::new(found)))),
+        }
+    }
+}
+
+/// What was found, or measured of some frames.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum Found {
+    All(Box<Analysed>),
+    Part(PartWritten),
+}
+
+impl Arguments {
+    /// Analyses the video, of which it may be known how much the first frames say of those before.
+    fn analyse(&self, measured: Vec<Option<f64>>, context: &Context) -> Result<Shown<Analysed>> {
         let progress = context.progress(1);
         progress.step("analysing");
         let options = Options {
@@ -101,9 +135,15 @@ impl Command for Arguments {
             true => Some(Pictures::new()?),
             false => None,
         };
-        let found = analyse(&self.video, options, pictures.as_mut(), |done, of| {
-            progress.at(done as u64, of as u64);
-        })?;
+        let found = analyse(
+            &self.video,
+            options,
+            measured,
+            pictures.as_mut(),
+            |done, of| {
+                progress.at(done as u64, of as u64);
+            },
+        )?;
         progress.step("writing");
         let title = self.title();
         let sheet = match &mut pictures {
@@ -157,6 +197,7 @@ impl Arguments {
         files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
         let sheet = self.contact_sheet.as_ref();
         files.write_if_given("--contact-sheet", sheet, &[Format::Png])?;
+        self.part.check(&mut files)?;
         Ok(())
     }
 

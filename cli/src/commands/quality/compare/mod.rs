@@ -1,22 +1,28 @@
 //! `nullcone quality compare`: a picture or a video against its reference.
 
+mod found;
+mod merged;
+mod videos;
+
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Error, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use ga_image::file;
 use ga_image::grey::Luma;
 use ga_image::plane::Plane;
 use ga_image::quality::Weights;
-use ga_video::quality::{
-    self, ComparedFiles, FRAME_COUNT, FRAME_RATE, MeasureRow, Moments, POOLED, PictureQuality,
-    Scaled, TimeAlignment, VideoComparison, VideoQuality,
-};
-use ga_video::{Properties, VideoError};
-use serde::Serialize;
+use ga_video::quality::{self, ComparedFiles, MeasureRow, PictureQuality};
+use serde::{Deserialize, Serialize};
 
+pub(crate) use self::merged::{FORMATS, merged};
+use self::videos::Videos;
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown, Warning};
 use crate::output;
+use crate::part::{PartArguments, PartWritten};
+
+/// The words of the command.
+pub(crate) const COMMAND: &str = "quality compare";
 
 /// Measure how much a picture or a video differs from its reference.
 ///
@@ -29,6 +35,8 @@ use crate::output;
 ///   psnr, attention_psnr     PSNR in decibels, also weighted by attention
 ///   ssim, ms_ssim, attention_ssim
 ///                            structural similarity, 1 where luma is identical
+///   vif                      visual information fidelity over four scales: how much is left of
+///                            the information of luma, 1 where it is identical
 ///
 /// and of the colours
 ///
@@ -43,7 +51,7 @@ use crate::output;
 ///
 /// PSNR is infinite, and null in JSON, where the part that it measures is identical. Beside every
 /// number that is null stands why, as in "psnr_reason": "luma is identical, colours differ". SSIM
-/// needs 11 pixels on either side, MS-SSIM 176.
+/// needs 11 pixels on either side, VIF 16, MS-SSIM 176.
 ///
 /// Of videos these are means over the frames; a mean of PSNRs is infinite where one frame is
 /// identical. "psnr_of_mean_mse" and the like are PSNR of the mean squared error of all frames,
@@ -56,13 +64,13 @@ use crate::output;
 ///   ffmpeg -i small.mp4 -f yuv4mpegpipe - | nullcone quality compare original.y4m - --json
 ///
 /// Where a video breaks off, the frames before are reported, and the program fails. The page of
-/// --report shows a video with charts over time, a picture with a map of SSIM.
-#[derive(Clone, Debug, clap::Args)]
+/// --report shows a video with charts over time, pictures beside each other with a map of SSIM.
+#[derive(Clone, Debug, Serialize, Deserialize, clap::Args)]
 #[command(verbatim_doc_comment)]
-pub(super) struct Arguments {
+pub(crate) struct Arguments {
     /// The reference: a picture (PNG, JPEG, PGM, PPM, PFM, TIFF, BMP, WebP) or a video (Y4M, - for
-    /// Y4M on standard input, a folder of numbered pictures; MP4 where the program is built with
-    /// feature mp4).
+    /// Y4M on standard input, a folder of numbered pictures, or a film that ffmpeg reads where it
+    /// is installed; H.264 in MP4 also where the program is built with the feature `mp4`).
     #[arg(value_name = "REF")]
     reference: PathBuf,
     /// What is measured: a picture or a video of the same size.
@@ -82,31 +90,25 @@ pub(super) struct Arguments {
     align_times: bool,
     /// Write a row for each frame: frame, time_seconds, the measures, inf where the part that they
     /// measure is identical, and distorted_frame.
-    #[arg(long, value_name = "FRAMES.csv")]
+    #[arg(long, value_name = "FRAMES.csv", conflicts_with = "part")]
+    #[serde(skip)]
     csv: Option<PathBuf>,
     /// Draw the measures of a video over time.
-    #[arg(long, value_name = "FILE.svg")]
+    #[arg(long, value_name = "FILE.svg", conflicts_with = "part")]
+    #[serde(skip)]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    #[serde(skip)]
+    part: PartArguments,
 }
 
 /// What was measured.
 #[derive(Serialize)]
 #[serde(untagged)]
-pub(super) enum Measures {
+pub(crate) enum Measures {
     Pictures(PictureQuality),
     Videos(Videos),
-}
-
-/// What was measured of videos, and what was done before.
-#[derive(Serialize)]
-pub(super) struct Videos {
-    #[serde(flatten)]
-    quality: VideoQuality,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    alignment: Option<TimeAlignment>,
-    /// Columns and rows that were scaled to those of the reference.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    scaled_from: Option<[usize; 2]>,
+    Part(PartWritten),
 }
 
 impl Command for Arguments {
@@ -122,6 +124,7 @@ impl Command for Arguments {
         let mut files = context.files(inputs)?;
         files.write_if_given("--csv", self.csv.as_ref(), &[Format::Csv])?;
         files.write_if_given("--plot", self.plot.as_ref(), &[Format::Svg])?;
+        self.part.check(&mut files)?;
         let differ = |picture: &Path, other: &Path| {
             bail!(
                 "{} is a picture and {} is not",
@@ -134,7 +137,10 @@ impl Command for Arguments {
             [Some(true), Some(true) | None] | [None, Some(true)] => self.pictures(context),
             [Some(true), Some(false)] => differ(paths[0], paths[1]),
             [Some(false), Some(true)] => differ(paths[1], paths[0]),
-            _ => self.videos(context),
+            _ => match self.part.asked() {
+                Some((frames, path)) => self.part_of_videos(frames, path, context),
+                None => self.videos(context),
+            },
         }
     }
 }
@@ -158,6 +164,10 @@ impl Arguments {
             !self.scale && !self.align_times,
             "--scale and --align-times are for videos"
         );
+        ensure!(
+            self.part.are_all(),
+            "--frames chooses frames of videos, and pictures have none"
+        );
         let [reference, distorted] = [&self.reference, &self.distorted].map(file::read);
         let (reference, distorted) = (reference?, distorted?);
         let size = [reference.width(), reference.height()];
@@ -169,8 +179,8 @@ impl Arguments {
         let warnings = too_few_pixels(found.too_small_for());
         let page = context.report().map(|_| {
             let map = quality::similarity_map(&reference, &distorted)?;
-            let page = found.page(self.files(&[]), &map);
-            page.context("cannot encode the map of SSIM")
+            let page = found.page(self.files(&[]), [&reference, &distorted], &map);
+            page.context("cannot encode the pictures")
         });
         let page = page.transpose()?;
         let mut shown = Shown::new(Measures::Pictures(found), text);
@@ -182,120 +192,6 @@ impl Arguments {
             page,
             ..shown
         })
-    }
-
-    fn videos(&self, context: &Context) -> Result<Shown<Measures>> {
-        let progress = context.progress(0);
-        let alignment = self.align_times.then(|| {
-            progress.step("reading the times of frames");
-            self.align()
-        });
-        let alignment = alignment.transpose()?;
-        let reference = ga_video::open(&self.reference)?;
-        let mut distorted = ga_video::open(&self.distorted)?;
-        let Properties {
-            size, pixel_aspect, ..
-        } = *reference.properties();
-        let map = self.read_map(size)?;
-        let mut notes = Vec::new();
-        if let Some(found) = &alignment {
-            notes.push(Warning::new("aligned_times", in_words(found)).into_note());
-        }
-        let own = distorted.properties().size;
-        let scaled_from = (self.scale && own != size).then_some(own);
-        if let Some([width, height]) = scaled_from {
-            let scaled = Scaled::new(distorted, size, pixel_aspect);
-            let message = format!(
-                "{} was scaled from {width} × {height} to {} × {} pixels by {}",
-                self.distorted.display(),
-                size[0],
-                size[1],
-                scaled.method()
-            );
-            notes.push(Warning::new("scaled", message).into_note());
-            distorted = Box::new(scaled);
-        }
-        let comparison = VideoComparison::new(reference, distorted, map);
-        let mut comparison = comparison.with_context(|| self.names())?;
-        if let Some(found) = &alignment {
-            comparison = comparison.of_pairs(found.pairs.clone());
-        }
-
-        let mut properties = comparison.property_differences();
-        properties.extend(alignment.as_ref().and_then(TimeAlignment::frame_difference));
-        let count = comparison.frame_count();
-        progress.step("comparing");
-        let mut frames = Vec::new();
-        let compared = comparison.try_for_each(|frame| {
-            frames.push(frame?);
-            // Where no length is stated, the bar is that of the frames so far.
-            let done = frames.len();
-            progress.at(done as u64, count.unwrap_or(done).max(done) as u64);
-            Ok::<(), VideoError>(())
-        });
-        drop(progress);
-        let error = compared.as_ref().err().map(ToString::to_string);
-        let Some(quality) = VideoQuality::new(&frames, size, &properties, error) else {
-            compared.with_context(|| self.names())?;
-            bail!("{}: the videos have no frames", self.names());
-        };
-        let mut warnings = too_few_pixels(quality.too_small_for());
-        let differ = |found| Warning::new("properties_differ", found);
-        // What is said of the alignment covers rates and numbers of frames.
-        let is_said = |what| alignment.is_some() && [FRAME_RATE, FRAME_COUNT].contains(&what);
-        let unsaid = properties.iter().filter(|found| !is_said(found.what));
-        warnings.extend(unsaid.map(differ));
-        let other = VideoQuality::first_at_another_time(&frames);
-        if let Some(frame) = other.filter(|_| alignment.is_none()) {
-            let message = format!(
-                "frame {} is shown at {:.3} s in the reference and at {:.3} s in the other video: \
-                 frames are compared by their numbers, with --align-times by their times",
-                frame.index,
-                frame.time_seconds,
-                frame.time_seconds + frame.time_offset_seconds
-            );
-            warnings.push(Warning {
-                frame: Some(frame.index),
-                ..Warning::new("frame_times_differ", message)
-            });
-        }
-        warnings.extend(notes);
-        let text = text(&quality);
-        let messages: Vec<String> = warnings.iter().map(Warning::line_of_text).collect();
-        let files = self.files(&messages);
-        let videos = Videos {
-            quality,
-            alignment,
-            scaled_from,
-        };
-        let drawn = Shown::new(videos, text).with_plot(
-            self.plot.as_ref(),
-            context,
-            |_| quality::svg(&frames, &files.name()),
-            |found, svg| found.quality.page(files, &frames, svg),
-        );
-        let mut shown = drawn?;
-        if let Some(path) = &self.csv {
-            output::stage(&mut shown.files, path, quality::csv(&frames).as_bytes())?;
-        }
-        shown.warnings = Some(warnings);
-        shown.failure = compared.err().map(|error| {
-            let done = frames.len();
-            Error::new(error).context(format!("{}: {done} frames are reported", self.names()))
-        });
-        Ok(shown.map(Measures::Videos))
-    }
-
-    /// Which frames show the same moments.
-    fn align(&self) -> Result<TimeAlignment> {
-        let paths = [&self.reference, &self.distorted];
-        ensure!(
-            paths.iter().all(|path| path.as_os_str() != "-"),
-            "--align-times reads the videos twice, and standard input can be read once"
-        );
-        let [reference, distorted] = paths.map(|path| Moments::of(ga_video::open(path)?));
-        let found = TimeAlignment::find(&reference?, &distorted?);
-        found.with_context(|| format!("{}: no frames show the same moments", self.names()))
     }
 
     /// The weights of a picture in grey, as it states them.
@@ -337,38 +233,6 @@ fn too_few_pixels<'a>(reasons: impl Iterator<Item = (&'a str, &'a str)>) -> Vec<
     reasons.map(warning).collect()
 }
 
-fn in_words(found: &TimeAlignment) -> String {
-    let unshifted = found.unshifted_mean_square_difference;
-    let unshifted = unshifted.map_or_else(String::new, |unshifted| {
-        format!(" against {unshifted:.2} without offset")
-    });
-    format!(
-        "frames are compared by their times with an offset of {:+.3} s (mean squared difference of \
-         small pictures {:.2}{unshifted}); {} frames of the reference and {} of the other video are \
-         left out",
-        found.offset_seconds,
-        found.mean_square_difference,
-        found.unmatched_reference_frames,
-        found.unmatched_distorted_frames
-    )
-}
-
 fn line(row: &MeasureRow) -> String {
     format!("{:32}{:>10}{}\n", row.name, row.number, row.remark)
-}
-
-/// PSNR of mean squared errors and the means, then a table of what else was found over the frames.
-fn text(found: &VideoQuality) -> String {
-    let mut text = format!(
-        "{} frames, {} of them identical\n",
-        found.frames, found.identical_frames
-    );
-    text.extend(found.rows().iter().map(line));
-    text.push('\n');
-    let names = ("over frames", POOLED.map(String::from));
-    for (name, numbers) in std::iter::once(names).chain(found.pooled_rows()) {
-        let columns = numbers.map(|number| format!("{number:>10}"));
-        text += &format!("{name:20}{}\n", columns.concat());
-    }
-    text
 }

@@ -1,0 +1,141 @@
+//! What the demonstration begins with: two films of a person, and pictures of a board. The truth
+//! behind them is kept for the scores alone.
+
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use anyhow::{Context as _, Result, anyhow};
+use ga_anim::clip::Clip;
+use ga_camera::rig::StereoRig;
+use ga_character::Figure;
+use ga_files::Staged;
+use ga_image::film::{self, Rate};
+use ga_image::plane::Plane;
+use ga_image::png;
+use ga_mesh::gltf;
+use ga_render::DepthMap;
+use ga_runtime::cga3::Point;
+use rayon::prelude::*;
+
+use super::studio::{Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, board_pictures, rig};
+use crate::output;
+
+/// Frames of the films.
+pub(super) const FRAMES: usize = 25;
+/// The frame of which dense depth is made.
+pub(super) const STILL: usize = 12;
+/// Frames of which the film without noise is kept.
+const CLEAN: usize = 8;
+
+/// What is true of the films.
+pub(super) struct Truth {
+    pub(super) rig: StereoRig,
+    pub(super) disc: Disc,
+    /// For each frame where the joints are.
+    pub(super) joints: Vec<Vec<Point<f64>>>,
+    pub(super) names: Vec<String>,
+    /// Of the still.
+    pub(super) depths: [DepthMap; 2],
+}
+
+/// Makes films and pictures of a figure with its motion, and writes them into the current folder.
+pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
+    let skeleton = &figure.character.skeleton;
+    let frames = (0..FRAMES).map(|frame| {
+        let pose = clip.sample(frame as f64 / f64::from(FRAMES_PER_SECOND));
+        let bones = pose.bones(skeleton)?;
+        Ok(bones.iter().map(|[head, _]| Point::from(*head)).collect())
+    });
+    let joints: Vec<Vec<Point<f64>>> = frames.collect::<Result<_>>()?;
+    let place = middle(&joints);
+    let rig = rig(place)?;
+    let room = Room::new(&rig, 0.0, seed)?;
+    let (glb, _) = ga_character::gltf::encode(figure, clip, "walk")?;
+    let document = gltf::decode(&glb)?;
+    let mut staged = Staged::default();
+    output::stage(&mut staged, Path::new("film/person.glb"), &glb)?;
+    let rate = Rate::new(f64::from(FRAMES_PER_SECOND)).unwrap_or(Rate::HIGHEST);
+    let frames = (0..FRAMES).into_par_iter().map_init(
+        || Stage::new(rig, &room, &document, seed),
+        |stage, frame| {
+            let stage = stage.as_mut().map_err(|error| anyhow!("{error:#}"))?;
+            let mut filmed = stage.film(frame)?;
+            if frame != STILL {
+                filmed.depths = None;
+            }
+            Ok(filmed)
+        },
+    );
+    let frames: Vec<Filmed> = frames.collect::<Result<_>>()?;
+    let still = &frames[STILL];
+    for (side, picture) in ["left", "right"].iter().zip(&still.pictures) {
+        let path = format!("stills/{side}.png");
+        output::stage(&mut staged, Path::new(&path), &png::encode(picture)?)?;
+    }
+    let depths = still
+        .depths
+        .clone()
+        .context("the demonstration has no depths")?;
+    let left: Vec<_> = frames.iter().map(|filmed| &filmed.pictures[0]).collect();
+    let right: Vec<_> = frames.iter().map(|filmed| &filmed.pictures[1]).collect();
+    let clean: Vec<_> = frames[..CLEAN].iter().map(|filmed| &filmed.clean).collect();
+    for (name, frames) in [
+        ("film/left.y4m", left.as_slice()),
+        ("film/right.y4m", right.as_slice()),
+        ("film/clean.y4m", clean.as_slice()),
+        ("film/part.y4m", &left[..CLEAN]),
+    ] {
+        write_film(&mut staged, Path::new(name), frames, rate)?;
+    }
+    let boards = board_pictures(&rig, &room, seed)?;
+    let encoded = boards.par_iter().map(|pair| {
+        let [left, right] = pair.each_ref().map(png::encode);
+        Ok([left?, right?])
+    });
+    let encoded: Vec<[Vec<u8>; 2]> = encoded.collect::<Result<_>>()?;
+    for (number, pair) in encoded.iter().enumerate() {
+        for (side, picture) in ["left", "right"].iter().zip(pair) {
+            let path = format!("boards/{side}-{:02}.png", number + 1);
+            output::stage(&mut staged, Path::new(&path), picture)?;
+        }
+    }
+    staged.finish()?;
+    let names = skeleton.joints().iter().map(|joint| joint.name.clone());
+    Ok(Truth {
+        rig,
+        disc: room.disc,
+        joints,
+        names: names.collect(),
+        depths,
+    })
+}
+
+/// Below the middle of where the root goes, on the floor.
+fn middle(joints: &[Vec<Point<f64>>]) -> Point<f64> {
+    let roots = joints.iter().filter_map(|joints| joints.first());
+    let (mut sum, mut count) = ([0.0; 3], 0.0);
+    for root in roots {
+        let [x, _, z] = root.coordinates();
+        sum[0] += x;
+        sum[2] += z;
+        count += 1.0;
+    }
+    Point::from(sum.map(|sum| sum / f64::max(count, 1.0)))
+}
+
+fn write_film(
+    staged: &mut Staged,
+    path: &Path,
+    frames: &[&Plane<[u8; 3]>],
+    rate: Rate,
+) -> Result<()> {
+    output::stage_with(staged, path, |file| {
+        let mut file = BufWriter::new(file);
+        let mut writer = film::Writer::new(&mut file, film::Format::Y4m, SIZE, frames.len(), rate)?;
+        for frame in frames {
+            writer.write(frame)?;
+        }
+        writer.finish()?;
+        Ok(file.flush()?)
+    })
+}

@@ -1,0 +1,223 @@
+//! `nullcone demo`: the whole way, from a figure to films of it, and back by the pictures alone.
+
+mod algebra;
+mod disparity;
+mod folder;
+mod inputs;
+mod joints;
+mod page;
+mod paper;
+mod report;
+mod run;
+mod scores;
+mod steps;
+mod studio;
+mod times;
+
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::{Context as _, Result};
+use ga_anim::clip::Clip;
+use ga_character::storyboard::{STEPS, Storyboard};
+use ga_character::{Animation, Figure};
+use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
+use serde::Serialize;
+
+use crate::frame::{self, Command, Context, Progress, Warning};
+use crate::person::{Dotted, HueSeed};
+use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::report::{Input, MotionInput, Performed};
+use algebra::{LEG, LegBothWays, Weights};
+use folder::Work;
+use inputs::{STILL, Truth};
+use page::Contents;
+use report::Report;
+use run::{Run, found_disparities};
+use scores::Scores;
+use times::Times;
+
+/// Film a person that walks, and find it again in the films; needs no input.
+///
+/// A figure is made and walks through a room, where two cameras film it: one is too bright and
+/// rolled a little, and both have noise. From the two films and from pictures of a chessboard,
+/// other commands of this program find the cameras, depth, a surface, a contour, the joints and the
+/// body, key frames, the quality and the comfort of the films, which are then aligned, and the
+/// texture of the body.
+///
+/// Writes report.html (a page with all of it, the command of each step, and the numbers of the
+/// paper beside those found here), report.json, times.js (measured times, which the page shows
+/// where it lies beside it), model.obj (the figure at rest) with model.mtl and skin.png, model.glb
+/// (with skeleton, skin weights and the walk), sheet.png (the key frames of a stride with three
+/// in-betweens after each), and what the steps write: film/, boards/, stills/, rig.yml, views.json,
+/// rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/, keys/, aligned.y4m
+/// and more. truth/ is what the pictures were made of, for the scores. Equal seeds give equal
+/// bytes, but for times.js. Lengths are metres, y points up. The commands on the page run in the
+/// folder of the results. --json prints what report.json holds, with the paths of the figure's
+/// files as "written" and the time that it took as "seconds".
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    output: OutputArguments,
+    /// Make the figure and its walk alone: model.obj, model.mtl, skin.png, model.glb, sheet.png and
+    /// report.json.
+    #[arg(long)]
+    figure: bool,
+}
+
+/// Two steps each.
+const STRIDES: u16 = 2;
+/// Rows and columns of the painted skin.
+const TEXTURE_SIZE: usize = 1024;
+/// Shares of the time before the steps, in hundredths.
+const FIGURE: u64 = 5;
+const FILMS: u64 = 25;
+
+impl Command for Arguments {
+    type Report = Demonstrated;
+
+    fn run(&self, context: &Context) -> Result<Demonstrated> {
+        let begin = Instant::now();
+        let no_inputs: [&Path; 0] = [];
+        self.output.check(context.files(no_inputs)?)?;
+        if self.figure {
+            let progress = context.progress(pipeline::STEPS);
+            let made = performance(mannequin(), &walk(STRIDES))?;
+            let performed = perform(made, &self.output, &progress, begin)?;
+            return Ok(Demonstrated::Figure(performed));
+        }
+        let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
+        let progress = Progress::of_parts(FIGURE + FILMS + steps, context.is_quiet());
+        let outputs = self.output.in_folder(Path::new(""))?;
+        let work = Work::enter(self.output.folder())?;
+        let mut report = demonstrate(&outputs, &progress)?;
+        drop(progress);
+        report.files = work.publish()?;
+        report.seconds = begin.elapsed().as_secs_f64();
+        Ok(Demonstrated::All(report))
+    }
+}
+
+/// What was made.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum Demonstrated {
+    Figure(Performed),
+    All(Report),
+}
+
+impl frame::Report for Demonstrated {
+    fn text(&self) -> String {
+        match self {
+            Self::Figure(report) => report.text(),
+            Self::All(report) => report.text(),
+        }
+    }
+
+    fn warnings(&self) -> Option<&[Warning]> {
+        match self {
+            Self::Figure(report) => report.warnings(),
+            Self::All(report) => report.warnings(),
+        }
+    }
+}
+
+/// Makes everything in the current folder.
+fn demonstrate(outputs: &OutputArguments, progress: &Progress) -> Result<Report> {
+    let seed = outputs.seed();
+    let mut times = Times::default();
+    progress.part("Making a figure", FIGURE);
+    let (figure, dotted) = rayon::join(mannequin, || {
+        Dotted::new(HueSeed { seed: 1 }).into_figure(TEXTURE_SIZE)
+    });
+    let keys = walk(STRIDES);
+    let made = performance(figure.clone(), &keys)?;
+    progress.part("Filming it", FILMS);
+    let (performed, truth) = rayon::join(
+        || perform(made, outputs, &Progress::new(0, true), Instant::now()),
+        || inputs::make(&dotted, &keys, seed),
+    );
+    let (performed, truth) = (performed?, truth?);
+    let run = Run::new(&truth, progress, &mut times)?;
+
+    let scores = Scores::new(&run, &truth)?;
+    let leg = LegBothWays::new(leg(&truth)?)?;
+    let rectified = run::rectified(&run.rig)?;
+    let levels = algebra::levels(&found_disparities()?, &rectified)?;
+    let weights = Weights::new(&figure.character)?;
+    times.measure_kernels();
+    let page = page::page(&Contents {
+        figure: &figure,
+        clip: &keys,
+        run: &run,
+        scores: &scores,
+        leg: &leg,
+        levels: &levels,
+        weights: &weights,
+    })?;
+    ga_files::write("report.html", page.into_html().as_bytes())?;
+    ga_files::write(times::FILE, times.script()?.as_bytes())?;
+    let report = Report::new(performed, &run, scores, leg, levels, weights);
+    report.write()?;
+    Ok(report)
+}
+
+/// The figure that the program makes, in its clothes.
+fn mannequin() -> Figure {
+    let human = Human::new();
+    Figure {
+        paint: Some(human.texture(TEXTURE_SIZE)),
+        ..Figure::new("mannequin", human.into())
+    }
+}
+
+/// The figure with its walk, and where both come from.
+fn performance(figure: Figure, keys: &Clip) -> Result<Performance> {
+    let made = || "made by nullcone".to_owned();
+    let clip = keys.resampled(STEPS as f64 / KEY_TIME);
+    Ok(Performance {
+        command: "demo",
+        input: Input {
+            mesh: made(),
+            rig: made(),
+            weights: made(),
+            motion: MotionInput {
+                name: "walk".to_owned(),
+                joints: figure.character.skeleton.len(),
+                frames: keys.frames().len(),
+                frames_per_second: 1.0 / KEY_TIME,
+                first_frame: 0,
+                last_frame: keys.frames().len() - 1,
+                calibration_frame_left_out: false,
+                joints_without_counterpart: Vec::new(),
+                metres_per_unit: 1.0,
+            },
+        },
+        figure,
+        animation: Animation {
+            name: "walk".to_owned(),
+            clip: clip.context("the walk has no frames")?,
+            storyboard: Storyboard::of_keys(keys, KEYS_PER_STRIDE),
+            title: format!(
+                "Walk: {KEYS_PER_STRIDE} key poses a stride, 3 in-betweens after each by screw \
+                 motion"
+            ),
+            in_between_deviation: None,
+        },
+        checks: None,
+    })
+}
+
+/// The joints of a leg in the still, as the films show them.
+fn leg(truth: &Truth) -> Result<[ga_runtime::cga3::Point<f64>; 3]> {
+    let table = joints::Table::read(Path::new("person/joints.csv"), &truth.names)?;
+    let places = table.frame(STILL)?;
+    let place = |name: &str| {
+        let index = truth.names.iter().position(|joint| joint == name);
+        index.map(|index| places[index])
+    };
+    let [hip, knee, ankle] = LEG.map(place);
+    let all = hip.zip(knee).zip(ankle);
+    let ((hip, knee), ankle) = all.context("the figure has no left leg")?;
+    Ok([hip, knee, ankle])
+}
