@@ -84,7 +84,7 @@ pub(crate) fn run(line: impl IntoIterator<Item = OsString>) -> Result<ExitCode> 
         let threads = ThreadPoolBuilder::new().num_threads(count).build_global();
         threads.with_context(|| format!("--threads {count}"))?;
     }
-    let context = Context::new(cli.options.clone(), words(&matches), line);
+    let context = Context::new(cli.options.clone(), words(&matches), line, record);
     execute(&cli.command, &context)
 }
 
@@ -93,10 +93,10 @@ pub(crate) fn run(line: impl IntoIterator<Item = OsString>) -> Result<ExitCode> 
 /// # Errors
 ///
 /// As [`run`].
-pub(crate) fn record(line: &[OsString]) -> Result<Recorded> {
+fn record(line: &[OsString]) -> Result<Recorded> {
     let matches = parser().try_get_matches_from(line)?;
     let cli = Cli::from_arg_matches(&matches)?;
-    let context = Context::new(cli.options.clone(), words(&matches), line.to_vec());
+    let context = Context::new(cli.options.clone(), words(&matches), line.to_vec(), record);
     let context = context.recording();
     execute(&cli.command, &context)?;
     Ok(context.into_recorded())

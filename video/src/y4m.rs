@@ -29,8 +29,8 @@ impl<R: Read> Y4mSource<R> {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Header`] when it is wrong, [`VideoError::Samples`], [`VideoError::Interlaced`],
-    /// [`VideoError::Open`] when it cannot be read.
+    /// [`VideoError::Header`] when it is wrong, [`VideoError::Samples`],
+    /// [`VideoError::Interlaced`], [`VideoError::Open`] when it cannot be read.
     pub fn new(reader: R, file: impl Into<PathBuf>) -> Result<Self, VideoError> {
         let file = file.into();
         let stream = match Stream::new(reader) {

@@ -54,12 +54,17 @@ impl Options {
     }
 }
 
+/// Does what a line of words says, and prints nothing.
+type Program = fn(&[OsString]) -> Result<Recorded>;
+
 /// The options of every command, and the words that it was called by.
 #[derive(Debug)]
 pub(crate) struct Context {
     options: Options,
     words: Vec<String>,
     line: Vec<OsString>,
+    /// Runs another command.
+    program: Program,
     /// What was said, where it is not to be printed.
     recorded: Option<RefCell<Recorded>>,
 }
@@ -67,13 +72,28 @@ pub(crate) struct Context {
 impl Context {
     /// The context of a command that was called by these words, as `stereo` and `pose`, in this
     /// line.
-    pub(crate) fn new(options: Options, words: Vec<String>, line: Vec<OsString>) -> Self {
+    pub(crate) fn new(
+        options: Options,
+        words: Vec<String>,
+        line: Vec<OsString>,
+        program: Program,
+    ) -> Self {
         Self {
             options,
             words,
             line,
+            program,
             recorded: None,
         }
+    }
+
+    /// Does what a line of words says, and returns what would be printed of it.
+    ///
+    /// # Errors
+    ///
+    /// [`clap::Error`] where the words cannot be read; otherwise that of the command.
+    pub(crate) fn record(&self, line: &[OsString]) -> Result<Recorded> {
+        (self.program)(line)
     }
 
     /// The same, with all that would be printed kept.

@@ -1,5 +1,5 @@
-//! `nullcone demo` as a whole: what it finds in its own pictures, measured anew by what the pictures
-//! were made of.
+//! `nullcone demo` as a whole: what it finds in its own pictures, measured anew by what these were
+//! made of.
 
 use std::path::{Path, PathBuf};
 

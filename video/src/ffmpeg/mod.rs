@@ -53,8 +53,8 @@ impl FfmpegSource {
     ///
     /// # Errors
     ///
-    /// [`VideoError::Ffmpeg`] where a program does not start or cannot read the file, or for colours
-    /// that are not read; [`VideoError::Samples`], [`VideoError::Interlaced`],
+    /// [`VideoError::Ffmpeg`] where a program does not start or cannot read the file, or for
+    /// colours that are not read; [`VideoError::Samples`], [`VideoError::Interlaced`],
     /// [`VideoError::Empty`].
     pub fn open(path: impl AsRef<Path>) -> Result<Self, VideoError> {
         let file = path.as_ref();

@@ -84,17 +84,17 @@ impl Command for Arguments {
             let progress = context.progress(pipeline::STEPS);
             let made = performance(mannequin(), &walk(STRIDES))?;
             let performed = perform(made, &self.output, &progress, begin)?;
-            return Ok(Demonstrated::Figure(performed));
+            return Ok(Demonstrated::Figure(performed.into()));
         }
         let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
         let progress = Progress::of_parts(FIGURE + FILMS + steps, context.is_quiet());
         let outputs = self.output.in_folder(Path::new(""))?;
         let work = Work::enter(self.output.folder())?;
-        let mut report = demonstrate(&outputs, &progress)?;
+        let mut report = demonstrate(&outputs, context, &progress)?;
         drop(progress);
         report.files = work.publish()?;
         report.seconds = begin.elapsed().as_secs_f64();
-        Ok(Demonstrated::All(report))
+        Ok(Demonstrated::All(report.into()))
     }
 }
 
@@ -102,8 +102,8 @@ impl Command for Arguments {
 #[derive(Serialize)]
 #[serde(untagged)]
 pub(crate) enum Demonstrated {
-    Figure(Performed),
-    All(Report),
+    Figure(Box<Performed>),
+    All(Box<Report>),
 }
 
 impl frame::Report for Demonstrated {
@@ -123,7 +123,11 @@ impl frame::Report for Demonstrated {
 }
 
 /// Makes everything in the current folder.
-fn demonstrate(outputs: &OutputArguments, progress: &Progress) -> Result<Report> {
+fn demonstrate(
+    outputs: &OutputArguments,
+    context: &Context,
+    progress: &Progress,
+) -> Result<Report> {
     let seed = outputs.seed();
     let mut times = Times::default();
     progress.part("Making a figure", FIGURE);
@@ -138,7 +142,7 @@ fn demonstrate(outputs: &OutputArguments, progress: &Progress) -> Result<Report>
         || inputs::make(&dotted, &keys, seed),
     );
     let (performed, truth) = (performed?, truth?);
-    let run = Run::new(&truth, progress, &mut times)?;
+    let run = Run::new(&truth, context, progress, &mut times)?;
 
     let scores = Scores::new(&run, &truth)?;
     let leg = LegBothWays::new(leg(&truth)?)?;

@@ -21,8 +21,7 @@ use super::inputs::Truth;
 use super::steps::{CALIBRATION, DISPARITIES, KEY_FRAMES, STEPS, Step};
 use super::studio::SIZE;
 use super::times::Times;
-use crate::frame::{Progress, Recorded};
-use crate::program;
+use crate::frame::{Context, Progress, Recorded};
 
 /// What a step said.
 pub(super) struct Done {
@@ -45,14 +44,21 @@ pub(super) struct Run {
 
 impl Run {
     /// Runs all commands in the current folder.
-    pub(super) fn new(truth: &Truth, progress: &Progress, times: &mut Times) -> Result<Self> {
+    pub(super) fn new(
+        truth: &Truth,
+        context: &Context,
+        progress: &Progress,
+        times: &mut Times,
+    ) -> Result<Self> {
         let mut steps = Vec::with_capacity(STEPS.len());
         let mut rig = None;
         for step in &STEPS {
             progress.part(step.title, step.share);
             let begin = Instant::now();
             let line = words(step.line);
-            let said = program::record(&line).with_context(|| format!("nullcone {}", step.line))?;
+            let said = context
+                .record(&line)
+                .with_context(|| format!("nullcone {}", step.line))?;
             let seconds = begin.elapsed().as_secs_f64();
             times.steps.push((step.name.to_owned(), seconds));
             steps.push(Done { step, said });

@@ -15,10 +15,10 @@ use crate::person::{CameraFiles, FitLengths, JointFiles, MANNEQUIN};
 /// together, and --refine-cameras and --synchronise put that right.
 ///
 /// The films are for looking at: one for each view, in the order of the views of the joints, as
-/// Y4M, MP4 and what else ffmpeg reads where it is installed (H.264 in MP4 also where the program was
-/// built with the feature `mp4`), folders of numbered pictures or patterns. There may be fewer, or
-/// none. They may be smaller than the pictures of the cameras, where the file of these says their
-/// size.
+/// Y4M, MP4 and what else ffmpeg reads where it is installed (H.264 in MP4 also where the program
+/// was built with the feature `mp4`), folders of numbered pictures or patterns. There may be fewer,
+/// or none. They may be smaller than the pictures of the cameras, where the file of these says
+/// their size.
 ///
 /// The folder of --out gets, all or nothing:
 ///

@@ -54,7 +54,8 @@ fn distorted() -> [Plane<u8>; 4] {
 }
 
 /// The truth is what the filter of ffmpeg 5.1.9 printed for Y4M files with these frames:
-/// `ffmpeg -i distorted.y4m -i reference.y4m -lavfi '[0:v][1:v]vif,metadata=print:file=-' -f null -`
+/// `ffmpeg -i distorted.y4m -i reference.y4m -lavfi '[0:v][1:v]vif,metadata=print:file=-'
+/// -f null -`
 #[test]
 fn the_scales_are_those_of_ffmpeg() {
     let expected = [

@@ -2,8 +2,9 @@
 
 use anyhow::{Context as _, Result, bail};
 
+use super::arguments::Arguments;
 use super::found::Found;
-use super::{Arguments, Measures};
+use super::measures::Measures;
 use crate::format::Format;
 use crate::frame::{Context, Shown};
 use crate::part::{Outputs, Parts};
@@ -36,5 +37,7 @@ pub(crate) fn merged(
     let Some(found) = all else {
         bail!("no part is given");
     };
-    arguments.report(found, None, context)
+    Ok(arguments
+        .report(found, None, context)?
+        .map(Measures::Videos))
 }

@@ -10,8 +10,9 @@ use ga_video::quality::{
 use ga_video::{Properties, Source, VideoError};
 use serde::Serialize;
 
+use super::arguments::{Arguments, COMMAND, line, too_few_pixels};
 use super::found::{Found, Scaling};
-use super::{Arguments, COMMAND, Measures, line, too_few_pixels};
+
 use crate::frame::{Context, Shown, Warning};
 use crate::output;
 use crate::part::{About, Frames, Part, PartWritten};
@@ -36,7 +37,7 @@ struct Begun {
 
 impl Arguments {
     /// Compares all frames.
-    pub(super) fn videos(&self, context: &Context) -> Result<Shown<Measures>> {
+    pub(super) fn videos(&self, context: &Context) -> Result<Shown<Videos>> {
         let progress = context.progress(0);
         let Begun {
             mut comparison,
@@ -62,7 +63,7 @@ impl Arguments {
         asked: Frames,
         path: &Path,
         context: &Context,
-    ) -> Result<Shown<Measures>> {
+    ) -> Result<Shown<PartWritten>> {
         let progress = context.progress(0);
         let Begun {
             comparison,
@@ -97,7 +98,7 @@ impl Arguments {
         let written = PartWritten::new(path, &about);
         let mut shown = Shown::new((), written.text());
         Part::new(about, found).stage(path, &mut shown.files)?;
-        Ok(shown.map(|()| Measures::Part(written)))
+        Ok(shown.map(|()| written))
     }
 
     /// Opens the videos.
@@ -160,7 +161,7 @@ impl Arguments {
         found: Found,
         failure: Option<VideoError>,
         context: &Context,
-    ) -> Result<Shown<Measures>> {
+    ) -> Result<Shown<Videos>> {
         let Found {
             size,
             properties,
@@ -222,7 +223,7 @@ impl Arguments {
             let done = frames.len();
             Error::new(error).context(format!("{}: {done} frames are reported", self.names()))
         });
-        Ok(shown.map(Measures::Videos))
+        Ok(shown)
     }
 
     /// Which frames show the same moments.
