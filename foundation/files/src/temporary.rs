@@ -65,7 +65,6 @@ pub fn remove_temporaries() {
 /// let path = work.path().to_path_buf();
 /// drop(work);
 /// assert!(!path.exists());
-/// # std::fs::remove_dir("out")?;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Debug)]

@@ -15,7 +15,9 @@ use super::inputs::FRAMES;
 use super::paper;
 use super::run::Run;
 use super::scores::Scores;
-use super::steps::{ALIGNED, COMFORT, DISPARITIES, EVALUATION, KEY_FRAMES, PEOPLE, TEXTURE};
+use super::steps::{
+    ALIGNED, COMFORT, DISPARITIES, EVALUATION, KEY_FRAMES, PEOPLE, QUALITY, TEXTURE,
+};
 use super::studio::FRAMES_PER_SECOND;
 use super::times;
 
@@ -35,12 +37,13 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     let Contents { run, scores, .. } = contents;
     let mut page = Page::new("Nullcone: from films to a moving person");
     page.paragraph(
-        "A figure walks through a room and is filmed by two cameras, of which one is set too bright \
-         and is rolled a little; both have noise. From these films and from pictures of a chessboard \
-         alone, the commands below find the cameras, the depth, the joints and the body again, as \
-         points, lines, planes, circles and motors of conformal geometric algebra. The truth that \
-         the films were made of is used for the scores, and to say where in the room the left \
-         camera stands.",
+        "A figure with dots on its skin walks through a room and is filmed by two cameras, of which \
+         the right one is too bright and rolled a little; both have noise. From these films, and \
+         from pictures of a chessboard whose squares are 6 cm, the commands below find the cameras, \
+         the depth, the joints and the body again, as points, lines, planes, circles and motors of \
+         conformal geometric algebra. They are told where the dots are on the figure at rest, about \
+         where the disc on the wall is in both pictures, and where in the room the left camera \
+         stands. What else the films were made of is used for the scores alone.",
     );
     score_table(&mut page, scores);
     model(&mut page, contents)?;
@@ -57,7 +60,15 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
         match step.name {
             DISPARITIES => picture(&mut page, "The disparity of each pixel", "disparity.png")?,
             EVALUATION => picture(&mut page, "Found, true, and their difference", "errors.png")?,
-            KEY_FRAMES => picture(&mut page, "Key frames of the left film", "keys.png")?,
+            KEY_FRAMES => {
+                picture(&mut page, "Key frames of the left film", "keys.png")?;
+                curves(
+                    &mut page,
+                    "The curves of figure 6, of the left film.",
+                    "curves.svg",
+                )?;
+            }
+            QUALITY => curves(&mut page, "The measures over time.", "quality.svg")?,
             _ => {}
         }
         match done.said.page.clone() {
@@ -128,7 +139,7 @@ fn score_table(page: &mut Page, scores: &Scores) {
         let [name, asked, word] = [goal.name, goal.asked, word].map(str::to_owned);
         [name, goal.found, asked, word]
     });
-    page.table(["from pictures alone", "found", "asked", ""], rows);
+    page.table(["score", "found", "asked", ""], rows);
 }
 
 /// The walking figure, which the mouse turns.
@@ -166,7 +177,7 @@ fn model(page: &mut Page, contents: &Contents<'_>) -> Result<()> {
     };
     page.model(
         &view,
-        "The figure of the films without its dots, skinned by motors: x′ = G x ~G with the motor G \
+        "The figure that was filmed, without its dots: the truth, not what was found. It is skinned by motors: x′ = G x ~G with the motor G \
          that is the weighted mean of those of the bones.",
     )?;
     Ok(())
@@ -176,6 +187,12 @@ fn picture(page: &mut Page, words: &str, file: &str) -> Result<()> {
     let bytes = std::fs::read(Path::new(file)).with_context(|| file.to_owned())?;
     page.paragraph(words);
     page.png(words, &bytes);
+    Ok(())
+}
+
+fn curves(page: &mut Page, words: &str, file: &str) -> Result<()> {
+    let svg = std::fs::read_to_string(file).with_context(|| file.to_owned())?;
+    page.wide_svg(&svg, words);
     Ok(())
 }
 

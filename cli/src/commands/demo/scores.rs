@@ -71,7 +71,7 @@ impl Scores {
         let joints = &self.joints;
         let below = |name, value: f64, unit: &str, most: f64, asked| Goal {
             name,
-            found: format!("{value:.2}{unit}"),
+            found: format!("{value:.3}{unit}"),
             asked,
             is_reached: value <= most,
         };
