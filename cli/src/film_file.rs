@@ -55,13 +55,12 @@ impl Film<'_> {
     ) -> Result<usize> {
         let mut bytes = 0;
         output::stage_with(staged, self.path, |file| {
+            let failed = || format!("cannot write {}", self.path.display());
             let mut file = BufWriter::new(file);
-            let mut writer = Writer::new(&mut file, self)?;
-            show(&mut |picture| writer.write(picture))?;
-            writer.finish()?;
-            bytes = file
-                .seek(SeekFrom::End(0))
-                .context("the film cannot be written")?;
+            let mut writer = Writer::new(&mut file, self).with_context(failed)?;
+            show(&mut |picture| writer.write(picture).with_context(failed))?;
+            writer.finish().with_context(failed)?;
+            bytes = file.seek(SeekFrom::End(0)).with_context(failed)?;
             Ok(())
         })?;
         Ok(bytes as usize)

@@ -25,6 +25,7 @@ mod demo;
 mod demo_whole;
 mod draw;
 mod expand;
+mod faults;
 mod film_mp4;
 mod frame;
 mod kept;

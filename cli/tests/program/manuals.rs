@@ -7,7 +7,7 @@ use tempfile::tempdir;
 use crate::common::{assert_success, names, nullcone, text};
 
 /// The paths of all commands, by the help of each.
-fn commands() -> Vec<Vec<String>> {
+pub(crate) fn commands() -> Vec<Vec<String>> {
     let mut all = vec![Vec::new()];
     let mut next = 0;
     while let Some(path) = all.get(next).cloned() {
@@ -27,7 +27,7 @@ fn help(path: &[String]) -> String {
 }
 
 /// The names of the commands below one.
-fn below(path: &[String]) -> Vec<String> {
+pub(crate) fn below(path: &[String]) -> Vec<String> {
     let help = help(path);
     let Some((_, list)) = help.split_once("\nCommands:\n") else {
         return Vec::new();

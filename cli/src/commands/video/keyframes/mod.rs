@@ -283,9 +283,11 @@ impl Arguments {
         if split::is_for_ffmpeg(&self.video) {
             let films = split::by_ffmpeg(&self.video, shots)?;
             for (number, film) in (1..).zip(&films.files) {
-                output::stage_with(files, &name(number, "mp4"), |file| {
-                    let mut film = File::open(film)?;
-                    std::io::copy(&mut film, file)?;
+                let path = name(number, "mp4");
+                output::stage_with(files, &path, |file| {
+                    let copied =
+                        File::open(film).and_then(|mut film| std::io::copy(&mut film, file));
+                    copied.with_context(|| format!("cannot write {}", path.display()))?;
                     Ok(())
                 })?;
             }
@@ -294,8 +296,10 @@ impl Arguments {
         let rate = self.given_rate()?.unwrap_or_else(|| found.mean_rate());
         let mut splitter = Splitter::new(&self.video, rate)?;
         for (number, shot) in (1..).zip(shots) {
-            output::stage_with(files, &name(number, "y4m"), |file| {
-                Ok(splitter.write(shot.frames.len(), file)?)
+            let path = name(number, "y4m");
+            output::stage_with(files, &path, |file| {
+                let written = splitter.write(shot.frames.len(), file);
+                written.with_context(|| format!("cannot write {}", path.display()))
             })?;
         }
         Ok(())

@@ -1,0 +1,84 @@
+//! Places where no file can be written.
+
+use std::path::Path;
+
+use tempfile::tempdir;
+
+use super::table::{ROWS, words, working};
+use super::{error, for_each, inputs, left};
+use crate::common::{assert_success, names, nullcone, text};
+
+/// The program fails in one line that names the place.
+#[track_caller]
+fn assert_refused(folder: &Path, words: &[String], place: &str) {
+    let output = nullcone(folder, words);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{words:?}: {message}");
+    let is_named = error(message).is_some_and(|error| error.contains(place));
+    assert!(is_named, "{words:?}: {message}");
+}
+
+/// Permissions do not hold for the superuser, but a file is a folder for nobody, and nobody makes
+/// files in `/proc`.
+#[test]
+fn a_folder_below_a_file_and_one_of_the_system_are_refused() {
+    for_each(&working(), |row| {
+        let folder = tempdir().unwrap();
+        std::fs::write(folder.path().join("file"), "the only copy").unwrap();
+        for place in ["file/out", "/proc/out"] {
+            let words = row.words(inputs::folder(), place);
+            assert_refused(folder.path(), &words, place);
+            assert_eq!(names(folder.path()), ["file"]);
+        }
+        let kept = std::fs::read(folder.path().join("file")).unwrap();
+        assert_eq!(kept, b"the only copy");
+    });
+}
+
+/// Of several outputs each in turn; the others are not written either.
+#[test]
+fn a_folder_in_the_place_of_a_file_is_refused() {
+    for_each(ROWS, |row| {
+        let outputs = row.line.split(' ').filter(|word| word.starts_with("OUT/"));
+        for output in outputs.filter(|output| output.contains('.') && !output.contains('%')) {
+            let folder = tempdir().unwrap();
+            let place = output.replace("OUT", "out");
+            std::fs::create_dir_all(folder.path().join(&place)).unwrap();
+            let words = words(row.line, inputs::folder(), "out");
+            assert_refused(folder.path(), &words, &place);
+            let out = folder.path().join("out");
+            assert_eq!(names(&out).len(), 1, "{}", row.line);
+            assert!(left::files(&out).is_empty(), "{}", row.line);
+        }
+    });
+}
+
+/// A file in the place of a folder of outputs stays.
+#[test]
+fn a_file_in_the_place_of_a_folder_is_refused() {
+    for_each(&working(), |row| {
+        let outputs = row.line.split(' ').filter(|word| word.starts_with("OUT/"));
+        for output in outputs.filter(|output| !output.contains('.')) {
+            let folder = tempdir().unwrap();
+            let place = output.replace("OUT", "out");
+            std::fs::create_dir(folder.path().join("out")).unwrap();
+            std::fs::write(folder.path().join(&place), left::EARLIER).unwrap();
+            let words = row.words(inputs::folder(), "out");
+            assert_refused(folder.path(), &words, &place);
+            let left = left::files(&folder.path().join("out"));
+            assert_eq!(left.len(), 1, "{}", row.line);
+            assert_eq!(left.values().next().unwrap(), left::EARLIER);
+        }
+    });
+}
+
+/// The table names its outputs by their option, as the tests above count on it.
+#[test]
+fn outputs_of_the_table_are_those_that_are_written() {
+    let folder = tempdir().unwrap();
+    let row = ROWS.iter().find(|row| row.line.starts_with("curve"));
+    let words = row.unwrap().words(inputs::folder(), "out");
+    assert_success(&nullcone(folder.path(), words));
+    let out = names(&folder.path().join("out"));
+    assert_eq!(out, ["curve.csv", "curve.svg", "page.html"]);
+}
