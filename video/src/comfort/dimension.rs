@@ -63,6 +63,30 @@ impl Dimension {
         }
     }
 
+    /// The name in words, as that of a fault.
+    ///
+    /// ```
+    /// use ga_video::comfort::Dimension;
+    ///
+    /// assert_eq!(Dimension::OverDivergence.in_words(), "Too far behind");
+    /// ```
+    #[must_use]
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Brightness => "Difference of brightness",
+            Self::Colour => "Difference of colour",
+            Self::Vertical => "Vertical misalignment",
+            Self::Asynchrony => "Delay of one eye",
+            Self::ParallaxDeviation => "Jumps of depth",
+            Self::Stereoscopy => "Left and right in order",
+            Self::WeakDepth => "Too little depth",
+            Self::RichDepth => "Too much depth at once",
+            Self::OverConvergence => "Too far in front",
+            Self::OverDivergence => "Too far behind",
+            Self::FocalGap => "Difference of sharpness",
+        }
+    }
+
     /// The unit of the raw number.
     #[must_use]
     pub fn unit(self) -> Unit {

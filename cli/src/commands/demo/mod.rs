@@ -2,6 +2,7 @@
 
 mod algebra;
 mod disparity;
+mod findings;
 mod folder;
 mod inputs;
 mod joints;

@@ -11,12 +11,14 @@ use ga_image::png;
 use serde_json::Value;
 
 use super::algebra::{LegBothWays, Level, Weights};
+use super::findings::finding;
 use super::inputs::FRAMES;
 use super::paper;
-use super::run::Run;
+use super::run::{Done, Run};
 use super::scores::Scores;
 use super::steps::{
-    ALIGNED, COMFORT, DISPARITIES, EVALUATION, KEY_FRAMES, PEOPLE, QUALITY, TEXTURE,
+    ALIGNED, COMFORT, DISPARITIES, EVALUATION, KEY_FRAMES, MAPS, PEOPLE, QUALITY, RECTIFICATION,
+    SURFACE_VIEW, TEXTURED_VIEW,
 };
 use super::studio::FRAMES_PER_SECOND;
 use super::times;
@@ -37,70 +39,143 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     let Contents { run, scores, .. } = contents;
     let mut page = Page::new("Nullcone: from films to a moving person");
     page.paragraph(
-        "A figure with dots on its skin walks through a room and is filmed by two cameras, of which \
-         the right one is too bright and rolled a little; both have noise. From these films, and \
-         from pictures of a chessboard whose squares are 6 cm, the commands below find the cameras, \
-         the depth, the joints and the body again, as points, lines, planes, circles and motors of \
-         conformal geometric algebra. They are told where the dots are on the figure at rest, about \
-         where the disc on the wall is in both pictures, and where in the room the left camera \
-         stands. What else the films were made of is used for the scores alone.",
+        "A figure with dots on its skin walks through a room before two cameras. From their films, \
+         and from pictures of a chessboard, the commands on this page find the cameras, the depth, \
+         the joints and the body again: as points, lines, planes, circles and motors of conformal \
+         geometric algebra.",
     );
     score_table(&mut page, scores);
     model(&mut page, contents)?;
+    page.contents();
+
+    page.heading("What is filmed, and what is known");
+    page.paragraph(
+        "The right picture is too bright and rolled a little, and both have noise. The commands are \
+         told where the dots are on the figure at rest, how large the squares of the chessboard are, \
+         about where the disc on the wall is in both pictures, and where in the room the left camera \
+         stands. What else the films were made of is used for the scores alone.",
+    );
+    page.paragraph(
+        "“Cui” is the paper behind these steps: Y. Cui, Geometric Algebra-Based Modeling Techniques \
+         for 3D Animation and Their Application to Visual Communication. In formulas, products of blades are geometric, ∧ is the outer product, · the inner \
+         one, ~M the reverse of M, and e∞ the point at infinity.",
+    );
     page.heading("The films, and the body that was found in them");
     if let Some(people) = run.said(PEOPLE)?.page.clone() {
         page.include(people);
     }
     page.heading("Every step");
+    page.paragraph(
+        "All of these commands ran in the folder of this page, one after the other, and can be run \
+         there again by hand.",
+    );
     for done in &run.steps {
-        let step = done.step;
-        page.subheading(&format!("{} (Cui, {})", step.title, step.section));
-        page.code(step.formula);
-        page.code(&done.command());
-        match step.name {
-            DISPARITIES => picture(&mut page, "The disparity of each pixel", "disparity.png")?,
-            EVALUATION => picture(&mut page, "Found, true, and their difference", "errors.png")?,
-            KEY_FRAMES => {
-                picture(&mut page, "Key frames of the left film", "keys.png")?;
-                curves(
-                    &mut page,
-                    "The curves of figure 6, of the left film.",
-                    "curves.svg",
-                )?;
-            }
-            QUALITY => curves(&mut page, "The measures over time.", "quality.svg")?,
-            _ => {}
-        }
-        match done.said.page.clone() {
-            _ if step.name == PEOPLE => page.paragraph("Its page is at the beginning of this one."),
-            Some(own) => page.fold(&format!("The page of {}", words(step.line)), own),
-            None => values(&mut page, &done.said.values),
-        }
-        match step.name {
-            COMFORT => strains(&mut page, &scores.uncomfortable_before),
-            ALIGNED => {
-                strains(&mut page, &scores.uncomfortable_after);
-                paper::comfort(&mut page)?;
-            }
-            TEXTURE => paper::times(&mut page),
-            _ => {}
-        }
+        step(&mut page, done, run, scores)?;
     }
     algebra(&mut page, contents);
     page.heading("The tables of the paper");
     paper::tables(&mut page, run, scores)?;
     page.heading("The figures of the paper");
+    let mut sheet = Page::new("Figures 7 and 8");
     picture(
-        &mut page,
-        "Figures 7 and 8: key frames of a stride, and three in-between frames after each",
+        &mut sheet,
+        "Key frames of a stride, and three in-between frames after each",
         "sheet.png",
     )?;
+    page.fold("Figures 7 and 8: key frames and in-between frames", sheet);
     page.text_table(
         ["figure", "here"],
         paper::FIGURES.map(|row| row.map(str::to_owned)),
     );
+    paper::reconstruction_times(&mut page);
     page.script_beside(times::FILE);
     Ok(page)
+}
+
+/// What a step does, its formula, what it found, and its command.
+fn step(page: &mut Page, done: &Done, run: &Run, scores: &Scores) -> Result<()> {
+    let step = done.step;
+    page.subheading_from(step.title, &format!("Cui, {}", step.section));
+    page.paragraph(step.does);
+    page.formula(step.formula);
+    match (step.name, finding(step.name, run, scores)?) {
+        (COMFORT, Some(text)) if !scores.uncomfortable_before.is_empty() => page.warning(&text),
+        (ALIGNED, Some(text)) if !scores.uncomfortable_after.is_empty() => page.warning(&text),
+        (_, Some(text)) => page.note(&text),
+        (_, None) => {}
+    }
+    match step.name {
+        RECTIFICATION => pictures(
+            page,
+            [
+                ("The left picture, rectified", "rectified/left.png"),
+                (
+                    "The right one: each point is in the same row",
+                    "rectified/right.png",
+                ),
+            ],
+        )?,
+        DISPARITIES => picture(page, "The disparity of each pixel", "disparity.png")?,
+        EVALUATION => picture(
+            page,
+            "Left what was found, in the middle the truth, both yellow where it is near; right their \
+             difference, dark where there is none",
+            "errors.png",
+        )?,
+        SURFACE_VIEW => picture(page, "The surface, seen from aside", "surface.png")?,
+        KEY_FRAMES => {
+            picture(page, "Key frames of the left film", "keys.png")?;
+            curves(
+                page,
+                "The curves of figure 6, of the left film.",
+                "curves.svg",
+            )?;
+        }
+        QUALITY => curves(page, "The measures over time.", "quality.svg")?,
+        TEXTURED_VIEW => picture(
+            page,
+            "The figure with the texture that was found",
+            "textured.png",
+        )?,
+        MAPS => pictures(
+            page,
+            [
+                ("Normals of the fine surface", "baked/normal.png"),
+                ("Its height over the coarse one", "baked/displacement.png"),
+            ],
+        )?,
+        _ => {}
+    }
+    page.code(&in_lines(&done.command()));
+    if !step.files.is_empty() {
+        page.files(step.files.iter().copied());
+    }
+    match done.said.page.clone() {
+        _ if step.name == PEOPLE => {}
+        Some(own) => page.fold(&format!("The page of {}", words(step.line)), own),
+        None => page.fold("All numbers", values(&done.said.values)),
+    }
+    Ok(())
+}
+
+/// A command in lines that a shell joins, of which each begins with an option.
+fn in_lines(command: &str) -> String {
+    const MOST: usize = 90;
+    let mut lines = String::new();
+    let mut length = 0;
+    for (number, part) in command.split(" --").enumerate() {
+        let part = match number {
+            0 => part.to_owned(),
+            _ => format!(" --{part}"),
+        };
+        if number > 0 && length + part.len() > MOST {
+            lines += " \\\n   ";
+            length = 3;
+        }
+        length += part.len();
+        lines += &part;
+    }
+    lines
 }
 
 /// The words by which a command is called.
@@ -112,10 +187,13 @@ fn words(line: &str) -> String {
 }
 
 /// The single values that a command says; lists are in `report.json`.
-fn values(page: &mut Page, values: &Value) {
+fn values(values: &Value) -> Page {
     let all = values.as_object().into_iter().flatten();
     let single = all.filter_map(|(name, value)| {
         let text = match value {
+            Value::Number(number) if number.is_f64() => {
+                number.as_f64().map(rounded).unwrap_or_default()
+            }
             Value::Number(number) => number.to_string(),
             Value::String(text) => text.clone(),
             Value::Bool(is) => is.to_string(),
@@ -123,23 +201,41 @@ fn values(page: &mut Page, values: &Value) {
         };
         Some([name.replace('_', " "), text])
     });
+    let mut page = Page::new("Numbers");
     page.table(["", ""], single);
+    page
+}
+
+/// A number of four digits.
+fn rounded(number: f64) -> String {
+    match number.abs() {
+        0.0 => "0".to_owned(),
+        ..1e-4 => format!("{number:.3e}"),
+        size => {
+            let decimals = (3.0 - size.log10().floor()).max(0.0) as usize;
+            format!("{number:.decimals$}")
+        }
+    }
 }
 
 /// The scores that something is asked of.
 fn score_table(page: &mut Page, scores: &Scores) {
     let goals = scores.goals();
     if goals.iter().all(|goal| goal.is_reached) {
-        page.note("All scores are within what is asked.");
+        page.note("All five goals are reached.");
     } else {
-        page.warning("A score is not within what is asked.");
+        page.warning("A goal is missed.");
     }
     let rows = goals.into_iter().map(|goal| {
-        let word = if goal.is_reached { "reached" } else { "missed" };
-        let [name, asked, word] = [goal.name, goal.asked, word].map(str::to_owned);
-        [name, goal.found, asked, word]
+        let mark = if goal.is_reached { "✓" } else { "missed" };
+        [
+            goal.name.to_owned(),
+            goal.found,
+            goal.asked.to_owned(),
+            mark.to_owned(),
+        ]
     });
-    page.table(["score", "found", "asked", ""], rows);
+    page.table(["", "found", "goal", ""], rows);
 }
 
 /// The walking figure, which the mouse turns.
@@ -177,16 +273,26 @@ fn model(page: &mut Page, contents: &Contents<'_>) -> Result<()> {
     };
     page.model(
         &view,
-        "The figure that was filmed, without its dots: the truth, not what was found. It is skinned by motors: x′ = G x ~G with the motor G \
-         that is the weighted mean of those of the bones.",
+        "The figure that was filmed, without its dots: the truth, not what was found. It is skinned \
+         by motors: x′ = G x ~G with the motor G that is the weighted mean of those of the bones.",
     )?;
     Ok(())
 }
 
 fn picture(page: &mut Page, words: &str, file: &str) -> Result<()> {
     let bytes = std::fs::read(Path::new(file)).with_context(|| file.to_owned())?;
-    page.paragraph(words);
-    page.png(words, &bytes);
+    page.pictures([(words, bytes.as_slice())]);
+    Ok(())
+}
+
+/// Two pictures beside each other.
+fn pictures(page: &mut Page, both: [(&'static str, &'static str); 2]) -> Result<()> {
+    let read = |(words, file): (&'static str, &'static str)| -> Result<_> {
+        Ok((words, std::fs::read(file).with_context(|| file.to_owned())?))
+    };
+    let [left, right] = both.map(read);
+    let (left, right) = (left?, right?);
+    page.pictures([(left.0, left.1.as_slice()), (right.0, right.1.as_slice())]);
     Ok(())
 }
 
@@ -194,13 +300,6 @@ fn curves(page: &mut Page, words: &str, file: &str) -> Result<()> {
     let svg = std::fs::read_to_string(file).with_context(|| file.to_owned())?;
     page.wide_svg(&svg, words);
     Ok(())
-}
-
-fn strains(page: &mut Page, checks: &[String]) {
-    match checks {
-        [] => page.note("Nothing strains the eyes: all checks are green in all frames."),
-        checks => page.warning(&format!("These strain the eyes: {}.", checks.join(", "))),
-    }
 }
 
 /// What the paper computes with the joints and the depth.
@@ -212,12 +311,14 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         ..
     } = contents;
     page.heading("The algebra of the paper, on what was found");
-    page.subheading("The leg, solved both ways (Cui, §2.3.3, eqs. 29–32)");
-    page.code(
-        "bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)\n\
-         inverse: the knee is where the spheres about hip and ankle meet the plane of the leg\n\
-         forward: G_calf = G_thigh (T(k) R T(−k))",
+    page.subheading_from("The leg, solved both ways", "Cui, §2.3.3, eqs. 29–32");
+    page.paragraph(
+        "Backwards, from hip and ankle to the angles: the knee is where the spheres about hip and \
+         ankle meet the plane of the leg. Forwards, from the angles to the ankle: the motor of the \
+         calf is that of the thigh times the rotation about the knee.",
     );
+    page.formula("bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)");
+    page.formula("G_calf = G_thigh T(k) R T(−k)");
     let [z, y, x, knee] = leg.angles_degrees.map(|angle| format!("{angle:.2}°"));
     page.table(
         ["left leg of the still", ""],
@@ -241,10 +342,15 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         ]
         .map(|(name, value)| [name.to_owned(), value]),
     );
-    page.subheading("Modelling points at several levels (Cui, §2.1.2, eq. 2)");
-    page.code(
-        "K = φ² Q (1 − C) / (S Q + t) − S, beside the depth Z = f B / (d + c_right − c_left)",
+    page.subheading_from("Modelling points at several levels", "Cui, §2.1.2, eq. 2");
+    page.paragraph(
+        "From level to level, four points become one. The depth is that of the disparity d. K is the \
+         paper's predicted distance, in pixels, with the disparity as S and the distance between \
+         points of the level as Q; φ = 10, t = 1 and C = 0.5 are left open by the paper. K is no \
+         depth, and nothing here depends on it.",
     );
+    page.formula("Z = f B / (d + c_right − c_left)");
+    page.formula("K = φ² Q (1 − C) / (S Q + t) − S");
     page.table(
         ["level", "points", "disparity, px", "depth, m", "± m", "K"],
         levels.iter().map(|level| {
@@ -259,9 +365,13 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         }),
     );
     page.paragraph("Numbers are those of the point that is nearest to the middle of the picture.");
-    page.subheading("Skin weights by distance (Cui, eq. 33)");
-    page.code("wᵢ = Lᵢ⁻ᵐ / Σ Lₖ⁻ᵐ over the n nearest bones");
-    page.paragraph(&format!(
+    page.subheading_from("Skin weights by distance", "Cui, eq. 33");
+    page.paragraph(
+        "How much a vertex follows a bone may be told by its distance L from the bone alone, here \
+         beside the weights that the figure has.",
+    );
+    page.formula("wᵢ = Lᵢ⁻ᵐ / Σ Lₖ⁻ᵐ, over the n nearest bones");
+    page.note(&format!(
         "With n = {} and m = {}, {:.1} % of the {} vertices of the figure follow the same bone most \
          as with its own weights; {:.1} % of the weight of a vertex lies on other bones on average.",
         weights.influences,

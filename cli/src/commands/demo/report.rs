@@ -76,7 +76,7 @@ impl frame::Report for Report {
         for goal in self.scores.goals() {
             let word = if goal.is_reached { "reached" } else { "missed" };
             text += &format!(
-                "{:55} {:>10}  {}: {word}\n",
+                "{:50} {:>9}  {:8} {word}\n",
                 goal.name, goal.found, goal.asked
             );
         }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use ga_runtime::cga3::Point;
+use ga_video::comfort::Dimension;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -25,9 +26,11 @@ pub(super) struct Scores {
     pub(super) bad_2_visible_percent: f64,
     pub(super) circle_centre_error_millimetres: f64,
     pub(super) circle_radius_error_millimetres: f64,
+    /// The true one.
+    pub(super) circle_radius_metres: f64,
     #[serde(flatten)]
     pub(super) joints: JointErrors,
-    /// Checks that are orange or red in a frame.
+    /// Checks that are orange or red in a frame, by their names in files.
     pub(super) uncomfortable_before: Vec<String>,
     pub(super) uncomfortable_after: Vec<String>,
 }
@@ -60,6 +63,7 @@ impl Scores {
             bad_2_visible_percent: run.number(EVALUATION, "/visible/bad_2")?,
             circle_centre_error_millimetres: 1e3 * in_frame.distance(centre.into()),
             circle_radius_error_millimetres: 1e3 * (radius - truth.disc.radius).abs(),
+            circle_radius_metres: truth.disc.radius,
             joints: JointErrors::of_table(Path::new("person/joints.csv"), truth, &known.left)?,
             uncomfortable_before: uncomfortable(Path::new("comfort.json"))?,
             uncomfortable_after: uncomfortable(Path::new("aligned.json"))?,
@@ -71,42 +75,45 @@ impl Scores {
         let joints = &self.joints;
         let below = |name, value: f64, unit: &str, most: f64, asked| Goal {
             name,
-            found: format!("{value:.3}{unit}"),
+            found: match value {
+                ..0.01 => format!("{value:.4}{unit}"),
+                _ => format!("{value:.2}{unit}"),
+            },
             asked,
             is_reached: value <= most,
         };
         let comfort = match self.uncomfortable_after.as_slice() {
             [] => "all green".to_owned(),
-            checks => checks.join(", "),
+            checks => in_words(checks),
         };
         vec![
             below(
-                "joints, mean distance (MPJPE)",
+                "joints, mean distance from the true ones (MPJPE)",
                 joints.mean_per_joint_position_error_millimetres,
                 " mm",
                 15.0,
-                "at most 15 mm",
+                "≤ 15 mm",
             ),
             below(
-                "joints, after the best similarity of each frame",
+                "joints, after each frame is aligned",
                 joints.aligned_error_millimetres,
                 " mm",
                 12.0,
-                "at most 12 mm",
+                "≤ 12 mm",
             ),
             below(
-                "edges of the board",
+                "edges of the chessboard's squares",
                 self.board_edges_error_percent,
                 " %",
                 0.5,
-                "within 0.5 %",
+                "≤ 0.5 %",
             ),
             below(
-                "pixels whose disparity is wrong by more than 2 (bad-2)",
+                "pixels whose disparity is wrong by more than 2",
                 self.bad_2_percent,
                 " %",
                 8.0,
-                "at most 8 %",
+                "≤ 8 %",
             ),
             Goal {
                 name: "comfort of the aligned film",
@@ -130,5 +137,13 @@ fn uncomfortable(path: &Path) -> Result<Vec<String>> {
         let count = |level: &str| row[format!("frames_{level}")].as_u64().unwrap_or_default();
         name.as_str() != "weak_depth" && count("orange") + count("red") > 0
     });
-    Ok(strains.map(|(name, _)| name.replace('_', " ")).collect())
+    Ok(strains.map(|(name, _)| name.clone()).collect())
+}
+
+/// Names of checks as the pages of comfort have them.
+pub(super) fn in_words(names: &[String]) -> String {
+    let checks = Dimension::ALL.iter();
+    let named = checks.filter(|check| names.iter().any(|name| name == check.name()));
+    let words: Vec<String> = named.map(|check| check.in_words().to_lowercase()).collect();
+    words.join(", ")
 }

@@ -131,7 +131,7 @@ impl Arguments {
         progress.step("writing");
         let page = page::page(Contents {
             title: &context.title(),
-            command: context.line(),
+            command: (!context.is_recording()).then(|| context.line()),
             verdict: verdict.with_files(),
             warnings: &warnings,
             figure: &figure,

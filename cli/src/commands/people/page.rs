@@ -19,8 +19,8 @@ const MOST_CONTACTS: usize = 60;
 /// What a page shows.
 pub(super) struct Contents<'a> {
     pub(super) title: &'a str,
-    /// The line by which the command was called.
-    pub(super) command: String,
+    /// The line by which the command was called, where the page is to say it.
+    pub(super) command: Option<String>,
     pub(super) verdict: Verdict,
     pub(super) warnings: &'a [Warning],
     pub(super) figure: &'a Figure,
@@ -46,11 +46,12 @@ pub(super) fn page(contents: Contents<'_>) -> Result<Page> {
              each frame, in pixels of the view.",
         );
     }
-    page.heading("Bones");
-    bones(&mut page, report);
+    page.fold("The lengths of all bones", bones(report));
     contacts(&mut page, report);
-    page.heading("Command");
-    page.code(&contents.command);
+    if let Some(command) = &contents.command {
+        page.heading("Command");
+        page.code(command);
+    }
     Ok(page)
 }
 
@@ -64,7 +65,7 @@ fn say(page: &mut Page, verdict: Verdict, warnings: &[Warning], report: &Charact
     };
     page.paragraph(&format!(
         "{} frames ({:.2} s) of {} joints in {}. Half of the joints that were found are within \
-         {:.1} px of where the body has them. {ground}",
+         {} px of where the body has them. {ground}",
         report.frames,
         report.frames as f64 / report.frames_per_second,
         report.joints.len(),
@@ -72,7 +73,10 @@ fn say(page: &mut Page, verdict: Verdict, warnings: &[Warning], report: &Charact
             1 => "1 view".to_owned(),
             views => format!("{views} views"),
         },
-        report.reprojection_median_px
+        match report.reprojection_median_px {
+            median @ ..1.0 => format!("{median:.2}"),
+            median => format!("{median:.1}"),
+        }
     ));
     let count = report.joints_unseen;
     if count > 0 {
@@ -208,7 +212,8 @@ fn chart(fitted: &FittedCharacter) -> Result<Option<String>> {
     Ok(Some(chart.to_svg()?))
 }
 
-fn bones(page: &mut Page, report: &CharacterReport) {
+fn bones(report: &CharacterReport) -> Page {
+    let mut page = Page::new("Bones");
     let rows = report.bones.iter().map(|bone| {
         let deviation = match bone.deviation_metres {
             Some(deviation) => format!("± {:.1}", 1e3 * deviation),
@@ -228,16 +233,17 @@ fn bones(page: &mut Page, report: &CharacterReport) {
         ],
         rows,
     );
+    page
 }
 
 fn contacts(page: &mut Page, report: &CharacterReport) {
-    page.heading("Standing feet");
     let all = report.ground.as_ref().map(|ground| &ground.contacts);
     let all = all.map_or(&[][..], Vec::as_slice);
     if all.is_empty() {
         page.paragraph("No foot stands.");
         return;
     }
+    let mut table = Page::new("Standing feet");
     let seconds = |frame: usize| frame as f64 / report.frames_per_second;
     let rows = all.iter().take(MOST_CONTACTS).map(|contact| {
         [
@@ -251,8 +257,9 @@ fn contacts(page: &mut Page, report: &CharacterReport) {
             format!("{:.1}", 1e3 * contact.slide_metres),
         ]
     });
-    page.table(["joint", "frames", "seconds", "slides by, mm"], rows);
+    table.table(["joint", "frames", "seconds", "slides by, mm"], rows);
     if let more @ 1.. = all.len().saturating_sub(MOST_CONTACTS) {
-        page.paragraph(&format!("{more} more are in report.json."));
+        table.paragraph(&format!("{more} more are in report.json."));
     }
+    page.fold("When feet stand", table);
 }

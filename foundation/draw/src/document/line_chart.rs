@@ -100,6 +100,7 @@ impl LineChart<'_> {
             .build_cartesian_2d(start..end, low..high)?;
         chart
             .configure_mesh()
+            .x_label_formatter(&|x| format!("{x:.0$}", decimals(end - start)))
             .x_desc(self.horizontal)
             .y_desc(self.vertical)
             .axis_desc_style(font(16))
@@ -160,6 +161,11 @@ impl LineChart<'_> {
 
 fn colour(series: usize) -> RGBColor {
     COLOURS[series % COLOURS.len()]
+}
+
+/// The decimals of numbers on an axis of a length, of which there are about ten.
+fn decimals(length: f64) -> usize {
+    (-(0.1 * length).log10().floor()).clamp(0.0, 9.0) as usize
 }
 
 /// The range of numbers with a margin, and not so narrow that numbers on its axis could not be told

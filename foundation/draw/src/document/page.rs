@@ -13,6 +13,8 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     td:first-child,th:first-child{text-align:left;white-space:normal}\
     .narrow td,.narrow th{padding:.2em .5em}.narrow th{white-space:normal;vertical-align:bottom}\
     .narrow td:first-child{white-space:nowrap}\
+    .wide td:first-child,.wide th:first-child{position:sticky;left:0;background:#fafafc}\
+    @media(max-width:600px){td,th{padding:.2em .5em}}\
     h1{overflow-wrap:anywhere}.wide{overflow-x:auto}\
     .warning{background:#fdf0d5;border-left:4px solid #d55e00;padding:.5em 1em}\
     .note{background:#e6f0f8;border-left:4px solid #0072b2;padding:.5em 1em}\
@@ -20,7 +22,12 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;ma
     .pictures{display:flex;flex-wrap:wrap;gap:1em}\
     .pictures figure{flex:1 1 440px;min-width:0;margin:0}\
     figure{margin:1.2em 0 2em}figcaption{font-size:.95em;margin-top:.3em}\
-    pre{background:#eef0f4;padding:.6em 1em;white-space:pre-wrap;overflow-wrap:anywhere}\
+    pre{background:#eef0f4;padding:.6em 1em;overflow-x:auto}\
+    p code,td code,li code{background:#eef0f4;padding:0 .25em}\
+    .formula{font-family:Cambria Math,STIX Two Math,Latin Modern Math,DejaVu Serif,serif;\
+    margin:.8em 1.5em;font-size:1.07em}h3 small{font-weight:normal;color:#6a727c;font-size:.8em}\
+    nav ul{columns:2 220px;padding-left:1.2em}nav li{break-inside:avoid}\
+    .files{font-size:.93em}\
     .green{background:#d3efe3}.orange{background:#ffd27a}.red{background:#a3261b;color:#fff}\
     .text td,.text th{text-align:left;white-space:normal;vertical-align:top}\
     .none{background:#ececf0;color:#555}\
@@ -37,7 +44,12 @@ pub struct Page {
     styles: Vec<&'static str>,
     /// The scripts that were added.
     scripts: Vec<&'static str>,
+    /// The headings with the numbers of their levels.
+    headings: Vec<(u8, String)>,
 }
+
+/// Where the list of headings goes.
+const CONTENTS: &str = "<!-- contents -->\n";
 
 impl Page {
     /// A page with its heading.
@@ -55,17 +67,60 @@ impl Page {
             begin,
             styles: vec![],
             scripts: vec![],
+            headings: vec![],
         }
+    }
+
+    /// A list of the headings of the page, which lead to their parts; those of
+    /// [included](Self::include) pages are not in it.
+    pub fn contents(&mut self) {
+        self.html += CONTENTS;
     }
 
     /// A heading below those of [`heading`](Self::heading).
     pub fn subheading(&mut self, text: &str) {
-        self.add(format_args!("<h3>{}</h3>\n", escaped(text)));
+        self.add_heading(3, text, "");
     }
 
-    /// A paragraph.
+    /// A [`subheading`](Self::subheading) with where it is from, in smaller letters.
+    pub fn subheading_from(&mut self, text: &str, source: &str) {
+        self.add_heading(3, text, &format!(" <small>{}</small>", escaped(source)));
+    }
+
+    fn add_heading(&mut self, level: u8, text: &str, rest: &str) {
+        self.headings.push((level, text.to_owned()));
+        let (number, text) = (self.headings.len(), escaped(text));
+        self.add(format_args!(
+            "<h{level} id=\"part-{number}\">{text}{rest}</h{level}>\n"
+        ));
+    }
+
+    /// A paragraph. What stands between two backticks is code.
     pub fn paragraph(&mut self, text: &str) {
-        self.add(format_args!("<p>{}</p>\n", escaped(text)));
+        self.add(format_args!("<p>{}</p>\n", marked(text)));
+    }
+
+    /// A formula in a line of its own. Letters after `_` are an index: in `G_root x`, `root`.
+    pub fn formula(&mut self, text: &str) {
+        let mut parts = text.split('_').map(escaped);
+        let mut html = parts.next().unwrap_or_default();
+        for part in parts {
+            let end = part.find(|c: char| !c.is_alphanumeric());
+            let (index, rest) = part.split_at(end.unwrap_or(part.len()));
+            html += &format!("<sub>{index}</sub>{rest}");
+        }
+        self.add(format_args!("<p class=\"formula\">{html}</p>\n"));
+    }
+
+    /// Links to files beside the page.
+    pub fn files<'a>(&mut self, paths: impl IntoIterator<Item = &'a str>) {
+        let links = paths.into_iter().map(|path| {
+            let path = escaped(path);
+            format!("<a href=\"{path}\">{path}</a>")
+        });
+        let links: Vec<String> = links.collect();
+        let links = links.join(", ");
+        self.add(format_args!("<p class=\"files\">Files: {links}</p>\n"));
     }
 
     /// A paragraph that is not overlooked.
@@ -76,7 +131,7 @@ impl Page {
     /// A paragraph with something that was done, or that the reader should know, and that is not
     /// wrong.
     pub fn note(&mut self, text: &str) {
-        self.add(format_args!("<p class=\"note\">{}</p>\n", escaped(text)));
+        self.add(format_args!("<p class=\"note\">{}</p>\n", marked(text)));
     }
 
     /// The same below the heading of the page, before the parts that it has.
@@ -88,7 +143,7 @@ impl Page {
 
     /// A heading of a part.
     pub fn heading(&mut self, text: &str) {
-        self.add(format_args!("<h2>{}</h2>\n", escaped(text)));
+        self.add_heading(2, text, "");
     }
 
     /// A chart, or any other SVG picture. It keeps its size, so that what is written in it is
@@ -217,7 +272,7 @@ impl Page {
                     Some(Tint::Grey) => " class=\"none\"",
                     None => "",
                 };
-                self.add(format_args!("<td{class}>{}</td>", escaped(&text)));
+                self.add(format_args!("<td{class}>{}</td>", marked(&text)));
             }
             self.html += "</tr>\n";
         }
@@ -252,7 +307,7 @@ impl Page {
         self.add(format_args!("</details>\n"));
     }
 
-    /// The parts of another page, without its heading.
+    /// The parts of another page, without its heading; those of its parts are a level lower.
     pub fn include(&mut self, other: Self) {
         for style in other.styles {
             self.add_style(style);
@@ -266,14 +321,33 @@ impl Page {
                 self.scripts.push(script);
             }
         }
+        for level in [4, 3, 2] {
+            parts = lowered(&parts, level);
+        }
         self.html += &parts;
     }
 
     /// The whole page.
     #[must_use]
     pub fn into_html(mut self) -> String {
+        if self.html.contains(CONTENTS) {
+            self.html = self.html.replacen(CONTENTS, &self.list_of_headings(), 1);
+        }
         self.html += "</body></html>\n";
         self.html
+    }
+
+    fn list_of_headings(&self) -> String {
+        let mut list = "<nav><ul>\n".to_owned();
+        for (index, (level, text)) in self.headings.iter().enumerate() {
+            let (number, text) = (index + 1, escaped(text));
+            let link = format!("<a href=\"#part-{number}\">{text}</a>");
+            list += &match level {
+                2 => format!("<li><b>{link}</b></li>\n"),
+                _ => format!("<li>{link}</li>\n"),
+            };
+        }
+        list + "</ul></nav>\n"
     }
 
     /// Adds a style sheet for a kind of part, unless the page has it.
@@ -308,8 +382,37 @@ impl Page {
     }
 }
 
+/// Headings of a level as those of the next, without the names by which lists of headings lead to
+/// them.
+fn lowered(html: &str, level: u8) -> String {
+    let (begin, end) = (format!("<h{level}"), format!("</h{level}>"));
+    let mut parts = html.split(&begin);
+    let mut lowered = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let rest = part.find('>').map_or(part, |place| &part[place..]);
+        lowered += &format!("<h{}{rest}", level + 1);
+    }
+    lowered.replace(&end, &format!("</h{}>", level + 1))
+}
+
 fn warning(text: &str) -> String {
-    format!("<p class=\"warning\">{}</p>\n", escaped(text))
+    format!("<p class=\"warning\">{}</p>\n", marked(text))
+}
+
+/// Text of which what stands between two backticks is code.
+fn marked(text: &str) -> String {
+    let text = escaped(text);
+    let parts: Vec<&str> = text.split('`').collect();
+    // An odd number of backticks would leave code without an end.
+    if parts.len().is_multiple_of(2) {
+        return text;
+    }
+    let parts = parts.iter().enumerate();
+    let parts = parts.map(|(number, part)| match number % 2 {
+        0 => (*part).to_owned(),
+        _ => format!("<code>{part}</code>"),
+    });
+    parts.collect()
 }
 
 /// A part as per cent, without the digits that only rounding makes.
@@ -363,5 +466,42 @@ mod tests {
         assert!(html.contains("<h1>&lt;a&gt; &amp; &quot;b&quot;</h1>"));
         assert!(html.contains("<p>x &lt; y</p>") && html.contains("<td>&lt;td&gt;</td>"));
         assert!(html.ends_with("</body></html>\n"));
+    }
+
+    #[test]
+    fn contents_lead_to_the_headings_of_the_page_alone() {
+        let mut other = Page::new("Other");
+        other.heading("Far");
+        other.subheading("Farther");
+        let mut page = Page::new("Page");
+        page.contents();
+        page.heading("Near <1>");
+        page.include(other);
+        page.subheading_from("Last", "§2");
+        let html = page.into_html();
+        let list = html
+            .split("<nav>")
+            .nth(1)
+            .and_then(|rest| rest.split("</nav>").next());
+        let list = list.unwrap_or_default();
+        assert_eq!(list.matches("<li>").count(), 2);
+        assert!(list.contains("<a href=\"#part-1\">Near &lt;1&gt;</a>"));
+        assert!(list.contains("<a href=\"#part-2\">Last</a>"));
+        assert_eq!(html.matches("id=\"part-2\"").count(), 1);
+        assert!(html.contains("<h3 id=\"part-2\">Last <small>§2</small></h3>"));
+        assert!(html.contains(">Far</h3>") && html.contains(">Farther</h4>"));
+    }
+
+    #[test]
+    fn indices_and_code_are_marked() {
+        let mut page = Page::new("Page");
+        page.formula("Z = f B / (d + c_right − c_left) < 1");
+        page.paragraph("`a < b` and ` alone");
+        page.paragraph("`a < b` is code");
+        let html = page.into_html();
+        let formula = "Z = f B / (d + c<sub>right</sub> − c<sub>left</sub>) &lt; 1";
+        assert!(html.contains(formula));
+        assert!(html.contains("<p>`a &lt; b` and ` alone</p>"));
+        assert!(html.contains("<p><code>a &lt; b</code> is code</p>"));
     }
 }

@@ -3,7 +3,6 @@
 use crate::comfort::{Dimension, Level, RowSummary, Score, Summary, Timeline};
 
 use super::axis::{FAINT, INK, LEFT, RIGHT, TimeAxis, WIDTH};
-use super::words;
 use ga_draw::document::Tint;
 use ga_draw::document::{Anchor, Svg};
 
@@ -61,7 +60,7 @@ pub(super) fn svg(timeline: &Timeline, summary: &Summary) -> String {
             13.0,
             Anchor::End,
             &ink,
-            words::name(dimension),
+            dimension.in_words(),
         );
         let cells: Vec<Cell> = timeline
             .intervals()

@@ -28,7 +28,7 @@ pub fn notes(summary: &Summary) -> Vec<String> {
             rest = others;
             let names: Vec<String> = same
                 .into_iter()
-                .map(|dimension| words::name(dimension).to_lowercase())
+                .map(|dimension| dimension.in_words().to_lowercase())
                 .collect();
             notes.push(format!(
                 "No score for {} {}: {}.",

@@ -88,7 +88,7 @@ fn page(report: &Report, summary: &Summary, failure: Option<&str>) -> Result<Pag
     page.heading("What the checks mean");
     let rows = Dimension::ALL.map(|dimension| {
         [
-            words::name(dimension).to_owned(),
+            dimension.in_words().to_owned(),
             dimension.name().to_owned(),
             words::explanation(dimension).to_owned(),
             words::limits(dimension, viewing),
@@ -230,7 +230,7 @@ fn add_table(page: &mut Page, summary: &Summary, problems: &[Problem<'_>], rate:
             tint: (count > 0).then_some(tint),
         };
         [
-            Cell::from(words::name(dimension).to_owned()),
+            Cell::from(dimension.in_words().to_owned()),
             mean(row),
             worst(row),
             Cell::from(worst_frame.map_or(String::new(), |frame| {

@@ -12,7 +12,7 @@ const BOTTOM: f64 = 136.0;
 /// The chart: the mean of each interval as a line, its range as a band, and the limits.
 pub(super) fn svg(timeline: &Timeline, dimension: Dimension, viewing: &Viewing) -> String {
     let time = TimeAxis::new(timeline);
-    let title = format!("{}, measured", words::name(dimension));
+    let title = format!("{}, measured", dimension.in_words());
     let mut svg = Svg::new([WIDTH, BOTTOM + 38.0], &title);
     let rows = || {
         timeline
@@ -46,7 +46,7 @@ pub(super) fn svg(timeline: &Timeline, dimension: Dimension, viewing: &Viewing) 
         13.0,
         Anchor::Start,
         &format!("{ink} font-weight=\"bold\""),
-        words::name(dimension),
+        dimension.in_words(),
     );
     for raw in ticks(range, 5) {
         let place = y(raw);

@@ -102,7 +102,7 @@ pub(super) fn sentences(
     for dimension in Dimension::ALL {
         let row = summary.row(dimension);
         if row.scored == 0 {
-            missing.push(words::name(dimension).to_lowercase());
+            missing.push(dimension.in_words().to_lowercase());
         } else if row.levels[0] == row.scored {
             good.push(words::merit(dimension).to_owned());
         }

@@ -3,23 +3,6 @@
 use crate::comfort::stereoscopy::Stereoscopy;
 use crate::comfort::{Dimension, Record, SIZE, Scale, Viewing, meaning};
 
-/// What a row is called.
-pub(super) fn name(dimension: Dimension) -> &'static str {
-    match dimension {
-        Dimension::Brightness => "Difference of brightness",
-        Dimension::Colour => "Difference of colour",
-        Dimension::Vertical => "Vertical misalignment",
-        Dimension::Asynchrony => "Delay of one eye",
-        Dimension::ParallaxDeviation => "Jumps of depth",
-        Dimension::Stereoscopy => "Left and right in order",
-        Dimension::WeakDepth => "Too little depth",
-        Dimension::RichDepth => "Too much depth at once",
-        Dimension::OverConvergence => "Too far in front",
-        Dimension::OverDivergence => "Too far behind",
-        Dimension::FocalGap => "Difference of sharpness",
-    }
-}
-
 /// What is wrong in a frame, as a name.
 pub(super) fn trouble(record: &Record, dimension: Dimension, viewing: &Viewing) -> &'static str {
     match (dimension, record.stereoscopy) {
@@ -27,7 +10,7 @@ pub(super) fn trouble(record: &Record, dimension: Dimension, viewing: &Viewing) 
         (Dimension::Stereoscopy, Stereoscopy::Identical) => "Views that are the same picture",
         (Dimension::Stereoscopy, Stereoscopy::Unrelated) => "Views of different scenes",
         (Dimension::FocalGap, _) if is_gap_of_size(record, viewing) => "Difference of size",
-        _ => name(dimension),
+        _ => dimension.in_words(),
     }
 }
 

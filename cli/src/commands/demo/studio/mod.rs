@@ -18,9 +18,9 @@ pub(super) use room::{Disc, Room};
 /// Columns and rows of all pictures.
 pub(super) const SIZE: [usize; 2] = [960, 720];
 /// The focal length in pixels.
-const FOCAL: f64 = 1000.0;
+pub(super) const FOCAL: f64 = 1000.0;
 /// How far the cameras are from each other, in metres.
-const BASELINE: f64 = 0.18;
+pub(super) const BASELINE: f64 = 0.18;
 /// How far the person is, in metres.
 const DISTANCE: f64 = 3.4;
 /// The cameras stand at this height and look at the middle of the person.
