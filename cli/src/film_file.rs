@@ -4,14 +4,13 @@ use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_files::Staged;
 use ga_image::film::{self, Rate};
 use ga_image::plane::Plane;
 
 use crate::files::Files;
 use crate::format::Format;
 use crate::frame::Warning;
-use crate::output;
+use crate::output::Staging;
 
 /// The formats of films.
 pub(crate) const FORMATS: [Format; 3] = [Format::Png, Format::Y4m, Format::Mp4];
@@ -46,15 +45,14 @@ pub(crate) struct Film<'a> {
 pub(crate) type Show<'a> = dyn FnMut(&Plane<[u8; 3]>) -> Result<()> + 'a;
 
 impl Film<'_> {
-    /// Adds the film, whose pictures a function shows, to files that are written together, and
-    /// returns how many bytes it has.
-    pub(crate) fn stage(
+    /// Writes the film, whose pictures a function shows, and returns how many bytes it has.
+    pub(crate) fn write(
         &self,
-        staged: &mut Staged,
+        outputs: &Staging,
         show: impl FnOnce(&mut Show<'_>) -> Result<()>,
     ) -> Result<usize> {
         let mut bytes = 0;
-        output::stage_with(staged, self.path, |file| {
+        outputs.write_with(self.path, |file| {
             let failed = || format!("cannot write {}", self.path.display());
             let mut file = BufWriter::new(file);
             let mut writer = Writer::new(&mut file, self).with_context(failed)?;

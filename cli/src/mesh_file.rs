@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::format::{Format, endings};
 use crate::frame::{Warning, keep_for_failure};
-use crate::output;
+use crate::output::Staging;
 use crate::reading::reading;
 use crate::standard_output::is_standard_output;
 
@@ -69,18 +69,22 @@ pub(crate) struct Written {
     pub(crate) files: Vec<String>,
 }
 
-/// Writes the [files](files()) of a mesh, all or none.
-pub(crate) fn write(mesh: &Mesh, files: &[(PathBuf, Vec<u8>)]) -> Result<Written> {
-    write_counted(mesh.vertex_count(), mesh.faces().len(), files)
+/// Writes the [files](files()) of a mesh.
+pub(crate) fn write(
+    mesh: &Mesh,
+    files: &[(PathBuf, Vec<u8>)],
+    outputs: &Staging,
+) -> Result<Written> {
+    write_counted([mesh.vertex_count(), mesh.faces().len()], files, outputs)
 }
 
-/// Writes files with so many vertices and faces, all or none.
+/// Writes files with so many vertices and faces.
 pub(crate) fn write_counted(
-    vertices: usize,
-    faces: usize,
+    [vertices, faces]: [usize; 2],
     files: &[(PathBuf, Vec<u8>)],
+    outputs: &Staging,
 ) -> Result<Written> {
-    output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+    outputs.write_all(files)?;
     let paths = files.iter().map(|(path, _)| path.display().to_string());
     Ok(Written {
         vertices,

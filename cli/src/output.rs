@@ -1,5 +1,6 @@
 //! What a command writes: text to standard output, and files.
 
+use std::cell::RefCell;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
@@ -35,39 +36,49 @@ pub(crate) fn print_json(object: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(object)? + "\n"))
 }
 
-/// Writes a file; `-` is standard output.
-pub(crate) fn write(path: &Path, contents: &[u8]) -> Result<()> {
-    write_together([(path, contents)])
-}
+/// Files that are written one after the other, of which none takes its name before
+/// [`finish`](Self::finish): where that is not reached, all earlier files stay as they were. `-` is
+/// standard output.
+#[derive(Debug, Default)]
+pub(crate) struct Staging(RefCell<Staged>);
 
-/// Writes files, each a path and its contents, all of them or none; `-` is standard output.
-pub(crate) fn write_together<P: AsRef<Path>, C: AsRef<[u8]>>(
-    files: impl IntoIterator<Item = (P, C)>,
-) -> Result<()> {
-    let mut staged = Staged::default();
-    for (path, contents) in files {
-        stage(&mut staged, path.as_ref(), contents.as_ref())?;
+impl Staging {
+    /// Adds a file.
+    pub(crate) fn write(&self, path: impl AsRef<Path>, contents: impl AsRef<[u8]>) -> Result<()> {
+        let path = path.as_ref();
+        self.write_with(path, |file| {
+            let written = file.write_all(contents.as_ref());
+            written.with_context(|| format!("cannot write {}", path.display()))
+        })
     }
-    Ok(staged.finish()?)
-}
 
-/// Adds a file to those that are written together; `-` is standard output.
-pub(crate) fn stage(staged: &mut Staged, path: &Path, contents: &[u8]) -> Result<()> {
-    stage_with(staged, path, |file| {
-        let written = file.write_all(contents);
-        written.with_context(|| format!("cannot write {}", path.display()))
-    })
-}
+    /// Adds files, each a path and its contents.
+    pub(crate) fn write_all(&self, files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<()> {
+        let mut files = files.iter();
+        files.try_for_each(|(path, contents)| self.write(path, contents))
+    }
 
-/// As [`stage`], for contents that a function writes.
-pub(crate) fn stage_with(
-    staged: &mut Staged,
-    path: &Path,
-    write: impl FnOnce(&mut dyn WriteSeek) -> Result<()>,
-) -> Result<()> {
-    if is_standard_output(path) {
-        staged.add_to_standard_output(path, write)
-    } else {
-        staged.add_with(path, write)
+    /// Adds a file whose contents a function writes, which adds no other file meanwhile.
+    pub(crate) fn write_with(
+        &self,
+        path: &Path,
+        write: impl FnOnce(&mut dyn WriteSeek) -> Result<()>,
+    ) -> Result<()> {
+        let mut staged = self.0.borrow_mut();
+        if is_standard_output(path) {
+            staged.add_to_standard_output(path, write)
+        } else {
+            staged.add_with(path, write)
+        }
+    }
+
+    /// Moves a file that is complete elsewhere to its place.
+    pub(crate) fn move_file(&self, path: &Path, from: &Path) -> Result<()> {
+        Ok(self.0.borrow_mut().add_file(path, from)?)
+    }
+
+    /// Gives all files their names.
+    pub(crate) fn finish(&self) -> Result<()> {
+        Ok(self.0.take().finish()?)
     }
 }

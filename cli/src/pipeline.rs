@@ -7,7 +7,6 @@ use anyhow::{Context, Result};
 use ga_anim::retarget::Checks;
 use ga_character::report::{AnimationReport, FigureReport};
 use ga_character::{Animation, Figure, Overlay, TwoViews, model, pictures};
-use ga_files::Staged;
 use ga_image::film::Rate;
 
 use crate::files::Files;
@@ -16,7 +15,7 @@ use crate::format::Format;
 use crate::frame::Progress;
 use crate::mesh_file::missing_parts;
 use crate::motion_file::lost;
-use crate::output;
+use crate::output::Staging;
 use crate::report::{Input, Performed, Report, Tool, Written};
 
 /// How many steps [`perform`] reports as progress.
@@ -116,6 +115,7 @@ pub(crate) struct Performance {
 pub(crate) fn perform(
     performance: Performance,
     arguments: &OutputArguments,
+    outputs: &Staging,
     progress: &Progress,
     begin: Instant,
 ) -> Result<Performed> {
@@ -137,7 +137,6 @@ pub(crate) fn perform(
     let (sheet, left_out) = pictures::sheet(&figure, &animation, &overlay)?;
     let file = figure.file.as_ref();
     let mut warnings = file.map_or(Vec::new(), |file| missing_parts(file, left_out));
-    let mut staged = Staged::default();
     let mut written = Vec::new();
     if let Some(path) = &arguments.film {
         progress.step("drawing the film");
@@ -149,7 +148,7 @@ pub(crate) fn perform(
             frames: clip.frames().len(),
             rate: Rate::new(clip.frame_time().recip()).unwrap_or(Rate::HIGHEST),
         };
-        let bytes = film.stage(&mut staged, |show| {
+        let bytes = film.write(outputs, |show| {
             pictures::film(&figure, &animation, &overlay, |number, picture| {
                 progress.at(number as u64 + 1, film.frames as u64);
                 show(picture)
@@ -186,13 +185,12 @@ pub(crate) fn perform(
     let contents = files.chain([(arguments.out.join(REPORT), text.as_bytes())]);
     let mut others = Vec::new();
     for (path, contents) in contents {
-        output::stage(&mut staged, &path, contents)?;
+        outputs.write(&path, contents)?;
         others.push(Written {
             file: path.display().to_string(),
             bytes: contents.len(),
         });
     }
-    staged.finish()?;
     written.splice(0..0, others);
     Ok(Performed {
         report,

@@ -196,7 +196,8 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
         },
         checks: Some(transfer.checks),
     };
-    let mut performed = perform(performance, &arguments.output, &progress, begin)?;
+    let outputs = context.outputs();
+    let mut performed = perform(performance, &arguments.output, outputs, &progress, begin)?;
     performed.warnings.splice(0..0, warnings);
     Ok(performed)
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
-use crate::output;
+use crate::output::Staging;
 
 /// More rows than this are taken for a mistake.
 const MOST_ROWS: usize = 10_000_000;
@@ -113,7 +113,7 @@ impl Command for Arguments {
         let sampled = SampledTable::new(&table, &self.ends, sampling)
             .with_context(|| self.keys.display().to_string())?;
         progress.step("writing");
-        self.write(&table, &sampled)?;
+        self.write(&table, &sampled, context.outputs())?;
         let shown = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
         Ok(Report {
             out: shown(&self.out),
@@ -124,21 +124,18 @@ impl Command for Arguments {
 }
 
 impl Arguments {
-    /// Writes the table and the picture that are asked for. Both are complete before either is
-    /// written, so that an error in one leaves no other behind.
-    fn write(&self, table: &KeyTable, sampled: &SampledTable) -> Result<()> {
-        let mut files: Vec<(&PathBuf, Vec<u8>)> = Vec::new();
+    /// Writes the table and the picture that are asked for.
+    fn write(&self, table: &KeyTable, sampled: &SampledTable, outputs: &Staging) -> Result<()> {
         if let Some(path) = &self.plot {
             let svg = self
                 .picture(table, sampled)
                 .with_context(|| format!("cannot draw {}", path.display()))?;
-            files.push((path, svg.into_bytes()));
+            outputs.write(path, svg)?;
         }
         if let Some(path) = &self.out {
-            let text = table.with_rows(&sampled.times, &sampled.values);
-            files.push((path, text.into_bytes()));
+            outputs.write(path, table.with_rows(&sampled.times, &sampled.values))?;
         }
-        output::write_together(files)
+        Ok(())
     }
 
     /// The channels over time as SVG, with the vertices of a polyline unless they hide the curve.

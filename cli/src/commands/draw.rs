@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
-use crate::output;
 
 /// Draw a scene of points, spheres, circles, lines, planes and motions.
 ///
@@ -53,7 +52,7 @@ impl Command for Arguments {
             _ => Scene::to_svg,
         };
         let scene = ga_files::read(file, Scene::decode)?;
-        output::write(out, write(&scene).as_bytes())?;
+        context.outputs().write(out, write(&scene))?;
         Ok(Report {
             out: out.display().to_string(),
             shapes: scene.shapes().count(),

@@ -52,14 +52,15 @@ impl Command for Manual<'_> {
         let mut pages = Vec::new();
         add_pages(program, &mut pages)?;
         files.write_folder("--out", folder, pages.iter().map(|(name, _)| name))?;
-        let named = pages.iter();
-        ga_files::write_all(folder, named.map(|(name, page)| (name.as_str(), &page[..])))?;
-        let files = pages
-            .iter()
-            .map(|(name, _)| folder.join(name).display().to_string());
+        let mut files = Vec::with_capacity(pages.len());
+        for (name, page) in pages {
+            let path = folder.join(name);
+            context.outputs().write(&path, page)?;
+            files.push(path.display().to_string());
+        }
         Ok(Report::Written {
             folder: folder.clone(),
-            files: files.collect(),
+            files,
         })
     }
 }

@@ -97,7 +97,7 @@ impl Command for Arguments {
         let mesh = format::relocated(&moment.mesh, model, out)?;
         let files = mesh_file::files(out, format, &mesh, &Options::default())?;
         mesh_file::check_parts("--out", &[model], &files[1..])?;
-        let written = mesh_file::write(&mesh, &files)?;
+        let written = mesh_file::write(&mesh, &files, context.outputs())?;
         if let Format::Mesh(format) = format {
             let omissions = format.omissions(&mesh).into_iter();
             warnings.extend(omissions.map(|text| Warning::new("omission", text).in_file(out)));

@@ -13,7 +13,7 @@ use crate::camera_file::{LensChoice, about};
 use crate::files::expanded;
 use crate::format::{Format, endings};
 use crate::frame::{self, Command, Context, Warning};
-use crate::{mesh_file, output, picture_file};
+use crate::{mesh_file, picture_file};
 
 /// Texture a mesh from pictures whose cameras are known.
 ///
@@ -118,7 +118,7 @@ impl Command for Arguments {
         let model = textured.to_mesh()?;
         let files = mesh_file::files(out, format, &model, &Default::default())?;
         mesh_file::check_parts("--out", &[&arguments.mesh], &files[1..])?;
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
         drop(progress);
         warnings.extend(views_alone(&textured.report.views));
         Ok(Report {

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use anyhow::{Error, Result};
 use ga_draw::document::Page;
-use ga_files::Staged;
 use serde::Serialize;
 
 use super::context::Context;
@@ -73,12 +72,6 @@ pub(crate) trait Report: Serialize {
     /// Where the page and the object of JSON are written as well, whatever the options are.
     fn kept(&self) -> Option<Kept> {
         None
-    }
-
-    /// Files that are complete but for their names, which they get together with the page of
-    /// `--report`: all of them or none.
-    fn files(&mut self) -> Staged {
-        Staged::default()
     }
 
     /// An error after which the rest is still worth saying.

@@ -10,6 +10,7 @@ use clap::error::ErrorKind;
 use super::{Progress, Recorded, command_line};
 use crate::files::Files;
 use crate::format::Format;
+use crate::output::Staging;
 
 /// The options that every command has.
 #[derive(Clone, Debug, clap::Args)]
@@ -67,6 +68,7 @@ pub(crate) struct Context {
     program: Program,
     /// What was said, where it is not to be printed.
     recorded: Option<RefCell<Recorded>>,
+    outputs: Staging,
 }
 
 impl Context {
@@ -84,6 +86,7 @@ impl Context {
             line,
             program,
             recorded: None,
+            outputs: Staging::default(),
         }
     }
 
@@ -152,6 +155,11 @@ impl Context {
         }
         let text = format!("nothing is to be made: give one of {options}, --json and --report\n");
         Err(clap::Error::raw(ErrorKind::MissingRequiredArgument, text).into())
+    }
+
+    /// Where the command writes all its files.
+    pub(crate) fn outputs(&self) -> &Staging {
+        &self.outputs
     }
 
     /// The progress of work in steps.

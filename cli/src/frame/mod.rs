@@ -45,7 +45,8 @@ struct Object<'a, R> {
 /// The status of the program where a verdict is checked and not good.
 const NOT_GOOD: u8 = 3;
 
-/// Runs a command, and prints its report as it is asked for.
+/// Runs a command, and prints its report as it is asked for. Its files and those of the report take
+/// their names together, so that no file of a run lies beside others of an earlier one.
 fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     warning::forget();
     let mut report = match command.run(context) {
@@ -65,7 +66,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     };
     let warnings = warnings.as_deref();
     let verdict = report.verdict().map(Verdict::with_files);
-    let mut files = report.files();
+    let outputs = context.outputs();
     let kept = report.kept();
     let of_option = context.report().into_iter();
     let paths = of_option.chain(kept.as_ref().and_then(|kept| kept.page.as_deref()));
@@ -82,7 +83,7 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
         };
         let html = page.into_html();
         for path in paths {
-            output::stage(&mut files, path, html.as_bytes())?;
+            outputs.write(path, &html)?;
         }
     }
     let object = Object {
@@ -92,9 +93,9 @@ fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     };
     if let Some(path) = kept.and_then(|kept| kept.json) {
         let text = serde_json::to_string_pretty(&object)? + "\n";
-        output::stage(&mut files, &path, text.as_bytes())?;
+        outputs.write(path, text)?;
     }
-    files.finish()?;
+    outputs.finish()?;
     if let Some(recorder) = context.recorder() {
         *recorder.borrow_mut() = Recorded {
             values: serde_json::to_value(&object)?,

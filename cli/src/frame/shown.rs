@@ -5,14 +5,12 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Error, Result};
 use ga_draw::document::Page;
 use ga_draw::document::chart::ChartError;
-use ga_files::Staged;
 use serde::Serialize;
 
 use super::command::Report;
 use super::context::Context;
 use super::verdict::Verdict;
 use super::warning::Warning;
-use crate::output;
 
 /// A report whose values are those of a library. A command fills in what else it has to say.
 #[derive(Serialize)]
@@ -36,9 +34,6 @@ pub(crate) struct Shown<V> {
     /// Why the values are not of the whole input.
     #[serde(skip)]
     pub(crate) failure: Option<Error>,
-    /// The outputs.
-    #[serde(skip)]
-    pub(crate) files: Staged,
 }
 
 impl<V> Shown<V> {
@@ -52,7 +47,6 @@ impl<V> Shown<V> {
             is_printed_as_json: false,
             page: None,
             failure: None,
-            files: Staged::default(),
         }
     }
 
@@ -67,7 +61,6 @@ impl<V> Shown<V> {
             is_printed_as_json: self.is_printed_as_json,
             page: self.page,
             failure: self.failure,
-            files: self.files,
         }
     }
 
@@ -91,7 +84,7 @@ impl<V> Shown<V> {
             self.page = Some(page(&self.values, &svg));
         }
         if let Some(path) = plot {
-            output::stage(&mut self.files, path, svg.as_bytes())?;
+            context.outputs().write(path, svg)?;
         }
         Ok(self)
     }
@@ -124,9 +117,5 @@ impl<V: Serialize> Report for Shown<V> {
 
     fn failure(&mut self) -> Option<Error> {
         self.failure.take()
-    }
-
-    fn files(&mut self) -> Staged {
-        std::mem::take(&mut self.files)
     }
 }

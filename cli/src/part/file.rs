@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail, ensure};
-use ga_files::Staged;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
 use super::About;
-use crate::output;
+use crate::output::Staging;
 
 /// The version of the files. It changes with their meaning.
 const VERSION: u32 = 1;
@@ -36,14 +35,14 @@ impl<C: Serialize + DeserializeOwned + PartialEq> Part<C> {
         }
     }
 
-    /// Adds the file of the part to others.
+    /// Writes the file of the part.
     ///
     /// # Errors
     ///
     /// The file could not be written, or would not say exactly what was found: JSON has no
     /// infinite numbers, and those that may be infinite are written in words.
-    pub(crate) fn stage(&self, path: &Path, staged: &mut Staged) -> Result<()> {
-        let text = serde_json::to_vec(self)?;
+    pub(crate) fn write(&self, path: &Path, outputs: &Staging) -> Result<()> {
+        let mut text = serde_json::to_vec(self)?;
         let read: Self = serde_json::from_slice(&text)
             .with_context(|| format!("{}: a number has no text", path.display()))?;
         ensure!(
@@ -51,10 +50,8 @@ impl<C: Serialize + DeserializeOwned + PartialEq> Part<C> {
             "{}: the part would not be what was found",
             path.display()
         );
-        output::stage_with(staged, path, |file| {
-            let written = file.write_all(&text).and_then(|()| file.write_all(b"\n"));
-            written.with_context(|| format!("cannot write {}", path.display()))
-        })
+        text.push(b'\n');
+        outputs.write(path, text)
     }
 }
 

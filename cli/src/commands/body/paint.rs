@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
-use crate::output;
 use crate::person::{CharacterFile, Dotted, HueSeed, MANNEQUIN, at_rest};
 use crate::shell::quoted;
 
@@ -75,7 +74,7 @@ impl Command for Arguments {
         document.animations.clear();
         progress.step("writing");
         let contents = gltf::encode(&document).context("the character cannot be written")?;
-        output::write(&self.out, &contents)?;
+        context.outputs().write(&self.out, &contents)?;
         drop(progress);
         let Painted { out, dots, .. } = &values;
         let text = format!("{out}: the {MANNEQUIN} with {dots} dots\n");

@@ -17,7 +17,6 @@ use crate::commands::stereo::views;
 use crate::files::expanded;
 use crate::format;
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
-use crate::output;
 
 /// Calibrate one camera from pictures of a board.
 ///
@@ -105,7 +104,7 @@ impl Command for Arguments {
         let file = CameraFile::new(vec![camera.with_size(Some(found.size))]);
         let Encoded { files, .. } = encode_files(&self.out, format, &file)
             .with_context(|| self.out.display().to_string())?;
-        output::write_together(files.iter().map(|(path, text)| (path, text)))?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         let doubts = found.doubts().into_iter();

@@ -15,7 +15,6 @@ use crate::commands::stereo::views;
 use crate::files::expanded;
 use crate::format;
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, command_line};
-use crate::output;
 
 /// The formats of any number of cameras with poses, which an ending tells.
 const FORMATS: [Format; 2] = [Format::Anipose, Format::Json];
@@ -111,7 +110,7 @@ impl Command for Arguments {
             .find(|known| format == format::Format::Camera(*known));
         let Encoded { files, .. } = encode_files(&self.out, format.unwrap_or(FORMATS[0]), &file)
             .with_context(|| self.out.display().to_string())?;
-        output::write_together(files.iter().map(|(path, text)| (path, text)))?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         let doubts = found.doubts().into_iter();

@@ -10,7 +10,6 @@ use serde::Serialize;
 use crate::camera_file::{LensChoice, about, warn_of_unit};
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
-use crate::output;
 use crate::picture_file::picture_size;
 
 /// Write cameras in another format.
@@ -100,7 +99,7 @@ impl Command for Arguments {
             }
             error => about(input, error),
         })?;
-        output::write_together(files.iter().map(|(path, text)| (path, text)))?;
+        context.outputs().write_all(&files)?;
         let omissions = omissions.into_iter().map(|omission| Warning {
             what: Some(omission.what),
             count: Some(omission.count),

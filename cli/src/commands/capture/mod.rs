@@ -24,7 +24,7 @@ use ga_vision::capture::{
 
 use crate::format::Format;
 use crate::frame::{Command, Context, Warning, keep_for_failure};
-use crate::{mesh_file, output};
+use crate::mesh_file;
 use report::Report;
 
 impl Command for Arguments {
@@ -103,7 +103,7 @@ impl Command for Arguments {
         let files = self.files(&formats, &points, &frames, surface.as_ref(), shown)?;
 
         progress.step("writing");
-        output::write_together(files.iter().map(|(path, contents)| (path, contents)))?;
+        context.outputs().write_all(&files)?;
         drop(progress);
         let calibrated = capture.calibrated();
         let names = calibrated.iter().map(|&point| points.names[point].clone());

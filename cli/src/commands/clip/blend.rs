@@ -149,7 +149,7 @@ impl Command for Arguments {
             like: (path, first),
             warnings,
         };
-        let report = target.write(format, output, &progress)?;
+        let report = target.write(format, output, context.outputs(), &progress)?;
         Ok(report.in_step(phases))
     }
 }

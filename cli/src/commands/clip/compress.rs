@@ -100,6 +100,9 @@ impl Command for Arguments {
         };
         let vertices = self.mesh_vertices.or(read.vertex_count());
         let beside = (deviation, vertices);
-        write(&self.out, format, output, &options, beside, &progress)
+        let outputs = context.outputs();
+        write(
+            &self.out, format, output, &options, beside, outputs, &progress,
+        )
     }
 }

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use ga_anim::clip::compressed;
-use ga_anim::motion_file::{Animations, Format as MotionFormat, Loss, Options, WriteOptions};
+use ga_anim::motion_file::{
+    Animations, Format as MotionFormat, Loss, Options, WriteOptions, Written,
+};
 use ga_anim::recording::{Recording, ScalarTrack};
 use ga_anim::retarget::{MapOrigin, Target, Transfer};
 use ga_files::is_same_file;
@@ -132,7 +134,16 @@ impl Command for Arguments {
         let tracks = self.tracks(&source, &mut warnings);
         let recording = recording.and_then(|it| Ok(it.with_tracks(tracks)?));
         let recording = recording.with_context(|| target_file.clone())?;
-        self.write(format, &target, &recording, &mut warnings, &progress)?;
+        let written = self.written(format, &target, &recording, &progress)?;
+        let outputs = context.outputs();
+        put(
+            &self.out,
+            format,
+            written,
+            &self.target,
+            outputs,
+            &mut warnings,
+        )?;
         Ok(Report {
             file,
             target: target_file,
@@ -195,15 +206,14 @@ impl Arguments {
         kept
     }
 
-    /// Writes a motion of the target, and adds what the format does not hold to the warnings.
-    fn write(
+    /// A motion of the target in a format.
+    fn written(
         &self,
         format: Format,
         target: &Target,
         recording: &Recording,
-        warnings: &mut Vec<Warning>,
         progress: &Progress,
-    ) -> Result<()> {
+    ) -> Result<Written> {
         let defaults = target.file().compression();
         let options = WriteOptions {
             name: &ga_files::stem(&self.motion.motion),
@@ -219,9 +229,7 @@ impl Arguments {
             ..WriteOptions::default()
         };
         let written = written(recording, format, &options, progress);
-        let written = written.with_context(|| format!("{} cannot be written", self.out.display()));
-        put(&self.out, format, written?, &self.target, warnings)?;
-        Ok(())
+        written.with_context(|| format!("{} cannot be written", self.out.display()))
     }
 }
 

@@ -16,7 +16,7 @@ use super::phases::Phases;
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
 use crate::motion_file;
-use crate::output;
+use crate::output::Staging;
 use crate::shell::quoted;
 
 /// The formats of motions.
@@ -102,6 +102,7 @@ impl TargetArguments {
         &self,
         format: Format,
         output: Output,
+        outputs: &Staging,
         progress: &Progress,
     ) -> Result<Report> {
         let (_, like) = output.like;
@@ -121,7 +122,10 @@ impl TargetArguments {
             compression,
             ..WriteOptions::default()
         };
-        write(&self.out, format, output, &options, (0.0, None), progress)
+        let exact = (0.0, None);
+        write(
+            &self.out, format, output, &options, exact, outputs, progress,
+        )
     }
 
     /// Reads a motion, and writes what becomes of it.
@@ -142,7 +146,7 @@ impl TargetArguments {
             like: (&motion.motion, &file),
             warnings,
         };
-        self.write(format, output, &progress)
+        self.write(format, output, context.outputs(), &progress)
     }
 }
 
@@ -179,6 +183,7 @@ pub(super) fn write(
     output: Output,
     options: &WriteOptions,
     (deviation, mesh_vertices): (f64, Option<u64>),
+    outputs: &Staging,
     progress: &Progress,
 ) -> Result<Report> {
     let file = output.file();
@@ -201,7 +206,7 @@ pub(super) fn write(
         compressed = Some(Compressed { size, accuracy });
     }
     let out_metres_per_unit = written.metres_per_unit;
-    let bytes = put(out, format, written, like_path, &mut warnings)?;
+    let bytes = put(out, format, written, like_path, outputs, &mut warnings)?;
     let plain = compressed.is_none().then(|| Plain {
         bytes,
         frames: recording.frame_count(),
@@ -250,6 +255,7 @@ pub(super) fn put(
     format: Format,
     mut written: Written,
     like: &Path,
+    outputs: &Staging,
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<usize>> {
     let shown = || format!("{} cannot be written", out.display());
@@ -258,12 +264,16 @@ pub(super) fn put(
     if let Contents::Gltf(document) = &mut written.contents {
         **document = document.relocated(like, out).with_context(shown)?;
         if format == Format::Gltf {
-            gltf::write(out, document).with_context(shown)?;
+            let files = gltf::path_files(out, document).with_context(shown)?;
+            // What refers to the others takes its name after them.
+            for (name, bytes) in files.into_iter().rev() {
+                outputs.write(out.with_file_name(name), bytes)?;
+            }
             return Ok(None);
         }
     }
     let bytes = written.encode().with_context(shown)?;
-    output::write(out, &bytes)?;
+    outputs.write(out, &bytes)?;
     Ok(Some(bytes.len()))
 }
 

@@ -17,7 +17,6 @@ use super::settling::Settled;
 use crate::commands::stereo::views;
 use crate::frame::{Context, Warning, keep_for_failure};
 use crate::mesh_file;
-use crate::output;
 
 #[derive(Serialize)]
 pub(crate) struct Report {
@@ -76,7 +75,7 @@ pub(super) fn run(
     }
     if let (Some(out), Some(format)) = (&arguments.out, format) {
         let files = mesh_file::files(out, format, &curve.to_mesh()?, &Options::default())?;
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
     }
     Ok(Report {
         warnings,

@@ -17,7 +17,7 @@ use super::arguments::check_out;
 use super::settling::Settled;
 use crate::format::Format;
 use crate::frame::{Context, Warning};
-use crate::{output, picture_file};
+use crate::picture_file;
 
 #[derive(Serialize)]
 pub(crate) struct Report {
@@ -77,7 +77,7 @@ pub(super) fn run(arguments: &Arguments, image: &Path, context: &Context) -> Res
             },
         });
         let svg = overlay(&png::encode(&colours)?, size, outlines);
-        output::write(out, svg.as_bytes())?;
+        context.outputs().write(out, svg)?;
     }
     Ok(report)
 }

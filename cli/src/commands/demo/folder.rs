@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use ga_files::{Staged, TemporaryFolder};
+use ga_files::TemporaryFolder;
 
+use crate::output::Staging;
 use crate::report::Written;
 
 /// A temporary folder beside that of the results, as the current folder of the program.
@@ -29,20 +30,18 @@ impl Work {
         })
     }
 
-    /// Gives all files their places, or none, and says what they are.
-    pub(super) fn publish(self) -> Result<Vec<Written>> {
-        let mut staged = Staged::default();
+    /// Moves all files to where they get their names, and says what they are.
+    pub(super) fn publish(self, outputs: &Staging) -> Result<Vec<Written>> {
         let mut written = Vec::new();
         for path in files(self.folder.path())? {
             let name = path.strip_prefix(self.folder.path()).unwrap_or(&path);
             let bytes = std::fs::metadata(&path)?.len() as usize;
-            staged.add_file(self.out.join(name), &path)?;
+            outputs.move_file(&self.out.join(name), &path)?;
             written.push(Written {
                 file: name.display().to_string(),
                 bytes,
             });
         }
-        staged.finish()?;
         Ok(written)
     }
 }

@@ -8,7 +8,6 @@ use anyhow::{Context as _, Result, anyhow};
 use ga_anim::clip::Clip;
 use ga_camera::rig::StereoRig;
 use ga_character::Figure;
-use ga_files::Staged;
 use ga_image::film::{self, Rate};
 use ga_image::plane::Plane;
 use ga_image::png;
@@ -18,7 +17,7 @@ use ga_runtime::cga3::Point;
 use rayon::prelude::*;
 
 use super::studio::{Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, board_pictures, rig};
-use crate::output;
+use crate::output::Staging;
 
 /// Frames of the films.
 pub(super) const FRAMES: usize = 25;
@@ -52,8 +51,8 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
     let room = Room::new(&rig, 0.0, seed)?;
     let (glb, _) = ga_character::gltf::encode(figure, clip, "walk")?;
     let document = gltf::decode(&glb)?;
-    let mut staged = Staged::default();
-    output::stage(&mut staged, Path::new("film/person.glb"), &glb)?;
+    let outputs = Staging::default();
+    outputs.write("film/person.glb", &glb)?;
     let rate = Rate::new(f64::from(FRAMES_PER_SECOND)).unwrap_or(Rate::HIGHEST);
     let frames = (0..FRAMES).into_par_iter().map_init(
         || Stage::new(rig, &room, &document, seed),
@@ -70,7 +69,7 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
     let still = &frames[STILL];
     for (side, picture) in ["left", "right"].iter().zip(&still.pictures) {
         let path = format!("stills/{side}.png");
-        output::stage(&mut staged, Path::new(&path), &png::encode(picture)?)?;
+        outputs.write(path, png::encode(picture)?)?;
     }
     let depths = still
         .depths
@@ -85,7 +84,7 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
         ("film/clean.y4m", clean.as_slice()),
         ("film/part.y4m", &left[..CLEAN]),
     ] {
-        write_film(&mut staged, Path::new(name), frames, rate)?;
+        write_film(&outputs, Path::new(name), frames, rate)?;
     }
     let boards = board_pictures(&rig, &room, seed)?;
     let encoded = boards.par_iter().map(|pair| {
@@ -96,10 +95,10 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
     for (number, pair) in encoded.iter().enumerate() {
         for (side, picture) in ["left", "right"].iter().zip(pair) {
             let path = format!("boards/{side}-{:02}.png", number + 1);
-            output::stage(&mut staged, Path::new(&path), picture)?;
+            outputs.write(path, picture)?;
         }
     }
-    staged.finish()?;
+    outputs.finish()?;
     let names = skeleton.joints().iter().map(|joint| joint.name.clone());
     Ok(Truth {
         rig,
@@ -124,12 +123,12 @@ fn middle(joints: &[Vec<Point<f64>>]) -> Point<f64> {
 }
 
 fn write_film(
-    staged: &mut Staged,
+    outputs: &Staging,
     path: &Path,
     frames: &[&Plane<[u8; 3]>],
     rate: Rate,
 ) -> Result<()> {
-    output::stage_with(staged, path, |file| {
+    outputs.write_with(path, |file| {
         let mut file = BufWriter::new(file);
         let mut writer = film::Writer::new(&mut file, film::Format::Y4m, SIZE, frames.len(), rate)?;
         for frame in frames {

@@ -26,6 +26,7 @@ use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context, Progress, Warning};
+use crate::output::Staging;
 use crate::person::{Dotted, HueSeed};
 use crate::pipeline::{self, OutputArguments, Performance, perform};
 use crate::report::{Input, MotionInput, Performed};
@@ -84,7 +85,7 @@ impl Command for Arguments {
         if self.figure {
             let progress = context.progress(pipeline::STEPS);
             let made = performance(mannequin(), &walk(STRIDES))?;
-            let performed = perform(made, &self.output, &progress, begin)?;
+            let performed = perform(made, &self.output, context.outputs(), &progress, begin)?;
             return Ok(Demonstrated::Figure(performed.into()));
         }
         let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
@@ -93,7 +94,7 @@ impl Command for Arguments {
         let work = Work::enter(self.output.folder())?;
         let mut report = demonstrate(&outputs, context, &progress)?;
         drop(progress);
-        report.files = work.publish()?;
+        report.files = work.publish(context.outputs())?;
         report.seconds = begin.elapsed().as_secs_f64();
         Ok(Demonstrated::All(report.into()))
     }
@@ -139,7 +140,13 @@ fn demonstrate(
     let made = performance(figure.clone(), &keys)?;
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
-        || perform(made, outputs, &Progress::new(0, true), Instant::now()),
+        || {
+            let files = Staging::default();
+            let progress = Progress::new(0, true);
+            let performed = perform(made, outputs, &files, &progress, Instant::now())?;
+            files.finish()?;
+            anyhow::Ok(performed)
+        },
         || inputs::make(&dotted, &keys, seed),
     );
     let (performed, truth) = (performed?, truth?);

@@ -10,8 +10,7 @@ use serde::Serialize;
 
 pub(super) use crate::commands::render::COMMAND;
 use crate::format::Format;
-use crate::frame::Shown;
-use crate::output;
+use crate::frame::{Context, Shown};
 use crate::part::{FilmPart, Outputs, Parts};
 
 pub(super) const FORMATS: [Format; 1] = [Format::Y4m];
@@ -25,7 +24,7 @@ pub(super) struct Joined {
 }
 
 /// Writes the whole film: the first line of each part is the same, and the frames follow it.
-pub(super) fn join(parts: &Parts, outputs: &Outputs) -> Result<Shown<Joined>> {
+pub(super) fn join(parts: &Parts, outputs: &Outputs, context: &Context) -> Result<Shown<Joined>> {
     let Some(out) = outputs.of(Format::Y4m) else {
         bail!("the parts are films: --out FILE.y4m is needed");
     };
@@ -38,9 +37,8 @@ pub(super) fn join(parts: &Parts, outputs: &Outputs) -> Result<Shown<Joined>> {
         "wrote {}, {} frames of {} parts\n",
         joined.out, joined.frames, joined.parts
     );
-    let mut shown = Shown::new(joined, text);
     let mut header: Option<Vec<u8>> = None;
-    output::stage_with(&mut shown.files, &out, |whole| {
+    context.outputs().write_with(&out, |whole| {
         for part in parts.contents() {
             let (path, part): (&Path, FilmPart) = part?;
             let film = part.path(path);
@@ -63,7 +61,7 @@ pub(super) fn join(parts: &Parts, outputs: &Outputs) -> Result<Shown<Joined>> {
         }
         Ok(())
     })?;
-    Ok(shown)
+    Ok(Shown::new(joined, text))
 }
 
 /// The first line of a film, and its frames.

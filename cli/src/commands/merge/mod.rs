@@ -6,7 +6,6 @@ use std::path::PathBuf;
 
 use anyhow::{Error, Result, bail};
 use ga_draw::document::Page;
-use ga_files::Staged;
 use ga_video::keyframe::Analysed;
 use serde::Serialize;
 
@@ -83,7 +82,10 @@ impl Command for Arguments {
         let (shown, json) = match about.command.as_str() {
             film::COMMAND => {
                 let outputs = outputs(&film::FORMATS)?;
-                (film::join(&parts, &outputs)?.map(Whole::Film), None)
+                (
+                    film::join(&parts, &outputs, context)?.map(Whole::Film),
+                    None,
+                )
             }
             compare::COMMAND => {
                 let outputs = outputs(&compare::FORMATS)?;
@@ -137,10 +139,6 @@ impl frame::Report for Merged {
             page: None,
             json: Some(json),
         })
-    }
-
-    fn files(&mut self) -> Staged {
-        frame::Report::files(&mut self.shown)
     }
 
     fn failure(&mut self) -> Option<Error> {

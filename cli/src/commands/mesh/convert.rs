@@ -74,9 +74,9 @@ impl Command for Arguments {
         warnings.extend(
             omissions.map(|(omission, name)| Warning::of_omission(omission, name).in_file(out)),
         );
-        let (vertices, faces) = contents.shape.counts();
+        let counts = contents.shape.counts();
         Ok(Report {
-            mesh: mesh_file::write_counted(vertices, faces, &files)?,
+            mesh: mesh_file::write_counted(counts, &files, context.outputs())?,
             warnings,
         })
     }
@@ -145,14 +145,14 @@ impl Contents {
 
 impl Shape {
     /// How many vertices and faces there are.
-    fn counts(&self) -> (usize, usize) {
+    fn counts(&self) -> [usize; 2] {
         match self {
-            Self::Mesh(mesh) => (mesh.vertex_count(), mesh.faces().len()),
+            Self::Mesh(mesh) => [mesh.vertex_count(), mesh.faces().len()],
             Self::Document(document) => {
                 let primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
-                let counts = primitives.map(|it| (it.vertex_count(), it.triangles().len()));
-                counts.fold((0, 0), |(vertices, faces), (more, triangles)| {
-                    (vertices + more, faces + triangles)
+                let counts = primitives.map(|it| [it.vertex_count(), it.triangles().len()]);
+                counts.fold([0, 0], |[vertices, faces], [more, triangles]| {
+                    [vertices + more, faces + triangles]
                 })
             }
         }

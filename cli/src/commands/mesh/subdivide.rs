@@ -126,7 +126,7 @@ impl Command for Arguments {
         progress.step("writing");
         let files = mesh_file::files(out, format, &fine, &Options::default())?;
         mesh_file::check_parts("--out", &[input], &files[1..])?;
-        let written = mesh_file::write(&fine, &files)?;
+        let written = mesh_file::write(&fine, &files, context.outputs())?;
         drop(progress);
         Ok(Report {
             scheme,

@@ -2,7 +2,6 @@
 
 use anyhow::{Context as _, Result};
 use ga_draw::document::{Encoding, MotionFilm, MotionPicture};
-use ga_files::Staged;
 use ga_image::film::Rate;
 use ga_image::jpeg;
 use ga_image::plane::Plane;
@@ -14,6 +13,7 @@ use super::overlay::Overlay;
 use crate::film_file::{Film, Show};
 use crate::format::Format;
 use crate::frame::{Progress, Warning};
+use crate::output::Staging;
 
 /// The largest width and height of pictures on the page, in pixels.
 const PAGE_SIZE: [usize; 2] = [640, 360];
@@ -54,7 +54,7 @@ pub(super) struct Task<'a> {
 
 impl Task<'_> {
     /// Draws the film, with one of its pictures in memory at a time.
-    pub(super) fn draw(mut self, staged: &mut Staged, progress: &Progress) -> Result<Drawn> {
+    pub(super) fn draw(mut self, outputs: &Staging, progress: &Progress) -> Result<Drawn> {
         let size = page_size(self.film.size);
         let most = MOST_PIXELS / (size[0] * size[1]).max(1) / self.films.max(1);
         let step = self.film.frames.div_ceil(most.clamp(1, MOST_PICTURES));
@@ -70,7 +70,7 @@ impl Task<'_> {
                 rate: Rate::new(rate).unwrap_or(Rate::HIGHEST),
             };
             warning = film.warning();
-            film.stage(staged, |show| {
+            film.write(outputs, |show| {
                 self.read(step, &mut pictures, Some(show), progress)
             })?;
         } else {

@@ -21,13 +21,11 @@ use ga_body::character::{CharacterFit, FittedCharacter};
 use ga_body::format::JointViews;
 use ga_body::ground::GroundOptions;
 use ga_body::registration::RegistrationOptions;
-use ga_files::Staged;
 use ga_mesh::gltf;
 
 use crate::files::{Files, expanded};
 use crate::frame::{Command, Context, Progress, Verdict, Warning};
 use crate::motion_file::lost;
-use crate::output;
 use crate::person::{CharacterFile, FitLengths, ViewCamera};
 use crate::person::{judged, noted};
 use drawing::{Drawn, Task};
@@ -92,17 +90,8 @@ impl Arguments {
         warnings.extend(left_over(&self.out, &outputs));
 
         progress.step("making the character");
-        let mut staged = Staged::default();
         let figure = Figure::new(&fitted)?;
-        let mut written = self.stage_motion(&fitted, &mut staged, &mut warnings)?;
-        for (name, text) in [
-            (report::CSV, tables::csv(&figure, rate)),
-            (report::TRC, tables::trc(&figure, rate, report::TRC)),
-        ] {
-            let path = self.out.join(name);
-            output::stage(&mut staged, &path, text.as_bytes())?;
-            written.push(path);
-        }
+        let motion = self.motion(&fitted, &mut warnings)?;
         let known = films.iter().map(|film| (film.path.clone(), film.frames));
         let known: Vec<(PathBuf, usize)> = known.collect();
         let sizes = cameras.iter().enumerate().map(|(view, camera)| {
@@ -111,19 +100,26 @@ impl Arguments {
         });
         let sizes: Vec<Option<[usize; 2]>> = sizes.collect();
         if let Some(view) = only {
-            staged = Staged::default();
             let films = films.into_iter().enumerate().skip(view).take(1);
-            let drawn = self.draw(films, &figure, &fitted, &sizes, &mut staged, &progress)?;
+            let drawn = self.draw(films, &figure, &fitted, &sizes, context, &progress)?;
             warnings.extend(drawn.into_iter().filter_map(|drawn| drawn.warning));
             let written = &outputs[view..=view];
             let mut report =
                 Report::new(&self.character, &self.out, fitted.report, &known, written);
             (report.verdict, report.warnings) = (verdict, warnings);
-            (report.is_of_view, report.staged) = (true, staged);
+            report.is_of_view = true;
             return Ok(report);
         }
+        let tables = [
+            (report::CSV, tables::csv(&figure, rate)),
+            (report::TRC, tables::trc(&figure, rate, report::TRC)),
+        ];
+        let tables = tables.map(|(name, text)| (self.out.join(name), text.into_bytes()));
+        let files: Vec<(PathBuf, Vec<u8>)> = motion.into_iter().chain(tables).collect();
+        let mut written: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+        context.outputs().write_all(&files)?;
         let films = films.into_iter().enumerate();
-        let drawn = self.draw(films, &figure, &fitted, &sizes, &mut staged, &progress)?;
+        let drawn = self.draw(films, &figure, &fitted, &sizes, context, &progress)?;
         written.extend(outputs);
         written.extend([report::PAGE, report::JSON].map(|name| self.out.join(name)));
         warnings.extend(drawn.iter().filter_map(|drawn| drawn.warning.clone()));
@@ -144,7 +140,7 @@ impl Arguments {
             report.milliseconds_per_frame = None;
         }
         (report.verdict, report.warnings) = (verdict, warnings);
-        (report.page, report.staged) = (Some(page), staged);
+        report.page = Some(page);
         Ok(report)
     }
 
@@ -227,13 +223,12 @@ impl Arguments {
         fitted.with_context(of_joints)
     }
 
-    /// Adds the character and its motion, and says where.
-    fn stage_motion(
+    /// The files of the character and its motion.
+    fn motion(
         &self,
         fitted: &FittedCharacter,
-        staged: &mut Staged,
         warnings: &mut Vec<Warning>,
-    ) -> Result<Vec<PathBuf>> {
+    ) -> Result<[(PathBuf, Vec<u8>); 2]> {
         let [model, motion] = [report::CHARACTER, report::MOTION].map(|name| self.out.join(name));
         let of_character = || self.character.display().to_string();
         let document = fitted.to_document("fitted");
@@ -241,7 +236,6 @@ impl Arguments {
         warnings.extend(losses.iter().map(|loss| lost(loss, &model)));
         let document = document.relocated(&self.character, &model)?;
         let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
-        output::stage(staged, &model, &contents)?;
 
         let poses = fitted.poses.iter().map(|fit| fit.pose.clone()).collect();
         let clip = Clip::new(1.0 / fitted.report.frames_per_second, poses)?;
@@ -251,8 +245,7 @@ impl Arguments {
         let written = Written::new(&recording, MotionFormat::Bvh, &options, |_, _| ());
         let written = written.with_context(of_character)?;
         warnings.extend(written.losses.iter().map(|loss| lost(loss, &motion)));
-        output::stage(staged, &motion, &written.encode()?)?;
-        Ok(vec![model, motion])
+        Ok([(model, contents), (motion, written.encode()?)])
     }
 
     /// Draws films, each with the number of its view, one after the other.
@@ -262,7 +255,7 @@ impl Arguments {
         figure: &Figure,
         fitted: &FittedCharacter,
         sizes: &[Option<[usize; 2]>],
-        staged: &mut Staged,
+        context: &Context,
         progress: &Progress,
     ) -> Result<Vec<Drawn>> {
         let count = films.len();
@@ -288,7 +281,7 @@ impl Arguments {
                 rate: fitted.report.frames_per_second,
                 films: count,
             };
-            task.draw(staged, progress)
+            task.draw(context.outputs(), progress)
         });
         drawn.collect()
     }

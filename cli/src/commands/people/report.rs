@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use ga_body::character::{BoneReport, CharacterReport, FrameReport, ViewReport};
 use ga_body::ground::{Contact, Ground, UpSource};
 use ga_draw::document::Page;
-use ga_files::Staged;
 use serde::Serialize;
 
 use crate::frame::{self, Kept, Verdict, Warning};
@@ -51,8 +50,6 @@ pub(crate) struct Report {
     /// Whether one view alone was drawn, so that nothing else is written.
     #[serde(skip)]
     pub(super) is_of_view: bool,
-    #[serde(skip)]
-    pub(super) staged: Staged,
     #[serde(skip)]
     folder: PathBuf,
 }
@@ -127,7 +124,6 @@ impl Report {
             verdict: Verdict::Good,
             warnings: Vec::new(),
             page: None,
-            staged: Staged::default(),
             is_of_view: false,
             folder: out.to_owned(),
         }
@@ -163,10 +159,6 @@ impl frame::Report for Report {
             page: Some(self.folder.join(PAGE)),
             json: Some(self.folder.join(JSON)),
         })
-    }
-
-    fn files(&mut self) -> Staged {
-        std::mem::take(&mut self.staged)
     }
 
     fn text(&self) -> String {

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use ga_camera::format::json;
-use ga_files::Staged;
 use ga_image::film::Rate;
 use ga_image::plane::Plane;
 use ga_image::png;
@@ -17,22 +16,32 @@ use super::arguments::Arguments;
 use crate::film_file::Film;
 use crate::format::Format;
 use crate::frame::{Progress, Warning};
-use crate::output;
+use crate::output::Staging;
 use crate::part::{self, About, FilmPart, Part};
 
-/// Files that are complete but for their names, the picture or film first.
-#[derive(Default)]
-pub(super) struct Drawing {
-    pub(super) staged: Staged,
+/// Files that were written, the picture or film first.
+pub(super) struct Drawing<'a> {
+    outputs: &'a Staging,
+    pub(super) progress: &'a Progress,
     pub(super) files: Vec<PathBuf>,
     pub(super) warnings: Vec<Warning>,
     /// How many bytes the film has.
     pub(super) film_bytes: usize,
 }
 
-impl Drawing {
+impl<'a> Drawing<'a> {
+    pub(super) fn new(outputs: &'a Staging, progress: &'a Progress) -> Self {
+        Self {
+            outputs,
+            progress,
+            files: Vec::new(),
+            warnings: Vec::new(),
+            film_bytes: 0,
+        }
+    }
+
     fn add(&mut self, path: PathBuf, contents: &[u8]) -> Result<()> {
-        output::stage(&mut self.staged, &path, contents)?;
+        self.outputs.write(&path, contents)?;
         self.files.push(path);
         Ok(())
     }
@@ -54,7 +63,7 @@ impl Drawing {
             frames: pictures.len(),
             rate: Rate::new(rate).context("the rate is not above 0")?,
         };
-        self.film_bytes = film.stage(&mut self.staged, |show| {
+        self.film_bytes = film.write(self.outputs, |show| {
             (pictures.clone()).try_for_each(|frame| show(&picture(frame)?))
         })?;
         self.warnings.extend(film.warning());
@@ -66,7 +75,7 @@ impl Drawing {
     pub(super) fn add_part(&mut self, film: &Path, about: About) -> Result<()> {
         let path = part::beside(film);
         let part = Part::new(about, FilmPart::new(film, self.film_bytes));
-        part.stage(&path, &mut self.staged)?;
+        part.write(&path, self.outputs)?;
         self.files.push(path);
         Ok(())
     }
@@ -90,21 +99,21 @@ impl Drawing {
 const TURNTABLE_RATE: f64 = 25.0;
 
 /// Draws a model as these views see it.
-pub(super) fn draw(
+pub(super) fn draw<'a>(
+    mut drawing: Drawing<'a>,
     arguments: &Arguments,
     model: &Model,
     views: &[View],
     pictures: Range<usize>,
     style: &Style,
     format: Format,
-    progress: &Progress,
-) -> Result<Drawing> {
+) -> Result<Drawing<'a>> {
+    let progress = drawing.progress;
     let options = model::Options {
         edges: arguments.wireframe,
         ground: arguments.ground.then(|| Ground::under(model.bounds())),
     };
     let out = arguments.out.clone().unwrap_or_default();
-    let mut drawing = Drawing::default();
     let mut pictures_with_views = arguments.views.as_deref().map(ViewFiles::new);
     progress.step("drawing");
     model.with_scene(options, |scene| {

@@ -12,7 +12,6 @@ use super::camera::Camera;
 use super::drawing::Drawing;
 use super::film_arguments::Times;
 use crate::format::Format;
-use crate::frame::Progress;
 
 /// What a film shows, and when.
 pub(super) struct Film<'a> {
@@ -32,14 +31,15 @@ impl Film<'_> {
     }
 
     /// Draws the pictures.
-    pub(super) fn draw(
+    pub(super) fn draw<'a>(
         &self,
+        mut drawing: Drawing<'a>,
         arguments: &Arguments,
         scene: &mut AnimatedScene<'_>,
         style: &Style,
         format: Format,
-        progress: &Progress,
-    ) -> Result<Drawing> {
+    ) -> Result<Drawing<'a>> {
+        let progress = drawing.progress;
         let count = self.times.count();
         progress.step("finding the camera");
         let viewpoint = match self.camera {
@@ -56,7 +56,6 @@ impl Film<'_> {
             ground: arguments.ground.then(|| Ground::under(bounds)),
         };
         progress.step("drawing the film");
-        let mut drawing = Drawing::default();
         let path = arguments.film.file.clone().unwrap_or_default();
         let rate = arguments.film.rate;
         drawing.add_film(

@@ -13,7 +13,6 @@ use std::time::Instant;
 use anyhow::{Context as _, Result, bail, ensure};
 use ga_character::animated_scene::Moment;
 use ga_draw::Colour;
-use ga_files::Staged;
 use ga_image::colour::LinearColour;
 use ga_render::view_file;
 use ga_render::{Shading, Style, Viewpoint, buffer_files};
@@ -22,6 +21,7 @@ use serde::Serialize;
 pub(crate) use self::arguments::Arguments;
 use self::arguments::Light;
 use self::camera::Camera;
+use self::drawing::Drawing;
 use self::film_arguments::Times;
 use self::model_file::{ModelFile, Scene};
 use crate::chosen_animation::warn_of_times;
@@ -55,8 +55,6 @@ pub(crate) struct Report {
     files: Vec<String>,
     #[serde(skip)]
     warnings: Vec<Warning>,
-    #[serde(skip)]
-    staged: Staged,
 }
 
 /// The animation that is seen.
@@ -140,6 +138,7 @@ impl Command for Arguments {
         );
         let triangles = model.triangle_count();
         let begin = Instant::now();
+        let drawing = Drawing::new(context.outputs(), &progress);
         let drawing = match (&mut scene, &self.film.file) {
             (Scene::Animated(scene), Some(_)) => {
                 let film = film::Film {
@@ -148,7 +147,7 @@ impl Command for Arguments {
                     times: &times,
                     pictures: pictures.clone(),
                 };
-                film.draw(self, scene, &style, format, &progress)
+                film.draw(drawing, self, scene, &style, format)
             }
             _ => {
                 let viewpoint = match camera {
@@ -160,15 +159,8 @@ impl Command for Arguments {
                 let model = scene.at(first)?;
                 let views = viewpoint.turntable(model, style.aspect(), count);
                 let views = views.with_context(named)?;
-                drawing::draw(
-                    self,
-                    model,
-                    &views,
-                    pictures.clone(),
-                    &style,
-                    format,
-                    &progress,
-                )
+                let pictures = pictures.clone();
+                drawing::draw(drawing, self, model, &views, pictures, &style, format)
             }
         };
         let mut drawing = drawing.with_context(named)?;
@@ -201,7 +193,6 @@ impl Command for Arguments {
                 .map(|path| path.display().to_string())
                 .collect(),
             warnings,
-            staged: drawing.staged,
         })
     }
 }
@@ -297,10 +288,6 @@ impl frame::Report for Report {
 
     fn warnings(&self) -> Option<&[Warning]> {
         Some(&self.warnings)
-    }
-
-    fn files(&mut self) -> Staged {
-        std::mem::take(&mut self.staged)
     }
 }
 

@@ -25,7 +25,6 @@ use crate::format::Format;
 use crate::frame::{
     self, Check, Command, Context, Progress, Verdict, Warning, command_line, keep_for_failure,
 };
-use crate::output;
 
 /// Calibrate a stereo rig from pairs of pictures of a board.
 ///
@@ -134,8 +133,8 @@ impl Command for Arguments {
         let found = boards.calibrate(&options)?;
         let contents = rig::encode(&found.stereo.rig, Some(found.size));
         let contents = contents.with_context(|| self.out.display().to_string())?;
-        let rig = (self.out.clone(), contents.into_bytes());
-        output::write_together([rig].into_iter().chain(pictures))?;
+        context.outputs().write(&self.out, contents)?;
+        context.outputs().write_all(&pictures)?;
         drop(progress);
 
         let doubts = found.doubts().into_iter();

@@ -10,7 +10,6 @@ use ga_vision::disparity::{file, picture};
 
 use crate::format::Format;
 use crate::frame::{Command, Context, Report};
-use crate::output;
 
 /// Compare a disparity map with the truth.
 ///
@@ -86,7 +85,7 @@ impl Command for Arguments {
         })?;
         if let Some(path) = &self.picture {
             let sheet = picture::comparison(&map, &truth, &found.errors);
-            output::write(path, &png::encode(&sheet)?)?;
+            context.outputs().write(path, &png::encode(&sheet)?)?;
         }
         Ok(found)
     }

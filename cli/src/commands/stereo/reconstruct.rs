@@ -18,7 +18,7 @@ use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::format::{Format, endings};
 use crate::frame::{self, Check, Command, Context, Verdict, Warning, keep_for_failure};
-use crate::{mesh_file, output};
+use crate::mesh_file;
 
 /// Reconstruct what two cameras see, in metres.
 ///
@@ -188,7 +188,7 @@ impl Command for Arguments {
         };
         progress.step("writing");
         let files = mesh_file::files(&self.out, format, &mesh, &Options::default())?;
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         let [width_px, height_px] = surface.size();

@@ -10,7 +10,6 @@ use serde::Serialize;
 use super::views::ViewPair;
 use crate::camera_file::ChosenPair;
 use crate::frame::{self, Command, Context, command_line};
-use crate::output;
 use crate::picture_file::picture_size;
 
 const LEFT: &str = "left.png";
@@ -106,7 +105,7 @@ impl Command for Arguments {
         ];
         progress.step("writing");
         let files = files.map(|(name, contents)| (self.out.join(name), contents));
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         Ok(Report {

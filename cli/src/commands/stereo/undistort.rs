@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::camera_file::{LensChoice, about, warn_of_unit};
 use crate::format::Format;
 use crate::frame::{self, Command, Context};
-use crate::{output, picture_file};
+use crate::picture_file;
 
 /// Remove the distortion of a lens from a picture.
 ///
@@ -105,7 +105,7 @@ impl Command for Arguments {
                     .map(|(path, text)| (path, text.into_bytes())),
             );
         }
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         Ok(Report {

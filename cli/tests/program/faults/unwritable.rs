@@ -72,6 +72,19 @@ fn a_file_in_the_place_of_a_folder_is_refused() {
     });
 }
 
+/// The page comes after all other files, and what is wrong with this one is not found before.
+#[test]
+fn a_page_that_cannot_be_written_leaves_no_other_file() {
+    for_each(&working(), |row| {
+        let folder = tempdir().unwrap();
+        let page = "/proc/page.html";
+        let line = row.line.replace("--report OUT/page.html", "");
+        let words = words(&format!("{line} --report {page}"), inputs::folder(), "out");
+        assert_refused(folder.path(), &words, page);
+        assert!(names(folder.path()).is_empty(), "{}", row.line);
+    });
+}
+
 /// The table names its outputs by their option, as the tests above count on it.
 #[test]
 fn outputs_of_the_table_are_those_that_are_written() {

@@ -16,7 +16,6 @@ use rayon::prelude::*;
 use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{Command, Context};
-use crate::output;
 use crate::person::{Dotted, ViewCamera};
 use films::Films;
 use found::{Found, View};
@@ -95,7 +94,7 @@ impl Arguments {
         };
         let pixels = names.iter().enumerate().map(of_view).collect();
         let pixels = JointViews::new(joints, films.rate(), pixels)?;
-        output::write(&self.out, pixels.encode().as_bytes())?;
+        context.outputs().write(&self.out, pixels.encode())?;
         drop(progress);
         Ok(Report::new(self, &films, &pixels, &found, seconds))
     }

@@ -9,7 +9,6 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Warning};
 use crate::motion_file;
-use crate::output;
 use ga_anim::retarget::begins_with_calibration;
 use ga_anim::unit::likely_unit;
 
@@ -133,7 +132,7 @@ impl Command for Arguments {
         if let Some(path) = &self.plot {
             let svg = evaluation.plot(&ga_files::name(&self.motion));
             let svg = svg.with_context(|| format!("cannot draw {}", path.display()))?;
-            output::write(path, svg.as_bytes())?;
+            context.outputs().write(path, svg)?;
         }
         Ok(Report {
             motion: file,

@@ -11,7 +11,6 @@ use ga_mesh::gltf;
 
 use crate::format::Format;
 use crate::frame::{Command, Context};
-use crate::output;
 use crate::person::CharacterFile;
 use report::Report;
 
@@ -57,6 +56,6 @@ fn fit_character(arguments: &Arguments, context: &Context) -> Result<Report> {
     let document = fitted.to_document("fitted");
     let (document, losses) = document.with_context(|| arguments.character.display().to_string())?;
     let contents = gltf::encode(&document).context("the fitted character cannot be written")?;
-    output::write(&arguments.out, &contents)?;
+    context.outputs().write(&arguments.out, &contents)?;
     Ok(Report::new(arguments, fitted, joints.notes(), &losses))
 }

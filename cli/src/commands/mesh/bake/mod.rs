@@ -14,7 +14,7 @@ use ga_mesh::bake::OcclusionOptions;
 use ga_render::bake::{MapKind, Maps, MapsError, MapsOptions, MeshColours};
 
 use crate::frame::{Command, Context};
-use crate::{mesh_file, output};
+use crate::mesh_file;
 use report::{Report, Steps};
 
 /// Bake the details of a fine mesh into maps for a coarse one.
@@ -153,7 +153,7 @@ impl Command for Arguments {
         let files = files.map(|(name, contents)| (self.out.join(name), contents));
         let files: Vec<(PathBuf, Vec<u8>)> = files.collect();
         mesh_file::check_parts("--out", &[&self.fine, &self.coarse], &files)?;
-        output::write_together(files)?;
+        context.outputs().write_all(&files)?;
 
         let seconds = steps.finish(begin);
         drop(progress);

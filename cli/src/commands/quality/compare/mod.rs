@@ -18,7 +18,6 @@ pub(crate) use self::measures::Measures;
 pub(crate) use self::merged::{FORMATS, merged};
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
-use crate::output;
 
 impl Command for Arguments {
     type Report = Shown<Measures>;
@@ -95,14 +94,13 @@ impl Arguments {
             page.context("cannot encode the pictures")
         });
         let page = page.transpose()?;
-        let mut shown = Shown::new(Measures::Pictures(found), text);
         if let Some(path) = &self.csv {
-            output::stage(&mut shown.files, path, quality::csv(&[frame]).as_bytes())?;
+            context.outputs().write(path, quality::csv(&[frame]))?;
         }
         Ok(Shown {
             warnings: Some(warnings),
             page,
-            ..shown
+            ..Shown::new(Measures::Pictures(found), text)
         })
     }
 }

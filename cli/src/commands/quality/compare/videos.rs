@@ -14,7 +14,6 @@ use super::arguments::{Arguments, COMMAND, line, too_few_pixels};
 use super::found::{Found, Scaling};
 
 use crate::frame::{Context, Shown, Warning};
-use crate::output;
 use crate::part::{About, Frames, Part, PartWritten};
 
 /// What was measured of videos, and what was done before.
@@ -96,9 +95,9 @@ impl Arguments {
         let inputs = inputs.chain(&self.attention).map(AsRef::as_ref);
         let about = About::new(COMMAND, self, inputs, frames, is_last)?;
         let written = PartWritten::new(path, &about);
-        let mut shown = Shown::new((), written.text());
-        Part::new(about, found).stage(path, &mut shown.files)?;
-        Ok(shown.map(|()| written))
+        Part::new(about, found).write(path, context.outputs())?;
+        let text = written.text();
+        Ok(Shown::new(written, text))
     }
 
     /// Opens the videos.
@@ -216,7 +215,7 @@ impl Arguments {
         );
         let mut shown = drawn?;
         if let Some(path) = &self.csv {
-            output::stage(&mut shown.files, path, quality::csv(&frames).as_bytes())?;
+            context.outputs().write(path, quality::csv(&frames))?;
         }
         shown.warnings = Some(warnings);
         shown.failure = failure.map(|error| {

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
-use ga_files::Staged;
 use ga_image::plane::Plane;
 use ga_video::stereo::StereoSource;
 use ga_video::{Frame, Samples};
@@ -15,7 +14,6 @@ use serde::Serialize;
 use super::{Arguments, Mode, warnings};
 use crate::format::Format;
 use crate::frame::{Context, Warning};
-use crate::output;
 use crate::part::Frames;
 
 /// What is printed of two films.
@@ -32,8 +30,6 @@ pub(crate) struct FilmReport {
     per_frame: Vec<FrameReport>,
     #[serde(skip)]
     pub(super) warnings: Vec<Warning>,
-    #[serde(skip)]
-    pub(super) staged: Staged,
 }
 
 #[derive(Serialize)]
@@ -116,7 +112,6 @@ impl Arguments {
         let mut begun: Option<([i32; 2], Option<usize>, Matcher)> = None;
         let mut views: [Frame; 2] = Default::default();
         let (mut per_frame, mut all_warnings) = (Vec::new(), Vec::new());
-        let mut staged = Staged::default();
         let mut frame = 0;
         while !asked.end_at(frame) && source.read(&mut views).with_context(named)? {
             let is_asked = frame >= asked.first;
@@ -154,9 +149,8 @@ impl Arguments {
                     }));
                     let found = found.at_least(self.matching.min_confidence);
                     let name = |path: &Path| numbered(path, frame).unwrap_or_default();
-                    for (path, bytes) in self.encoded(&found, format, name)? {
-                        output::stage(&mut staged, &path, &bytes)?;
-                    }
+                    let files = self.encoded(&found, format, name)?;
+                    context.outputs().write_all(&files)?;
                     per_frame.push(FrameReport {
                         frame,
                         found: found.summary(),
@@ -182,7 +176,6 @@ impl Arguments {
             mode: self.matching.mode,
             per_frame,
             warnings: all_warnings,
-            staged,
         })
     }
 }

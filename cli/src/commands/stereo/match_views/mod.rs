@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, ensure};
-use ga_files::Staged;
 use ga_image::png;
 use ga_image::sample::Sample;
 use ga_vision::diagnosis::of_match::faults_of_match;
@@ -23,7 +22,6 @@ use super::rectify::RIG;
 use super::views::{self, ViewPair};
 use crate::format::Format;
 use crate::frame::{self, Command, Context, Verdict, Warning, command_line};
-use crate::output;
 
 /// What is printed of two pictures or two films.
 #[derive(Serialize)]
@@ -114,7 +112,8 @@ impl Arguments {
 
         progress.step("writing");
         let map = &found.disparity;
-        output::write_together(self.encoded(&found, format, Path::to_path_buf)?)?;
+        let files = self.encoded(&found, format, Path::to_path_buf)?;
+        context.outputs().write_all(&files)?;
         drop(progress);
 
         Ok(PairReport {
@@ -197,13 +196,6 @@ impl frame::Report for Report {
         match self {
             Self::Pair(report) => report.text(),
             Self::Films(report) => report.text(),
-        }
-    }
-
-    fn files(&mut self) -> Staged {
-        match self {
-            Self::Pair(_) => Staged::default(),
-            Self::Films(report) => std::mem::take(&mut report.staged),
         }
     }
 }

@@ -14,7 +14,6 @@ use super::input::LayoutName;
 use super::screen::Screen;
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown, Warning};
-use crate::output;
 use crate::shell::quoted;
 
 /// Remove differences between the views of stereoscopic video that they should not have.
@@ -172,7 +171,7 @@ impl Command for Arguments {
         warnings.extend(self.without_sound(&plan));
         let mut shown = Shown::new(report, text);
         shown.warnings = Some(warnings).filter(|warnings| !warnings.is_empty());
-        output::stage_with(&mut shown.files, out, |file| {
+        context.outputs().write_with(out, |file| {
             let written = plan.write(&mut source, halves, file, show);
             written.with_context(|| format!("cannot write {}", out.display()))
         })?;

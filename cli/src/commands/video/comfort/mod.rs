@@ -105,7 +105,7 @@ impl Command for Arguments {
     fn run(&self, context: &Context) -> Result<Self::Report> {
         self.check_out(context)?;
         match self.part.asked() {
-            Some((frames, path)) => self.measure(frames, path),
+            Some((frames, path)) => self.measure(frames, path, context),
             None => self.observe(VecDeque::new(), None, context),
         }
     }
@@ -193,16 +193,16 @@ impl Arguments {
         }
         if let (Some(path), Some(page)) = (&self.out, &shown.page) {
             let html = page.clone().into_html();
-            output::stage(&mut shown.files, path, html.as_bytes())?;
+            context.outputs().write(path, html)?;
         }
         if let Some(path) = self.summary.as_ref().filter(|_| result.is_ok()) {
             let mut object = summary.json(&viewing);
             object["verdict"] = serde_json::to_value(verdict)?;
             let text = serde_json::to_string_pretty(&object)? + "\n";
-            output::stage(&mut shown.files, path, text.as_bytes())?;
+            context.outputs().write(path, text)?;
         }
         if let (Some(path), Some(rows)) = (table, rows) {
-            output::stage(&mut shown.files, path, rows.as_bytes())?;
+            context.outputs().write(path, rows)?;
         }
         shown.failure = result.err().map(Error::from);
         Ok(shown)

@@ -24,7 +24,12 @@ pub(crate) const FORMATS: [Format; 2] = [Format::Json, Format::Csv];
 
 impl Arguments {
     /// Measures some frames, and writes what was measured.
-    pub(super) fn measure(&self, asked: Frames, path: &Path) -> Result<Shown<Option<PartWritten>>> {
+    pub(super) fn measure(
+        &self,
+        asked: Frames,
+        path: &Path,
+        context: &Context,
+    ) -> Result<Shown<Option<PartWritten>>> {
         let layout = LayoutName::of(self.layout, self.right.as_deref())?;
         let mut source = layout.open(&self.video, self.right.as_deref())?;
         let mut found: Vec<FrameMeasures> = Vec::new();
@@ -45,10 +50,9 @@ impl Arguments {
         let inputs = inputs.map(AsRef::as_ref);
         let about = About::new(COMMAND, self, inputs, frames, is_last)?;
         let written = PartWritten::new(path, &about);
-        let mut shown = Shown::new(None, written.text());
-        Part::new(about, found).stage(path, &mut shown.files)?;
-        shown.values = Some(written);
-        Ok(shown)
+        Part::new(about, found).write(path, context.outputs())?;
+        let text = written.text();
+        Ok(Shown::new(Some(written), text))
     }
 }
 

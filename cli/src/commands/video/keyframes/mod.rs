@@ -6,7 +6,6 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Error, Result, bail, ensure};
-use ga_files::Staged;
 use ga_image::png;
 use ga_render::sheet::{Captioned, captioned_sheet};
 use ga_video::keyframe::split::{self, Splitter};
@@ -18,7 +17,7 @@ pub(crate) use self::parts::{COMMAND, FORMATS, merged};
 use crate::commands::video::shots::ShotOptions;
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
-use crate::output;
+use crate::output::Staging;
 use crate::part::{PartArguments, PartWritten};
 
 /// Find cuts, dissolves, fades, flashes, shots and key frames of a video.
@@ -104,7 +103,7 @@ impl Command for Arguments {
     fn run(&self, context: &Context) -> Result<Self::Report> {
         self.check(context)?;
         match self.part.asked() {
-            Some((frames, path)) => Ok(self.measure(frames, path)?.map(Found::Part)),
+            Some((frames, path)) => Ok(self.measure(frames, path, context)?.map(Found::Part)),
             None => Ok(self
                 .analyse(Vec::new(), context)?
                 .map(|found| Found::All(Box::new(found)))),
@@ -160,7 +159,8 @@ impl Arguments {
             |found, svg| found.page(&title, svg, &sheet),
         )?;
         if is_whole {
-            self.write(&shown.values, pictures.as_mut(), &sheet, &mut shown.files)?;
+            let outputs = context.outputs();
+            self.write(&shown.values, pictures.as_mut(), &sheet, outputs)?;
         }
         shown.failure = shown.values.failure.take().map(Error::from);
         Ok(shown)
@@ -209,28 +209,28 @@ impl Arguments {
         })
     }
 
-    /// Adds the files that were asked for, but for the chart.
+    /// Writes the files that were asked for, but for the chart.
     fn write(
         &self,
         found: &Analysed,
         pictures: Option<&mut Pictures>,
         sheet: &[u8],
-        files: &mut Staged,
+        outputs: &Staging,
     ) -> Result<()> {
-        self.write_scenes(found, files)?;
+        self.write_scenes(found, outputs)?;
         if let Some(folder) = &self.split {
-            self.split(found, folder, files)?;
+            self.split(found, folder, outputs)?;
         }
         if let (Some(folder), Some(pictures)) = (&self.out, pictures) {
             for key in &found.analysis.key_frames {
                 if let Some(bytes) = pictures.png(key.index)? {
                     let path = folder.join(format!("frame_{:06}.png", key.index));
-                    output::stage(files, &path, &bytes)?;
+                    outputs.write(path, bytes)?;
                 }
             }
         }
         if let Some(path) = &self.contact_sheet {
-            output::stage(files, path, sheet)?;
+            outputs.write(path, sheet)?;
         }
         Ok(())
     }
@@ -254,7 +254,7 @@ impl Arguments {
     }
 
     /// The shots as tables and edit decision lists.
-    fn write_scenes(&self, found: &Analysed, files: &mut Staged) -> Result<()> {
+    fn write_scenes(&self, found: &Analysed, outputs: &Staging) -> Result<()> {
         let given = self.given_rate()?;
         let base = given
             .or_else(|| found.rate())
@@ -271,20 +271,20 @@ impl Arguments {
                     path.display()
                 ),
             };
-            output::stage(files, path, text.as_bytes())?;
+            outputs.write(path, text)?;
         }
         Ok(())
     }
 
     /// Each shot as a film.
-    fn split(&self, found: &Analysed, folder: &Path, files: &mut Staged) -> Result<()> {
+    fn split(&self, found: &Analysed, folder: &Path, outputs: &Staging) -> Result<()> {
         let shots = &found.analysis.shots;
         let name = |number: usize, ending: &str| folder.join(format!("shot_{number:04}.{ending}"));
         if split::is_for_ffmpeg(&self.video) {
             let films = split::by_ffmpeg(&self.video, shots)?;
             for (number, film) in (1..).zip(&films.files) {
                 let path = name(number, "mp4");
-                output::stage_with(files, &path, |file| {
+                outputs.write_with(&path, |file| {
                     let copied =
                         File::open(film).and_then(|mut film| std::io::copy(&mut film, file));
                     copied.with_context(|| format!("cannot write {}", path.display()))?;
@@ -297,7 +297,7 @@ impl Arguments {
         let mut splitter = Splitter::new(&self.video, rate)?;
         for (number, shot) in (1..).zip(shots) {
             let path = name(number, "y4m");
-            output::stage_with(files, &path, |file| {
+            outputs.write_with(&path, |file| {
                 let written = splitter.write(shot.frames.len(), file);
                 written.with_context(|| format!("cannot write {}", path.display()))
             })?;

@@ -30,7 +30,12 @@ pub(crate) const FORMATS: [Format; 5] = [
 
 impl Arguments {
     /// Measures some frames, and writes what was measured.
-    pub(super) fn measure(&self, asked: Frames, path: &Path) -> Result<Shown<PartWritten>> {
+    pub(super) fn measure(
+        &self,
+        asked: Frames,
+        path: &Path,
+        context: &Context,
+    ) -> Result<Shown<PartWritten>> {
         let mut found: Vec<Option<f64>> = Vec::new();
         let is_last = information(&self.video, asked.first, |bits| {
             if asked.end_at(asked.first + found.len()) {
@@ -48,9 +53,8 @@ impl Arguments {
         let about = About::new(COMMAND, self, [self.video.as_path()], frames, is_last)?;
         let written = PartWritten::new(path, &about);
         let text = written.text();
-        let mut shown = Shown::new(written, text);
-        Part::new(about, found).stage(path, &mut shown.files)?;
-        Ok(shown)
+        Part::new(about, found).write(path, context.outputs())?;
+        Ok(Shown::new(written, text))
     }
 }
 
