@@ -12,22 +12,19 @@ mod run;
 mod scores;
 mod steps;
 mod studio;
+mod subject;
 mod times;
 
 use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result};
-use ga_anim::clip::Clip;
-use ga_character::storyboard::{STEPS, Storyboard};
-use ga_character::{Animation, Figure};
-use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context, Progress, Warning};
 use crate::person::{Dotted, HueSeed};
-use crate::pipeline::{self, OutputArguments, Performance, perform};
-use crate::report::{Input, MotionInput, Performed};
+use crate::pipeline::{self, OutputArguments, perform};
+use crate::report::Performed;
 use algebra::{LEG, LegBothWays, Weights};
 use folder::Work;
 use inputs::{STILL, Truth};
@@ -35,6 +32,7 @@ use page::Contents;
 use report::Report;
 use run::{Run, found_disparities};
 use scores::Scores;
+use subject::{Subject, SubjectArguments, TEXTURE_SIZE};
 use times::Times;
 
 /// Film a person that walks, and find it again in the films; needs no input.
@@ -43,13 +41,13 @@ use times::Times;
 /// rolled a little, and both have noise. From the two films and from pictures of a chessboard,
 /// other commands of this program find the cameras, depth, a surface, a contour, the joints and the
 /// body, key frames, the quality and the comfort of the films, which are then aligned, and the
-/// texture of the body.
+/// texture of the body. With --motion the figure does not walk, but does what somebody recorded.
 ///
 /// Writes report.html (a page with all of it, the command of each step, and the numbers of the
 /// paper beside those found here), report.json, times.js (measured times, which the page shows
 /// where it lies beside it), model.obj (the figure at rest) with model.mtl and skin.png, model.glb
-/// (with skeleton, skin weights and the walk), sheet.png (the key frames of a stride with three
-/// in-betweens after each), and what the steps write: film/, boards/, stills/, rig.yml, views.json,
+/// (with skeleton, skin weights and the motion), sheet.png (key frames, of the walk those of a stride,
+/// with three in-betweens after each), and what the steps write: film/, boards/, stills/, rig.yml, views.json,
 /// rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/, keys/, aligned.y4m
 /// and more. truth/ is what the pictures were made of, for the scores. Equal seeds give equal
 /// bytes, but for times.js. Lengths are metres, y points up. The commands on the page run in the
@@ -58,6 +56,8 @@ use times::Times;
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
+    subject: SubjectArguments,
+    #[command(flatten)]
     output: OutputArguments,
     /// Make the figure and its walk alone: model.obj, model.mtl, skin.png, model.glb, sheet.png and
     /// report.json.
@@ -65,10 +65,6 @@ pub(crate) struct Arguments {
     figure: bool,
 }
 
-/// Two steps each.
-const STRIDES: u16 = 2;
-/// Rows and columns of the painted skin.
-const TEXTURE_SIZE: usize = 1024;
 /// Shares of the time before the steps, in hundredths.
 const FIGURE: u64 = 5;
 const FILMS: u64 = 25;
@@ -78,19 +74,24 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Demonstrated> {
         let begin = Instant::now();
-        let no_inputs: [&Path; 0] = [];
-        self.output.check(context.files(no_inputs)?)?;
+        self.output.check(context.files(self.subject.inputs())?)?;
+        let subject = self.subject.read()?;
         if self.figure {
+            let Subject {
+                performance,
+                warnings,
+                ..
+            } = subject;
             let progress = context.progress(pipeline::STEPS);
-            let made = performance(mannequin(), &walk(STRIDES))?;
-            let performed = perform(made, &self.output, &progress, begin)?;
+            let mut performed = perform(performance, &self.output, &progress, begin)?;
+            performed.warnings.splice(0..0, warnings);
             return Ok(Demonstrated::Figure(performed.into()));
         }
         let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
         let progress = Progress::of_parts(FIGURE + FILMS + steps, context.is_quiet());
         let outputs = self.output.in_folder(Path::new(""))?;
         let work = Work::enter(self.output.folder())?;
-        let mut report = demonstrate(&outputs, context, &progress)?;
+        let mut report = demonstrate(subject, &outputs, context, &progress)?;
         drop(progress);
         report.files = work.publish()?;
         report.seconds = begin.elapsed().as_secs_f64();
@@ -124,24 +125,35 @@ impl frame::Report for Demonstrated {
 
 /// Makes everything in the current folder.
 fn demonstrate(
+    subject: Subject,
     outputs: &OutputArguments,
     context: &Context,
     progress: &Progress,
 ) -> Result<Report> {
+    let Subject {
+        performance,
+        clip,
+        warnings,
+    } = subject;
     let seed = outputs.seed();
     let mut times = Times::default();
     progress.part("Making a figure", FIGURE);
-    let (figure, dotted) = rayon::join(mannequin, || {
-        Dotted::new(HueSeed { seed: 1 }).into_figure(TEXTURE_SIZE)
-    });
-    let keys = walk(STRIDES);
-    let made = performance(figure.clone(), &keys)?;
+    let figure = performance.figure.clone();
+    let dotted = Dotted::new(HueSeed { seed: 1 }).into_figure(TEXTURE_SIZE);
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
-        || perform(made, outputs, &Progress::new(0, true), Instant::now()),
-        || inputs::make(&dotted, &keys, seed),
+        || {
+            perform(
+                performance,
+                outputs,
+                &Progress::new(0, true),
+                Instant::now(),
+            )
+        },
+        || inputs::make(&dotted, &clip, seed),
     );
-    let (performed, truth) = (performed?, truth?);
+    let (mut performed, truth) = (performed?, truth?);
+    performed.warnings.splice(0..0, warnings);
     let run = Run::new(&truth, context, progress, &mut times)?;
 
     let scores = Scores::new(&run, &truth)?;
@@ -152,7 +164,7 @@ fn demonstrate(
     times.measure_kernels();
     let page = page::page(&Contents {
         figure: &figure,
-        clip: &keys,
+        clip: &clip,
         run: &run,
         scores: &scores,
         leg: &leg,
@@ -164,52 +176,6 @@ fn demonstrate(
     let report = Report::new(performed, &run, scores, leg, levels, weights);
     report.write()?;
     Ok(report)
-}
-
-/// The figure that the program makes, in its clothes.
-fn mannequin() -> Figure {
-    let human = Human::new();
-    Figure {
-        paint: Some(human.texture(TEXTURE_SIZE)),
-        ..Figure::new("mannequin", human.into())
-    }
-}
-
-/// The figure with its walk, and where both come from.
-fn performance(figure: Figure, keys: &Clip) -> Result<Performance> {
-    let made = || "made by nullcone".to_owned();
-    let clip = keys.resampled(STEPS as f64 / KEY_TIME);
-    Ok(Performance {
-        command: "demo",
-        input: Input {
-            mesh: made(),
-            rig: made(),
-            weights: made(),
-            motion: MotionInput {
-                name: "walk".to_owned(),
-                joints: figure.character.skeleton.len(),
-                frames: keys.frames().len(),
-                frames_per_second: 1.0 / KEY_TIME,
-                first_frame: 0,
-                last_frame: keys.frames().len() - 1,
-                calibration_frame_left_out: false,
-                joints_without_counterpart: Vec::new(),
-                metres_per_unit: 1.0,
-            },
-        },
-        figure,
-        animation: Animation {
-            name: "walk".to_owned(),
-            clip: clip.context("the walk has no frames")?,
-            storyboard: Storyboard::of_keys(keys, KEYS_PER_STRIDE),
-            title: format!(
-                "Walk: {KEYS_PER_STRIDE} key poses a stride, 3 in-betweens after each by screw \
-                 motion"
-            ),
-            in_between_deviation: None,
-        },
-        checks: None,
-    })
 }
 
 /// The joints of a leg in the still, as the films show them.
