@@ -70,7 +70,7 @@ impl MovedArguments {
         &self,
         file: &Path,
         end: End,
-        (character, rig): (&Character, &str),
+        onto: (&Character, &str),
         warnings: &mut Vec<Warning>,
     ) -> Result<Moved> {
         let options = Options {
@@ -81,14 +81,26 @@ impl MovedArguments {
         let read = motion_file::read_any(file, options, option, warnings)?;
         let motion = read.recording_in_units();
         let motion = motion.with_context(|| file.display().to_string())?;
-        let range = self.frames(file, end, &motion)?;
+        self.moved_recording(file, (&motion, read.metres_per_unit()), end, onto, warnings)
+    }
+
+    /// Transfers a motion that was read, whose unit has a length.
+    pub(crate) fn moved_recording(
+        &self,
+        file: &Path,
+        (motion, metres_per_unit): (&Recording, f64),
+        end: End,
+        (character, rig): (&Character, &str),
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Moved> {
+        let range = self.frames(file, end, motion)?;
         let onto = || format!("{} cannot move {rig}", file.display());
         let soles = Soles::of_mesh(character.mesh.positions(), &character.weights);
         let soles = soles.with_context(onto)?;
         let source = Motion {
             file,
-            source: &motion,
-            metres_per_unit: read.metres_per_unit(),
+            source: motion,
+            metres_per_unit,
             frames: Some([range.from, range.to]),
         };
         let body = Body {

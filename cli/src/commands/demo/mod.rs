@@ -18,14 +18,14 @@ mod times;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
+use ga_anim::skeleton::Skeleton;
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context, Progress, Warning};
-use crate::person::{Dotted, HueSeed};
 use crate::pipeline::{self, OutputArguments, perform};
 use crate::report::Performed;
-use algebra::{LEG, LegBothWays, Weights};
+use algebra::{LegBothWays, Weights, leg_joints};
 use folder::Work;
 use inputs::{STILL, Truth};
 use page::Contents;
@@ -41,26 +41,29 @@ use times::Times;
 /// rolled a little, and both have noise. From the two films and from pictures of a chessboard,
 /// other commands of this program find the cameras, depth, a surface, a contour, the joints and the
 /// body, key frames, the quality and the comfort of the films, which are then aligned, and the
-/// texture of the body. With --motion the figure does not walk, but does what somebody recorded.
+/// texture of the body. With --motion the figure does not walk, but does what somebody recorded;
+/// with --character it is one of yours, whose dots are discs on its skin. Joints are found by the
+/// dots of their bones: where films show none, as of thin fingers, joints are far off.
 ///
 /// Writes report.html (a page with all of it, the command of each step, and the numbers of the
 /// paper beside those found here), report.json, times.js (measured times, which the page shows
 /// where it lies beside it), model.obj (the figure at rest) with model.mtl and skin.png, model.glb
-/// (with skeleton, skin weights and the motion), sheet.png (key frames, of the walk those of a stride,
-/// with three in-betweens after each), and what the steps write: film/, boards/, stills/, rig.yml, views.json,
-/// rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/, keys/, aligned.y4m
-/// and more. truth/ is what the pictures were made of, for the scores. Equal seeds give equal
-/// bytes, but for times.js. Lengths are metres, y points up. The commands on the page run in the
-/// folder of the results. --json prints what report.json holds, with the paths of the figure's
-/// files as "written" and the time that it took as "seconds".
+/// (with skeleton, skin weights and the motion), sheet.png (key frames, of the walk those of a
+/// stride, with three in-betweens after each), and what the steps write: film/, boards/, stills/,
+/// rig.yml, views.json, rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/,
+/// keys/, aligned.y4m and more. A --character has no skin.png and no model.mtl. truth/ is what the
+/// pictures were made of, for the scores. Equal seeds give equal bytes, but for times.js. Lengths
+/// are metres, y points up. The commands on the page run in the folder of the results. --json
+/// prints what report.json holds, with the paths of the figure's files as "written" and the time
+/// that it took as "seconds".
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     subject: SubjectArguments,
     #[command(flatten)]
     output: OutputArguments,
-    /// Make the figure and its walk alone: model.obj, model.mtl, skin.png, model.glb, sheet.png and
-    /// report.json.
+    /// Make the figure and its motion alone: model.obj, model.mtl, skin.png, model.glb, sheet.png
+    /// and report.json.
     #[arg(long)]
     figure: bool,
 }
@@ -133,13 +136,15 @@ fn demonstrate(
     let Subject {
         performance,
         clip,
+        dotted,
+        character,
         warnings,
     } = subject;
     let seed = outputs.seed();
     let mut times = Times::default();
     progress.part("Making a figure", FIGURE);
     let figure = performance.figure.clone();
-    let dotted = Dotted::new(HueSeed { seed: 1 }).into_figure(TEXTURE_SIZE);
+    let dotted = dotted.into_figure(TEXTURE_SIZE)?;
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
         || {
@@ -154,10 +159,10 @@ fn demonstrate(
     );
     let (mut performed, truth) = (performed?, truth?);
     performed.warnings.splice(0..0, warnings);
-    let run = Run::new(&truth, context, progress, &mut times)?;
+    let run = Run::new(&truth, character, context, progress, &mut times)?;
 
     let scores = Scores::new(&run, &truth)?;
-    let leg = LegBothWays::new(leg(&truth)?)?;
+    let leg = leg(&figure.character.skeleton, &truth)?;
     let rectified = run::rectified(&run.rig)?;
     let levels = algebra::levels(&found_disparities()?, &rectified)?;
     let weights = Weights::new(&figure.character)?;
@@ -167,7 +172,7 @@ fn demonstrate(
         clip: &clip,
         run: &run,
         scores: &scores,
-        leg: &leg,
+        leg: leg.as_ref(),
         levels: &levels,
         weights: &weights,
     })?;
@@ -178,16 +183,13 @@ fn demonstrate(
     Ok(report)
 }
 
-/// The joints of a leg in the still, as the films show them.
-fn leg(truth: &Truth) -> Result<[ga_runtime::cga3::Point<f64>; 3]> {
+/// The left leg in the still, as the films show it; `None` where it is not known which joints it
+/// has.
+fn leg(skeleton: &Skeleton, truth: &Truth) -> Result<Option<LegBothWays>> {
+    let Some(joints) = leg_joints(skeleton) else {
+        return Ok(None);
+    };
     let table = joints::Table::read(Path::new("person/joints.csv"), &truth.names)?;
     let places = table.frame(STILL)?;
-    let place = |name: &str| {
-        let index = truth.names.iter().position(|joint| joint == name);
-        index.map(|index| places[index])
-    };
-    let [hip, knee, ankle] = LEG.map(place);
-    let all = hip.zip(knee).zip(ankle);
-    let ((hip, knee), ankle) = all.context("the figure has no left leg")?;
-    Ok([hip, knee, ankle])
+    LegBothWays::new(joints.map(|joint| places[joint])).map(Some)
 }

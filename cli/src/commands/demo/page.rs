@@ -27,7 +27,7 @@ pub(super) struct Contents<'a> {
     pub(super) clip: &'a Clip,
     pub(super) run: &'a Run,
     pub(super) scores: &'a Scores,
-    pub(super) leg: &'a LegBothWays,
+    pub(super) leg: Option<&'a LegBothWays>,
     pub(super) levels: &'a [Level],
     pub(super) weights: &'a Weights,
 }
@@ -37,7 +37,7 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     let Contents { run, scores, .. } = contents;
     let mut page = Page::new("Nullcone: from films to a moving person");
     page.paragraph(
-        "A figure with dots on its skin walks through a room and is filmed by two cameras, of which \
+        "A figure with dots on its skin moves in a room and is filmed by two cameras, of which \
          the right one is too bright and rolled a little; both have noise. From these films, and \
          from pictures of a chessboard whose squares are 6 cm, the commands below find the cameras, \
          the depth, the joints and the body again, as points, lines, planes, circles and motors of \
@@ -142,7 +142,7 @@ fn score_table(page: &mut Page, scores: &Scores) {
     page.table(["score", "found", "asked", ""], rows);
 }
 
-/// The walking figure, which the mouse turns.
+/// The moving figure, which the mouse turns.
 fn model(page: &mut Page, contents: &Contents<'_>) -> Result<()> {
     let Contents { figure, clip, .. } = contents;
     let character = &figure.character;
@@ -212,35 +212,10 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         ..
     } = contents;
     page.heading("The algebra of the paper, on what was found");
-    page.subheading("The leg, solved both ways (Cui, §2.3.3, eqs. 29–32)");
-    page.code(
-        "bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)\n\
-         inverse: the knee is where the spheres about hip and ankle meet the plane of the leg\n\
-         forward: G_calf = G_thigh (T(k) R T(−k))",
-    );
-    let [z, y, x, knee] = leg.angles_degrees.map(|angle| format!("{angle:.2}°"));
-    page.table(
-        ["left leg of the still", ""],
-        [
-            ("thigh", format!("{:.1} mm", 1e3 * leg.thigh_metres)),
-            ("calf", format!("{:.1} mm", 1e3 * leg.calf_metres)),
-            (
-                "hip to ankle",
-                format!("{:.1} mm", 1e3 * leg.hip_to_ankle_metres),
-            ),
-            ("angles at the hip about z, y, x", format!("{z}, {y}, {x}")),
-            ("angle at the knee", knee),
-            (
-                "forward again: ankle off by",
-                format!("{:.1e} m", leg.ankle_error_metres),
-            ),
-            (
-                "forward again: knee off by",
-                format!("{:.4} mm", leg.knee_error_millimetres),
-            ),
-        ]
-        .map(|(name, value)| [name.to_owned(), value]),
-    );
+    match leg {
+        Some(leg) => leg_both_ways(page, leg),
+        None => page.note("Which joints are a leg is not clear, so that none is solved."),
+    }
     page.subheading("Modelling points at several levels (Cui, §2.1.2, eq. 2)");
     page.code(
         "K = φ² Q (1 − C) / (S Q + t) − S, beside the depth Z = f B / (d + c_right − c_left)",
@@ -270,4 +245,36 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         weights.vertices,
         100.0 * weights.mean_difference,
     ));
+}
+
+fn leg_both_ways(page: &mut Page, leg: &LegBothWays) {
+    page.subheading("The leg, solved both ways (Cui, §2.3.3, eqs. 29–32)");
+    page.code(
+        "bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)\n\
+         inverse: the knee is where the spheres about hip and ankle meet the plane of the leg\n\
+         forward: G_calf = G_thigh (T(k) R T(−k))",
+    );
+    let [z, y, x, knee] = leg.angles_degrees.map(|angle| format!("{angle:.2}°"));
+    page.table(
+        ["left leg of the still", ""],
+        [
+            ("thigh", format!("{:.1} mm", 1e3 * leg.thigh_metres)),
+            ("calf", format!("{:.1} mm", 1e3 * leg.calf_metres)),
+            (
+                "hip to ankle",
+                format!("{:.1} mm", 1e3 * leg.hip_to_ankle_metres),
+            ),
+            ("angles at the hip about z, y, x", format!("{z}, {y}, {x}")),
+            ("angle at the knee", knee),
+            (
+                "forward again: ankle off by",
+                format!("{:.1e} m", leg.ankle_error_metres),
+            ),
+            (
+                "forward again: knee off by",
+                format!("{:.4} mm", leg.knee_error_millimetres),
+            ),
+        ]
+        .map(|(name, value)| [name.to_owned(), value]),
+    );
 }

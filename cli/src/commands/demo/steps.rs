@@ -22,6 +22,7 @@ pub(super) const CALIBRATION: &str = "calibration";
 pub(super) const DISPARITIES: &str = "disparities";
 pub(super) const EVALUATION: &str = "evaluation";
 pub(super) const CONTOUR: &str = "contour";
+pub(super) const DOTS: &str = "dots";
 pub(super) const PEOPLE: &str = "people";
 pub(super) const KEY_FRAMES: &str = "key_frames";
 pub(super) const QUALITY: &str = "quality";
@@ -90,7 +91,7 @@ pub(super) const STEPS: [Step; 19] = [
         share: 1,
     },
     Step {
-        name: "dots",
+        name: DOTS,
         title: "Joints by dots",
         section: "§2.1.1",
         formula: "p′ = M p ~M for the dots of each bone: the motors M of the pose that best agree \

@@ -1,4 +1,4 @@
-//! Where the cameras stand: before the person, and so far away that all of it is in the pictures.
+//! Where the cameras stand: before the person, and so far away that it is in the pictures.
 
 use std::f64::consts::PI;
 
@@ -26,8 +26,8 @@ const TURN: f64 = PI / 12.0;
 /// By how much the right camera is rolled and raised, which viewers of stereoscopic films feel.
 const ROLL: f64 = 0.012;
 const PITCH: f64 = 0.004;
-/// The person is as far as this from the border of the pictures, in pixels.
-const MARGIN: f64 = 8.0;
+/// By so much a hand or a foot may leave the pictures, in pixels, as one does at the end of the walk.
+const OUTSIDE: f64 = 36.0;
 /// The studio grows by steps, and not for ever.
 const GROWTH: f64 = 0.05;
 const MOST_STEPS: u32 = 40;
@@ -44,7 +44,7 @@ pub(in crate::commands::demo) struct Standpoint {
 }
 
 impl Standpoint {
-    /// The nearest one from which both cameras see all points.
+    /// The nearest one from which both cameras see all points, or nearly so.
     pub(in crate::commands::demo) fn before(
         place: Point<f64>,
         heading: f64,
@@ -102,8 +102,9 @@ impl Standpoint {
     }
 }
 
+/// Whether a pixel is in the pictures, or near to them.
 fn is_inside(pixel: [f64; 2]) -> bool {
-    let inside = |k: usize| (MARGIN..SIZE[k] as f64 - MARGIN).contains(&pixel[k]);
+    let inside = |k: usize| (-OUTSIDE..SIZE[k] as f64 + OUTSIDE).contains(&pixel[k]);
     inside(0) && inside(1)
 }
 
