@@ -3,23 +3,17 @@
 
 use anyhow::{Context as _, Result};
 use ga_anim::character::Character;
-use ga_anim::clip::Clip;
 use ga_anim::distance_weights::distance_weights;
 use ga_anim::leg::Leg;
-use ga_anim::pose::Pose;
-use ga_anim::recording::Recording;
-use ga_anim::retarget::JointMap;
-use ga_anim::skeleton::Skeleton;
 use ga_camera::rig::RectifiedRig;
 use ga_image::plane::Plane;
-use ga_mannequin::Human;
 use ga_runtime::cga3::Point;
 use ga_vision::disparity::DisparityMap;
 use ga_vision::modelling_points::{DistanceControls, ModellingPyramid};
 use serde::Serialize;
 
 /// The joints of the mannequin's left leg, from above.
-const LEG: [&str; 3] = ["LeftUpperLeg", "LeftLowerLeg", "LeftFoot"];
+pub(super) const LEG: [&str; 3] = ["LeftUpperLeg", "LeftLowerLeg", "LeftFoot"];
 /// Levels of modelling points.
 const LEVELS: usize = 6;
 /// The standard deviation of the disparity of a pixel.
@@ -66,22 +60,6 @@ impl LegBothWays {
             knee_error_millimetres: 1e3 * pose.knee.distance(knee),
         })
     }
-}
-
-/// The joints of the left leg from above: by their names or by the shape of the body, as a motion
-/// of the mannequin finds them.
-pub(super) fn leg_joints(skeleton: &Skeleton) -> Option<[usize; 3]> {
-    let human = Human::new().skeleton;
-    let rest = Clip::new(1.0, vec![Pose::rest(human.len())]).ok()?;
-    let rest = Recording::from_clip(&human, &rest).ok()?;
-    let (map, _) = JointMap::found(&rest, skeleton).ok()?;
-    let found = LEG.map(|name| {
-        let joint = human.index(name);
-        let mut moved = map.source_of().iter();
-        moved.position(|source| source.is_some() && *source == joint)
-    });
-    let [hip, knee, ankle] = found;
-    Some([hip?, knee?, ankle?])
 }
 
 /// The modelling points of a level.

@@ -20,6 +20,7 @@ use ga_render::DepthMap;
 use ga_runtime::cga3::Point;
 use rayon::prelude::*;
 
+use super::counterparts::facing;
 use super::studio::{
     Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, Standpoint, board_pictures,
 };
@@ -58,7 +59,7 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
         Ok(places.into_iter().map(Point::from).collect())
     });
     let skin: Vec<Vec<Point<f64>>> = skin.collect::<Result<_>>()?;
-    let heading = heading(&character.skeleton, &joints[STILL]);
+    let heading = facing(&character.skeleton) + turn(&character.skeleton, &joints);
     let standpoint = Standpoint::before(middle(&joints), heading, &skin.concat())?;
     let rig = standpoint.rig()?;
     let room = Room::new(&standpoint, seed)?;
@@ -139,24 +140,29 @@ fn middle(joints: &[Vec<Point<f64>>]) -> Point<f64> {
     Point::from(sum.map(|sum| sum / f64::max(count, 1.0)))
 }
 
-/// The direction in which a body faces, from +z towards +x: that by which the joints at rest are
-/// rotated about the vertical to be nearest to those of the pose.
-fn heading(skeleton: &Skeleton, joints: &[Point<f64>]) -> f64 {
-    let rest: Vec<[f64; 3]> = skeleton.joints().iter().map(|joint| joint.head).collect();
-    let posed: Vec<[f64; 3]> = joints.iter().map(|joint| joint.coordinates()).collect();
-    let centred = |places: &[[f64; 3]]| -> Vec<[f64; 2]> {
-        let mean = |k: usize| places.iter().map(|p| p[k]).sum::<f64>() / places.len() as f64;
-        let [x, z] = [mean(0), mean(2)];
-        places
-            .iter()
-            .map(|place| [place[0] - x, place[2] - z])
-            .collect()
-    };
-    let pairs = centred(&rest).into_iter().zip(centred(&posed));
-    let (sin, cos) = pairs.fold((0.0, 0.0), |(sin, cos), ([x, z], [u, v])| {
-        (sin + z * u - x * v, cos + x * u + z * v)
-    });
+/// The angle by which the joints at rest are rotated about the vertical, from +z towards +x, to be
+/// nearest to those of all frames.
+fn turn(skeleton: &Skeleton, frames: &[Vec<Point<f64>>]) -> f64 {
+    let rest = skeleton.joints().iter().map(|joint| joint.head);
+    let rest = about_the_middle(rest.collect());
+    let (mut sin, mut cos) = (0.0, 0.0);
+    for joints in frames {
+        let posed = joints.iter().map(|joint| joint.coordinates());
+        let posed = about_the_middle(posed.collect());
+        for ([x, z], [u, v]) in rest.iter().zip(posed) {
+            sin += z * u - x * v;
+            cos += x * u + z * v;
+        }
+    }
     sin.atan2(cos)
+}
+
+/// Where places are on the floor, from the middle of all.
+fn about_the_middle(places: Vec<[f64; 3]>) -> Vec<[f64; 2]> {
+    let mean = |k: usize| places.iter().map(|place| place[k]).sum::<f64>() / places.len() as f64;
+    let [x, z] = [mean(0), mean(2)];
+    let from_middle = places.iter().map(|place| [place[0] - x, place[2] - z]);
+    from_middle.collect()
 }
 
 fn write_film(

@@ -1,6 +1,7 @@
 //! `nullcone demo`: the whole way, from a figure to films of it, and back by the pictures alone.
 
 mod algebra;
+mod counterparts;
 mod disparity;
 mod folder;
 mod inputs;
@@ -25,7 +26,8 @@ use serde::Serialize;
 use crate::frame::{self, Command, Context, Progress, Warning};
 use crate::pipeline::{self, OutputArguments, perform};
 use crate::report::Performed;
-use algebra::{LegBothWays, Weights, leg_joints};
+use algebra::{LEG, LegBothWays, Weights};
+use counterparts::counterparts;
 use folder::Work;
 use inputs::{STILL, Truth};
 use page::Contents;
@@ -186,7 +188,7 @@ fn demonstrate(
 /// The left leg in the still, as the films show it; `None` where it is not known which joints it
 /// has.
 fn leg(skeleton: &Skeleton, truth: &Truth) -> Result<Option<LegBothWays>> {
-    let Some(joints) = leg_joints(skeleton) else {
+    let Some(joints) = counterparts(skeleton, LEG) else {
         return Ok(None);
     };
     let table = joints::Table::read(Path::new("person/joints.csv"), &truth.names)?;

@@ -26,7 +26,7 @@ pub(super) const TEXTURE_SIZE: usize = 1024;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SubjectArguments {
     /// Film this character in place of the mannequin, with dots on its skin: a skinned mesh in glTF
-    /// 2.0, in metres with y up, which stands upright at rest and looks along +z.
+    /// 2.0, in metres with y up, which stands upright at rest.
     #[arg(long, value_name = "FILE.glb")]
     character: Option<PathBuf>,
     /// Film this motion in place of the walk: BVH in any unit, the first animation of a glTF file,
