@@ -1,5 +1,5 @@
-//! `nullcone body paint` and `body dots`: films of a character with dots on its skin, and back to its
-//! motion.
+//! `nullcone body paint` and `body dots`: films of a character with dots on its skin, and back to
+//! its motion.
 
 use std::path::Path;
 

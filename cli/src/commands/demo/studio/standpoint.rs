@@ -26,7 +26,7 @@ const TURN: f64 = PI / 6.0;
 /// By how much the right camera is rolled and raised, which viewers of stereoscopic films feel.
 const ROLL: f64 = 0.012;
 const PITCH: f64 = 0.004;
-/// By so much a hand or a foot may leave the pictures, in pixels, as one does at the end of the walk.
+/// By so much a hand or a foot may leave the pictures, in pixels, as one does where the walk ends.
 const OUTSIDE: f64 = 36.0;
 /// The studio grows by steps, and not for ever.
 const GROWTH: f64 = 0.05;
