@@ -6,7 +6,7 @@ use ga_anim::weights::SkinWeights;
 use ga_mesh::{CornerAttribute, Faces, Mesh};
 use rayon::prelude::*;
 
-use super::Marker;
+use super::marker::Marker;
 use super::skin::{Place, Skin};
 use crate::Vector;
 

@@ -7,7 +7,7 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 use rayon::prelude::*;
 
-use super::Marker;
+use super::marker::Marker;
 use super::skin::{Place, Skin};
 use crate::{Human, Vector};
 

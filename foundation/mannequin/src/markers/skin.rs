@@ -8,8 +8,8 @@ use ga_mesh::query::Bvh;
 use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 
-use super::Marker;
 use super::layout::Ring;
+use super::marker::Marker;
 use crate::Vector;
 
 /// Points round the rim of a marker, by which its middle and its weights are found.
