@@ -14,6 +14,7 @@ mod frame;
 mod interruption;
 mod mesh_file;
 mod motion_file;
+mod moved;
 mod output;
 mod part;
 mod person;

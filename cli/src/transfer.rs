@@ -16,6 +16,7 @@ use crate::motion_file;
 
 /// How a motion is transferred to a skeleton.
 #[derive(Clone, Debug, clap::Args)]
+#[group(requires = "motion")]
 pub(crate) struct TransferArguments {
     /// Which joints belong together: JSON, as in {"LeftUpLeg": "thigh_l", "Spine": ["spine_01",
     /// "spine_02"]}, the joint of the motion first.

@@ -3,20 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context as _, Result, bail, ensure};
-use ga_anim::character::Character;
+use anyhow::{Result, bail, ensure};
 use ga_anim::gltf::meshes_without_joint;
-use ga_anim::motion_file::Options;
-use ga_anim::recording::Recording;
-use ga_anim::retarget::{Soles, Transfer, begins_with_calibration};
-use ga_character::{Animation, Figure, Storyboard};
+use ga_character::Figure;
 
 use crate::frame::{Command, Context, Warning};
-use crate::pipeline::{self, OutputArguments, Performance, perform};
+use crate::mesh_file;
+use crate::moved::{End, FigureFiles, MovedArguments};
+use crate::pipeline::{self, OutputArguments, perform};
 use crate::reading::reading;
-use crate::report::{Input, MotionInput, Performed};
-use crate::transfer::{Body, Motion, TransferArguments};
-use crate::{mesh_file, motion_file};
+use crate::report::Performed;
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -53,12 +49,8 @@ pub(crate) struct Arguments {
     /// The motion: BVH in any unit, the first animation of a glTF file, or a compressed clip.
     #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: PathBuf,
-    /// The length of one unit of the motion in metres [default: of BVH found from the length of the
-    /// legs, of glTF 1]. A compressed clip is in metres.
-    #[arg(long, value_name = "METRES")]
-    motion_metres_per_unit: Option<f64>,
     #[command(flatten)]
-    transfer: TransferArguments,
+    moved: MovedArguments,
     /// Smooth the skin weights: in each pass, those of every vertex move half the way to the mean
     /// of those of its neighbours. At most 100.
     ///
@@ -66,13 +58,6 @@ pub(crate) struct Arguments {
     /// ring about a bent elbow or a crease across the chest. 10 to 20 are usual.
     #[arg(long, value_name = "TIMES", default_value_t = 0)]
     smooth_weights: usize,
-    /// The first frame of the motion, counted from 0.
-    ///
-    /// The default is 0, or 1 where frame 0 is a calibration pose (such as a T): a joint then moves
-    /// more than three times as far from frame 0 to frame 1 as between any two later frames. The
-    /// summary and the report say when that is so.
-    #[arg(long, value_name = "F")]
-    from: Option<usize>,
     /// The last frame of the motion; by default the last one of the file.
     #[arg(long, value_name = "F")]
     to: Option<usize>,
@@ -104,7 +89,7 @@ impl Arguments {
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
         let figure = [&self.mesh, &self.rig, &self.weights, &self.character];
         let files = figure.into_iter().flatten().chain([&self.motion]);
-        files.chain(self.transfer.inputs())
+        files.chain(self.moved.inputs())
     }
 
     /// The file of the skeleton.
@@ -125,77 +110,30 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let begin = Instant::now();
     check_numbers(arguments)?;
     arguments.output.check(context.files(arguments.inputs())?)?;
-    let progress = context.progress(pipeline::STEPS + 3);
+    let progress = context.progress(pipeline::STEPS + 2);
     progress.step("reading the figure");
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
-    progress.step("reading the motion");
     let mut warnings = losses(arguments, &figure)?;
     if let Some(mesh) = &arguments.mesh {
         warnings.extend(mesh_file::warnings_of(mesh, figure.warnings.clone()));
     }
-    let options = Options {
-        metres_per_unit: arguments.motion_metres_per_unit,
-        ..Options::default()
-    };
-    let option = "--motion-metres-per-unit";
-    let motion = motion_file::read_any(&arguments.motion, options, option, &mut warnings)?;
-    let unit = motion.metres_per_unit();
-    let motion = motion
-        .recording_in_units()
-        .with_context(|| arguments.motion.display().to_string())?;
     progress.step("transferring the motion");
-    let range = frames(arguments, &motion)?;
-    let transfer = transferred(
-        arguments,
-        &figure.character,
-        (&motion, unit),
-        range,
-        &mut warnings,
-    )?;
-    let clip = transfer
-        .clip
-        .resampled(arguments.fps)
-        .with_context(|| format!("--fps {}", arguments.fps))?;
-
-    let storyboard = Storyboard::of_recording(&transfer.clip, range.from);
-    let deviation = storyboard.deviation(&figure.character, &transfer.clip)?;
-    let motion_name = ga_files::name(&arguments.motion);
+    let rig = arguments.rig().unwrap_or(Path::new("the figure"));
+    let onto = (&figure.character, &*rig.to_string_lossy());
+    let end = End::Frame(arguments.to);
+    let moved = arguments
+        .moved
+        .moved(&arguments.motion, end, onto, &mut warnings)?;
     let figure_file = |part: &Option<PathBuf>| {
         let path = arguments.character.as_ref().or(part.as_ref());
         path.map(|path| ga_files::name(path)).unwrap_or_default()
     };
-    let input = Input {
+    let files = FigureFiles {
         mesh: figure_file(&arguments.mesh),
         rig: figure_file(&arguments.rig),
         weights: figure_file(&arguments.weights),
-        motion: MotionInput {
-            name: motion_name.clone(),
-            joints: motion.joints().len(),
-            frames: motion.frame_count(),
-            frames_per_second: 1.0 / motion.frame_time(),
-            first_frame: range.from,
-            last_frame: range.to,
-            calibration_frame_left_out: range.calibration_left_out,
-            joints_without_counterpart: transfer.joints_without_counterpart,
-            metres_per_unit: transfer.target_units_per_unit,
-        },
     };
-    let performance = Performance {
-        command: "animate",
-        input,
-        figure,
-        animation: Animation {
-            name: ga_files::stem(&arguments.motion),
-            clip,
-            storyboard,
-            title: format!(
-                "{motion_name}, frames {} to {}: keys and 3 in-betweens after each by screw motion",
-                range.from, range.to
-            ),
-            in_between_deviation: Some(deviation),
-        },
-        checks: Some(transfer.checks),
-    };
+    let performance = moved.performance("animate", files, figure, arguments.fps)?;
     let outputs = context.outputs();
     let mut performed = perform(performance, &arguments.output, outputs, &progress, begin)?;
     performed.warnings.splice(0..0, warnings);
@@ -208,7 +146,7 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         fps > 0.0 && fps <= 1000.0,
         "--fps {fps}: the number of frames per second must be greater than 0 and at most 1000"
     );
-    let of_motion = arguments.motion_metres_per_unit;
+    let of_motion = arguments.moved.motion_metres_per_unit;
     for (option, unit) in [
         ("--metres-per-unit", Some(arguments.metres_per_unit())),
         ("--motion-metres-per-unit", of_motion),
@@ -224,7 +162,7 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         times <= 100,
         "--smooth-weights {times}: at most 100 times are possible"
     );
-    if let (Some(from), Some(to)) = (arguments.from, arguments.to) {
+    if let (Some(from), Some(to)) = (arguments.moved.from, arguments.to) {
         ensure!(from <= to, "--from {from} comes after --to {to}");
     }
     Ok(())
@@ -285,63 +223,4 @@ fn losses(arguments: &Arguments, figure: &Figure) -> Result<Vec<Warning>> {
         }
     });
     Ok(warnings.collect())
-}
-
-/// A range of frames of the motion, both ends included.
-#[derive(Clone, Copy)]
-struct Range {
-    from: usize,
-    to: usize,
-    calibration_left_out: bool,
-}
-
-fn frames(arguments: &Arguments, motion: &Recording) -> Result<Range> {
-    let count = motion.frame_count();
-    let path = arguments.motion.display();
-    ensure!(count > 0, "{path}: the motion has no frames");
-    for (option, frame) in [("--from", arguments.from), ("--to", arguments.to)] {
-        if let Some(frame) = frame.filter(|&frame| frame >= count) {
-            let last = count - 1;
-            bail!("{option} {frame}: the frames of {path} are 0 to {last}");
-        }
-    }
-    let to = arguments.to.unwrap_or(count - 1);
-    let calibration_left_out =
-        arguments.from.is_none() && to > 0 && begins_with_calibration(motion);
-    Ok(Range {
-        from: arguments.from.unwrap_or(calibration_left_out.into()),
-        to,
-        calibration_left_out,
-    })
-}
-
-/// The motion on the figure.
-fn transferred(
-    arguments: &Arguments,
-    character: &Character,
-    (motion, metres_per_unit): (&Recording, f64),
-    range: Range,
-    warnings: &mut Vec<Warning>,
-) -> Result<Transfer> {
-    let path = &arguments.motion;
-    let onto = || {
-        let rig = arguments.rig().unwrap_or(Path::new("the figure"));
-        format!("{} cannot move {}", path.display(), rig.display())
-    };
-    let soles = Soles::of_mesh(character.mesh.positions(), &character.weights);
-    let soles = soles.with_context(onto)?;
-    let motion = Motion {
-        file: path,
-        source: motion,
-        metres_per_unit,
-        frames: Some([range.from, range.to]),
-    };
-    let body = Body {
-        skeleton: &character.skeleton,
-        soles: Some(&soles),
-        motion: None,
-        metres_per_unit: 1.0,
-    };
-    let transfer = arguments.transfer.transfer(&motion, &body, warnings);
-    transfer.with_context(onto)
 }

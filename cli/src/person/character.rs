@@ -17,9 +17,9 @@ pub(crate) const MANNEQUIN: &str = "mannequin";
 /// of that name is written with its folder, as in `./mannequin`.
 pub(crate) struct CharacterFile<'a>(pub(crate) &'a Path);
 
-impl CharacterFile<'_> {
+impl<'a> CharacterFile<'a> {
     /// The file, where it is one.
-    pub(crate) fn path(&self) -> Option<&Path> {
+    pub(crate) fn path(&self) -> Option<&'a Path> {
         (self.0.as_os_str() != MANNEQUIN).then_some(self.0)
     }
 

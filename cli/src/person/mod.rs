@@ -11,7 +11,7 @@ mod lengths;
 
 pub(crate) use cameras::{CameraFiles, ViewCamera};
 pub(crate) use character::{CharacterFile, MANNEQUIN, at_rest};
-pub(crate) use dotted::{Dotted, HueSeed};
+pub(crate) use dotted::{Dotted, DottedCharacter, HueSeed};
 pub(crate) use film_rate::{is_other_rate, stated_rate};
 pub(crate) use findings::{judged, noted};
 pub(crate) use joints::JointFiles;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 use std::sync::OnceLock;
 
+use ga_anim::bvh;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -372,10 +373,121 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
     assert_eq!(std::fs::read(out.join("model.obj")).unwrap(), b"kept");
 }
 
+/// A recording of two seconds in which the hips turn by 90° and go a metre to the left of the room,
+/// behind a calibration frame; its first second is taken.
+#[test]
+fn another_motion_takes_the_place_of_the_walk() {
+    let folder = tempdir().unwrap();
+    let motion = turning();
+    bvh::decode(motion.as_bytes()).unwrap();
+    std::fs::write(folder.path().join("turn.bvh"), motion).unwrap();
+    let demo = ["demo", "--figure", "--motion", "turn.bvh", "--out"];
+    assert_success(&nullcone(folder.path(), demo.iter().chain(&["out"])));
+    let out = report(&folder.path().join("out"));
+    let of_motion = |key: &str| number(&out, &format!("/input/motion/{key}"));
+    assert_eq!(out["input"]["motion"]["name"], "turn.bvh");
+    assert_eq!(out["input"]["mesh"], "made by nullcone");
+    assert_eq!(of_motion("frames"), 41.0);
+    assert_eq!(
+        [of_motion("first_frame"), of_motion("last_frame")],
+        [1.0, 21.0]
+    );
+    assert_eq!(number(&out, "/animation/duration_seconds"), 1.0);
+    assert!(number(&out, "/animation/checks/lowest_vertex_min_metres") > -0.02);
+
+    let from = demo.iter().chain(&["late", "--from", "31"]);
+    assert_success(&nullcone(folder.path(), from));
+    let late = report(&folder.path().join("late"));
+    // The last whole frame of the film before the end at 0.45 s.
+    assert_eq!(number(&late, "/animation/duration_seconds"), 0.44);
+    for (arguments, parts) in [
+        (["--from", "41", "--out", "no"], ["--from 41", "0 to 40"]),
+        (
+            ["--reference-frame", "99", "--out", "no"],
+            ["turn.bvh", "99"],
+        ),
+    ] {
+        let arguments = demo[..4].iter().chain(&arguments);
+        assert_failure(&nullcone(folder.path(), arguments), &parts);
+    }
+    assert_eq!(names(folder.path()), ["late", "out", "turn.bvh"]);
+}
+
+#[test]
+fn another_character_walks_as_well() {
+    let folder = tempdir().unwrap();
+    let made = demo().1.join("model.glb");
+    std::fs::copy(made, folder.path().join("own.glb")).unwrap();
+    let demo = ["demo", "--figure", "--character"];
+    assert_success(&nullcone(folder.path(), demo.iter().chain(&["own.glb"])));
+    let out = report(&folder.path().join("out"));
+    assert_eq!(out["input"]["rig"], "own.glb");
+    assert_eq!(out["input"]["motion"]["name"], "walk");
+    assert_eq!(number(&out, "/animation/duration_seconds"), 1.0);
+    for key in ["min", "max"] {
+        let key = format!("/animation/checks/lowest_vertex_{key}_metres");
+        assert!(number(&out, &key).abs() < 0.02);
+    }
+    let none = nullcone(folder.path(), demo.iter().chain(&["none.glb"]));
+    assert_failure(&none, &["none.glb", "No such file"]);
+}
+
+/// A person in BVH, in metres.
+fn turning() -> String {
+    let leg = |side: &str, x: f64| {
+        format!(
+            "JOINT {side}UpLeg {{ OFFSET {x} 0 0 CHANNELS 3 Zrotation Xrotation Yrotation
+             JOINT {side}Leg {{ OFFSET 0 -0.42 0 CHANNELS 3 Zrotation Xrotation Yrotation
+             JOINT {side}Foot {{ OFFSET 0 -0.42 0 CHANNELS 3 Zrotation Xrotation Yrotation
+             End Site {{ OFFSET 0 -0.06 0.15 }} }} }} }}\n"
+        )
+    };
+    let arm = |side: &str, sign: f64| {
+        let [first, second] = [0.15 * sign, 0.28 * sign];
+        format!(
+            "JOINT {side}Arm {{ OFFSET {first} 0.45 0 CHANNELS 3 Zrotation Xrotation Yrotation
+             JOINT {side}ForeArm {{ OFFSET {second} 0 0 CHANNELS 3 Zrotation Xrotation Yrotation
+             End Site {{ OFFSET {second} 0 0 }} }} }}\n"
+        )
+    };
+    let head = "JOINT Spine { OFFSET 0 0.1 0 CHANNELS 3 Zrotation Xrotation Yrotation
+         JOINT Head { OFFSET 0 0.5 0 CHANNELS 3 Zrotation Xrotation Yrotation
+         End Site { OFFSET 0 0.2 0 } }\n";
+    let frames = (0..41).map(|frame| {
+        let part = f64::from(frame) / 40.0;
+        let arms = if frame == 0 { 0.0 } else { 75.0 };
+        let mut line = format!("{part} 0.9 0 0 0 {}", 90.0 * part);
+        for joint in 0..12 {
+            let down = match joint {
+                2 => -arms,
+                4 => arms,
+                _ => 0.0,
+            };
+            line += &format!(" {down} 0 0");
+        }
+        line + "\n"
+    });
+    format!(
+        "HIERARCHY ROOT Hips {{ OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation \
+         Xrotation Yrotation\n{head}{}{} }}\n{}{} }}\nMOTION\nFrames: 41\nFrame Time: 0.05\n{}",
+        arm("Left", 1.0),
+        arm("Right", -1.0),
+        leg("Left", 0.1),
+        leg("Right", -0.1),
+        frames.collect::<String>()
+    )
+}
+
 #[test]
 fn wrong_usage_has_a_status_of_its_own() {
     let folder = tempdir().unwrap();
-    for arguments in [&[][..], &["dance"], &["demo", "--seed", "x"], &["animate"]] {
+    for arguments in [
+        &[][..],
+        &["dance"],
+        &["demo", "--seed", "x"],
+        &["demo", "--from", "1"],
+        &["animate"],
+    ] {
         let output = nullcone(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(!output.stderr.is_empty());

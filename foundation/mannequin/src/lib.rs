@@ -16,7 +16,7 @@
 //!   [`distance_weights`](ga_anim::distance_weights)) within the part of the body that a point
 //!   belongs to.
 //! - *Markers*: coloured discs round the bones, painted on the skin where cameras are to find the
-//!   body (see [`Human::markers`]).
+//!   body (see [`Human::markers`]), and dots all over, also on other characters ([`dots_on`]).
 //! - *Walk*: gait curves of the textbooks at eight moments of the stride, put on the ground by
 //!   forward and inverse kinematics.
 //!
@@ -40,7 +40,7 @@ use ga_mesh::{Faces, Mesh, Position};
 
 use vector::{Vector, mirror};
 
-pub use markers::Marker;
+pub use markers::{DISC_LIFT, Marker, dots_on, with_discs};
 pub use walk::{KEY_NAMES, KEY_TIME, KEYS_PER_STRIDE, walk};
 
 /// The person's height in metres.

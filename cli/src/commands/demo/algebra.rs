@@ -12,7 +12,7 @@ use ga_vision::disparity::DisparityMap;
 use ga_vision::modelling_points::{DistanceControls, ModellingPyramid};
 use serde::Serialize;
 
-/// The joints of a leg, from above.
+/// The joints of the mannequin's left leg, from above.
 pub(super) const LEG: [&str; 3] = ["LeftUpperLeg", "LeftLowerLeg", "LeftFoot"];
 /// Levels of modelling points.
 const LEVELS: usize = 6;

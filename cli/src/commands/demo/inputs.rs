@@ -6,6 +6,9 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, anyhow};
 use ga_anim::clip::Clip;
+use ga_anim::pose::Pose;
+use ga_anim::skeleton::Skeleton;
+use ga_anim::skin::Method;
 use ga_camera::rig::StereoRig;
 use ga_character::Figure;
 use ga_image::film::{self, Rate};
@@ -16,7 +19,10 @@ use ga_render::DepthMap;
 use ga_runtime::cga3::Point;
 use rayon::prelude::*;
 
-use super::studio::{Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, board_pictures, rig};
+use super::counterparts::facing;
+use super::studio::{
+    Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, Standpoint, board_pictures,
+};
 use crate::output::Staging;
 
 /// Frames of the films.
@@ -39,16 +45,23 @@ pub(super) struct Truth {
 
 /// Makes films and pictures of a figure with its motion, and writes them into the current folder.
 pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
-    let skeleton = &figure.character.skeleton;
-    let frames = (0..FRAMES).map(|frame| {
-        let pose = clip.sample(frame as f64 / f64::from(FRAMES_PER_SECOND));
-        let bones = pose.bones(skeleton)?;
-        Ok(bones.iter().map(|[head, _]| Point::from(*head)).collect())
+    let character = &figure.character;
+    let poses = (0..FRAMES).map(|frame| clip.sample(frame as f64 / f64::from(FRAMES_PER_SECOND)));
+    let poses: Vec<Pose> = poses.collect();
+    let joints = poses.iter().map(|pose| {
+        let heads = character.joints(pose)?;
+        Ok(heads.into_iter().map(Point::from).collect())
     });
-    let joints: Vec<Vec<Point<f64>>> = frames.collect::<Result<_>>()?;
-    let place = middle(&joints);
-    let rig = rig(place)?;
-    let room = Room::new(&rig, 0.0, seed)?;
+    let joints: Vec<Vec<Point<f64>>> = joints.collect::<Result<_>>()?;
+    let skin = poses.par_iter().map(|pose| {
+        let places = character.skinned(pose, Method::Motor)?;
+        Ok(places.into_iter().map(Point::from).collect())
+    });
+    let skin: Vec<Vec<Point<f64>>> = skin.collect::<Result<_>>()?;
+    let heading = facing(&character.skeleton) + turn(&character.skeleton, &joints);
+    let standpoint = Standpoint::before(middle(&joints), heading, &skin.concat())?;
+    let rig = standpoint.rig()?;
+    let room = Room::new(&standpoint, seed)?;
     let (glb, _) = ga_character::gltf::encode(figure, clip, "walk")?;
     let document = gltf::decode(&glb)?;
     let outputs = Staging::default();
@@ -99,7 +112,11 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
         }
     }
     outputs.finish()?;
-    let names = skeleton.joints().iter().map(|joint| joint.name.clone());
+    let names = character
+        .skeleton
+        .joints()
+        .iter()
+        .map(|joint| joint.name.clone());
     Ok(Truth {
         rig,
         disc: room.disc,
@@ -120,6 +137,31 @@ fn middle(joints: &[Vec<Point<f64>>]) -> Point<f64> {
         count += 1.0;
     }
     Point::from(sum.map(|sum| sum / f64::max(count, 1.0)))
+}
+
+/// The angle by which the joints at rest are rotated about the vertical, from +z towards +x, to be
+/// nearest to those of all frames.
+fn turn(skeleton: &Skeleton, frames: &[Vec<Point<f64>>]) -> f64 {
+    let rest = skeleton.joints().iter().map(|joint| joint.head);
+    let rest = about_the_middle(rest.collect());
+    let (mut sin, mut cos) = (0.0, 0.0);
+    for joints in frames {
+        let posed = joints.iter().map(|joint| joint.coordinates());
+        let posed = about_the_middle(posed.collect());
+        for ([x, z], [u, v]) in rest.iter().zip(posed) {
+            sin += z * u - x * v;
+            cos += x * u + z * v;
+        }
+    }
+    sin.atan2(cos)
+}
+
+/// Where places are on the floor, from the middle of all.
+fn about_the_middle(places: Vec<[f64; 3]>) -> Vec<[f64; 2]> {
+    let mean = |k: usize| places.iter().map(|place| place[k]).sum::<f64>() / places.len() as f64;
+    let [x, z] = [mean(0), mean(2)];
+    let from_middle = places.iter().map(|place| [place[0] - x, place[2] - z]);
+    from_middle.collect()
 }
 
 fn write_film(

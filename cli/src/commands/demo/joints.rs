@@ -20,8 +20,9 @@ pub(super) struct JointErrors {
     pub(super) aligned_error_millimetres: f64,
     /// In the pictures of the left camera.
     pub(super) joint_error_px: f64,
-    /// Of the head alone.
-    pub(super) head_error_millimetres: f64,
+    /// Of the head alone, where a joint is called so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) head_error_millimetres: Option<f64>,
 }
 
 /// The joints of a table that `nullcone people` wrote.
@@ -80,7 +81,6 @@ impl JointErrors {
             truth.joints.len()
         );
         let head = truth.names.iter().position(|name| name == "Head");
-        let head = head.context("the figure has no head")?;
         let (mut error, mut aligned, mut in_picture, mut of_head) = (0.0, 0.0, 0.0, 0.0);
         for (frame, expected) in truth.joints.iter().enumerate() {
             let found = table.frame(frame)?;
@@ -90,14 +90,14 @@ impl JointErrors {
                 let [a, b] = [camera.project(*expected)?, camera.project(*found)?];
                 in_picture += (a[0] - b[0]).hypot(a[1] - b[1]) / truth.names.len() as f64;
             }
-            of_head += expected[head].distance(found[head]);
+            of_head += head.map_or(0.0, |head| expected[head].distance(found[head]));
         }
         let frames = truth.joints.len() as f64;
         Ok(Self {
             mean_per_joint_position_error_millimetres: 1e3 * error / frames,
             aligned_error_millimetres: 1e3 * aligned / frames,
             joint_error_px: in_picture / frames,
-            head_error_millimetres: 1e3 * of_head / frames,
+            head_error_millimetres: head.map(|_| 1e3 * of_head / frames),
         })
     }
 }

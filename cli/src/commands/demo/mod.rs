@@ -1,6 +1,7 @@
 //! `nullcone demo`: the whole way, from a figure to films of it, and back by the pictures alone.
 
 mod algebra;
+mod counterparts;
 mod disparity;
 mod findings;
 mod folder;
@@ -13,30 +14,29 @@ mod run;
 mod scores;
 mod steps;
 mod studio;
+mod subject;
 mod times;
 
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context as _, Result};
-use ga_anim::clip::Clip;
-use ga_character::storyboard::{STEPS, Storyboard};
-use ga_character::{Animation, Figure};
-use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
+use anyhow::Result;
+use ga_anim::skeleton::Skeleton;
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context, Progress, Warning};
 use crate::output::Staging;
-use crate::person::{Dotted, HueSeed};
-use crate::pipeline::{self, OutputArguments, Performance, perform};
-use crate::report::{Input, MotionInput, Performed};
+use crate::pipeline::{self, OutputArguments, perform};
+use crate::report::Performed;
 use algebra::{LEG, LegBothWays, Weights};
+use counterparts::counterparts;
 use folder::Work;
 use inputs::{STILL, Truth};
 use page::Contents;
 use report::Report;
 use run::{Run, found_disparities};
 use scores::Scores;
+use subject::{Subject, SubjectArguments, TEXTURE_SIZE};
 use times::Times;
 
 /// Film a person that walks, and find it again in the films; needs no input.
@@ -45,32 +45,33 @@ use times::Times;
 /// rolled a little, and both have noise. From the two films and from pictures of a chessboard,
 /// other commands of this program find the cameras, depth, a surface, a contour, the joints and the
 /// body, key frames, the quality and the comfort of the films, which are then aligned, and the
-/// texture of the body.
+/// texture of the body. With --motion the figure does not walk, but does what somebody recorded;
+/// with --character it is one of yours, whose dots are discs on its skin. Joints are found by the
+/// dots of their bones: where films show none, as of thin fingers, joints are far off.
 ///
 /// Writes report.html (a page with all of it, the command of each step, and the numbers of the
 /// paper beside those found here), report.json, times.js (measured times, which the page shows
 /// where it lies beside it), model.obj (the figure at rest) with model.mtl and skin.png, model.glb
-/// (with skeleton, skin weights and the walk), sheet.png (the key frames of a stride with three
-/// in-betweens after each), and what the steps write: film/, boards/, stills/, rig.yml, views.json,
-/// rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/, keys/, aligned.y4m
-/// and more. truth/ is what the pictures were made of, for the scores. Equal seeds give equal
-/// bytes, but for times.js. Lengths are metres, y points up. The commands on the page run in the
-/// folder of the results. --json prints what report.json holds, with the paths of the figure's
-/// files as "written" and the time that it took as "seconds".
+/// (with skeleton, skin weights and the motion), sheet.png (key frames, of the walk those of a
+/// stride, with three in-betweens after each), and what the steps write: film/, boards/, stills/,
+/// rig.yml, views.json, rectified/, disparity.pfm, surface.glb, contour.obj, joints.json, person/,
+/// keys/, aligned.y4m and more. A --character has no skin.png and no model.mtl. truth/ is what the
+/// pictures were made of, for the scores. Equal seeds give equal bytes, but for times.js. Lengths
+/// are metres, y points up. The commands on the page run in the folder of the results. --json
+/// prints what report.json holds, with the paths of the figure's files as "written" and the time
+/// that it took as "seconds".
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
+    subject: SubjectArguments,
+    #[command(flatten)]
     output: OutputArguments,
-    /// Make the figure and its walk alone: model.obj, model.mtl, skin.png, model.glb, sheet.png and
-    /// report.json.
+    /// Make the figure and its motion alone: model.obj, model.mtl, skin.png, model.glb, sheet.png
+    /// and report.json.
     #[arg(long)]
     figure: bool,
 }
 
-/// Two steps each.
-const STRIDES: u16 = 2;
-/// Rows and columns of the painted skin.
-const TEXTURE_SIZE: usize = 1024;
 /// Shares of the time before the steps, in hundredths.
 const FIGURE: u64 = 5;
 const FILMS: u64 = 25;
@@ -80,19 +81,30 @@ impl Command for Arguments {
 
     fn run(&self, context: &Context) -> Result<Demonstrated> {
         let begin = Instant::now();
-        let no_inputs: [&Path; 0] = [];
-        self.output.check(context.files(no_inputs)?)?;
+        self.output.check(context.files(self.subject.inputs())?)?;
+        let subject = self.subject.read()?;
         if self.figure {
+            let Subject {
+                performance,
+                warnings,
+                ..
+            } = subject;
             let progress = context.progress(pipeline::STEPS);
-            let made = performance(mannequin(), &walk(STRIDES))?;
-            let performed = perform(made, &self.output, context.outputs(), &progress, begin)?;
+            let mut performed = perform(
+                performance,
+                &self.output,
+                context.outputs(),
+                &progress,
+                begin,
+            )?;
+            performed.warnings.splice(0..0, warnings);
             return Ok(Demonstrated::Figure(performed.into()));
         }
         let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
         let progress = Progress::of_parts(FIGURE + FILMS + steps, context.is_quiet());
         let outputs = self.output.in_folder(Path::new(""))?;
         let work = Work::enter(self.output.folder())?;
-        let mut report = demonstrate(&outputs, context, &progress)?;
+        let mut report = demonstrate(subject, &outputs, context, &progress)?;
         drop(progress);
         report.files = work.publish(context.outputs())?;
         report.seconds = begin.elapsed().as_secs_f64();
@@ -126,44 +138,50 @@ impl frame::Report for Demonstrated {
 
 /// Makes everything in the current folder.
 fn demonstrate(
+    subject: Subject,
     outputs: &OutputArguments,
     context: &Context,
     progress: &Progress,
 ) -> Result<Report> {
+    let Subject {
+        performance,
+        clip,
+        dotted,
+        character,
+        warnings,
+    } = subject;
     let seed = outputs.seed();
     let mut times = Times::default();
     progress.part("Making a figure", FIGURE);
-    let (figure, dotted) = rayon::join(mannequin, || {
-        Dotted::new(HueSeed { seed: 1 }).into_figure(TEXTURE_SIZE)
-    });
-    let keys = walk(STRIDES);
-    let made = performance(figure.clone(), &keys)?;
+    let figure = performance.figure.clone();
+    let dotted = dotted.into_figure(TEXTURE_SIZE)?;
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
         || {
             let files = Staging::default();
             let progress = Progress::new(0, true);
-            let performed = perform(made, outputs, &files, &progress, Instant::now())?;
+            let performed = perform(performance, outputs, &files, &progress, Instant::now())?;
             files.finish()?;
             anyhow::Ok(performed)
         },
-        || inputs::make(&dotted, &keys, seed),
+        || inputs::make(&dotted, &clip, seed),
     );
-    let (performed, truth) = (performed?, truth?);
-    let run = Run::new(&truth, context, progress, &mut times)?;
+    let (mut performed, truth) = (performed?, truth?);
+    performed.warnings.splice(0..0, warnings);
+    let run = Run::new(&truth, character, context, progress, &mut times)?;
 
     let scores = Scores::new(&run, &truth)?;
-    let leg = LegBothWays::new(leg(&truth)?)?;
+    let leg = leg(&figure.character.skeleton, &truth)?;
     let rectified = run::rectified(&run.rig)?;
     let levels = algebra::levels(&found_disparities()?, &rectified)?;
     let weights = Weights::new(&figure.character)?;
     times.measure_kernels();
     let page = page::page(&Contents {
         figure: &figure,
-        clip: &keys,
+        clip: &clip,
         run: &run,
         scores: &scores,
-        leg: &leg,
+        leg: leg.as_ref(),
         levels: &levels,
         weights: &weights,
     })?;
@@ -174,62 +192,13 @@ fn demonstrate(
     Ok(report)
 }
 
-/// The figure that the program makes, in its clothes.
-fn mannequin() -> Figure {
-    let human = Human::new();
-    Figure {
-        paint: Some(human.texture(TEXTURE_SIZE)),
-        ..Figure::new("mannequin", human.into())
-    }
-}
-
-/// The figure with its walk, and where both come from.
-fn performance(figure: Figure, keys: &Clip) -> Result<Performance> {
-    let made = || "made by nullcone".to_owned();
-    let clip = keys.resampled(STEPS as f64 / KEY_TIME);
-    Ok(Performance {
-        command: "demo",
-        input: Input {
-            mesh: made(),
-            rig: made(),
-            weights: made(),
-            motion: MotionInput {
-                name: "walk".to_owned(),
-                joints: figure.character.skeleton.len(),
-                frames: keys.frames().len(),
-                frames_per_second: 1.0 / KEY_TIME,
-                first_frame: 0,
-                last_frame: keys.frames().len() - 1,
-                calibration_frame_left_out: false,
-                joints_without_counterpart: Vec::new(),
-                metres_per_unit: 1.0,
-            },
-        },
-        figure,
-        animation: Animation {
-            name: "walk".to_owned(),
-            clip: clip.context("the walk has no frames")?,
-            storyboard: Storyboard::of_keys(keys, KEYS_PER_STRIDE),
-            title: format!(
-                "Walk: {KEYS_PER_STRIDE} key poses a stride, 3 in-betweens after each by screw \
-                 motion"
-            ),
-            in_between_deviation: None,
-        },
-        checks: None,
-    })
-}
-
-/// The joints of a leg in the still, as the films show them.
-fn leg(truth: &Truth) -> Result<[ga_runtime::cga3::Point<f64>; 3]> {
+/// The left leg in the still, as the films show it; `None` where it is not known which joints it
+/// has.
+fn leg(skeleton: &Skeleton, truth: &Truth) -> Result<Option<LegBothWays>> {
+    let Some(joints) = counterparts(skeleton, LEG) else {
+        return Ok(None);
+    };
     let table = joints::Table::read(Path::new("person/joints.csv"), &truth.names)?;
     let places = table.frame(STILL)?;
-    let place = |name: &str| {
-        let index = truth.names.iter().position(|joint| joint == name);
-        index.map(|index| places[index])
-    };
-    let [hip, knee, ankle] = LEG.map(place);
-    let all = hip.zip(knee).zip(ankle);
-    let ((hip, knee), ankle) = all.context("the figure has no left leg")?;
-    Ok([hip, knee, ankle])
+    LegBothWays::new(joints.map(|joint| places[joint])).map(Some)
 }

@@ -29,7 +29,7 @@ pub(super) struct Contents<'a> {
     pub(super) clip: &'a Clip,
     pub(super) run: &'a Run,
     pub(super) scores: &'a Scores,
-    pub(super) leg: &'a LegBothWays,
+    pub(super) leg: Option<&'a LegBothWays>,
     pub(super) levels: &'a [Level],
     pub(super) weights: &'a Weights,
 }
@@ -39,7 +39,7 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     let Contents { run, scores, .. } = contents;
     let mut page = Page::new("Nullcone: from films to a moving person");
     page.paragraph(
-        "A figure with dots on its skin walks through a room before two cameras. From their films, \
+        "A figure with dots on its skin moves in a room before two cameras. From their films, \
          and from pictures of a chessboard, the commands on this page find the cameras, the depth, \
          the joints and the body again: as points, lines, planes, circles and motors of conformal \
          geometric algebra.",
@@ -238,7 +238,7 @@ fn score_table(page: &mut Page, scores: &Scores) {
     page.table(["", "found", "goal", ""], rows);
 }
 
-/// The walking figure, which the mouse turns.
+/// The moving figure, which the mouse turns.
 fn model(page: &mut Page, contents: &Contents<'_>) -> Result<()> {
     let Contents { figure, clip, .. } = contents;
     let character = &figure.character;
@@ -311,37 +311,10 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         ..
     } = contents;
     page.heading("The algebra of the paper, on what was found");
-    page.subheading_from("The leg, solved both ways", "Cui, §2.3.3, eqs. 29–32");
-    page.paragraph(
-        "Backwards, from hip and ankle to the angles: the knee is where the spheres about hip and \
-         ankle meet the plane of the leg. Forwards, from the angles to the ankle: the motor of the \
-         calf is that of the thigh times the rotation about the knee.",
-    );
-    page.formula("bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)");
-    page.formula("G_calf = G_thigh T(k) R T(−k)");
-    let [z, y, x, knee] = leg.angles_degrees.map(|angle| format!("{angle:.2}°"));
-    page.table(
-        ["left leg of the still", ""],
-        [
-            ("thigh", format!("{:.1} mm", 1e3 * leg.thigh_metres)),
-            ("calf", format!("{:.1} mm", 1e3 * leg.calf_metres)),
-            (
-                "hip to ankle",
-                format!("{:.1} mm", 1e3 * leg.hip_to_ankle_metres),
-            ),
-            ("angles at the hip about z, y, x", format!("{z}, {y}, {x}")),
-            ("angle at the knee", knee),
-            (
-                "forward again: ankle off by",
-                format!("{:.1e} m", leg.ankle_error_metres),
-            ),
-            (
-                "forward again: knee off by",
-                format!("{:.4} mm", leg.knee_error_millimetres),
-            ),
-        ]
-        .map(|(name, value)| [name.to_owned(), value]),
-    );
+    match leg {
+        Some(leg) => leg_both_ways(page, leg),
+        None => page.note("Which joints are a leg is not clear, so that none is solved."),
+    }
     page.subheading_from("Modelling points at several levels", "Cui, §2.1.2, eq. 2");
     page.paragraph(
         "From level to level, four points become one. The depth is that of the disparity d. K is the \
@@ -380,4 +353,39 @@ fn algebra(page: &mut Page, contents: &Contents<'_>) {
         weights.vertices,
         100.0 * weights.mean_difference,
     ));
+}
+
+/// A leg from its ends to its angles, and back.
+fn leg_both_ways(page: &mut Page, leg: &LegBothWays) {
+    page.subheading_from("The leg, solved both ways", "Cui, §2.3.3, eqs. 29–32");
+    page.paragraph(
+        "Backwards, from hip and ankle to the angles: the knee is where the spheres about hip and \
+         ankle meet the plane of the leg. Forwards, from the angles to the ankle: the motor of the \
+         calf is that of the thigh times the rotation about the knee.",
+    );
+    page.formula("bone = P₀ ∧ P₁ ∧ e∞, |P₀ P₁| = √(−2 P₀ · P₁)");
+    page.formula("G_calf = G_thigh T(k) R T(−k)");
+    let [z, y, x, knee] = leg.angles_degrees.map(|angle| format!("{angle:.2}°"));
+    page.table(
+        ["left leg of the still", ""],
+        [
+            ("thigh", format!("{:.1} mm", 1e3 * leg.thigh_metres)),
+            ("calf", format!("{:.1} mm", 1e3 * leg.calf_metres)),
+            (
+                "hip to ankle",
+                format!("{:.1} mm", 1e3 * leg.hip_to_ankle_metres),
+            ),
+            ("angles at the hip about z, y, x", format!("{z}, {y}, {x}")),
+            ("angle at the knee", knee),
+            (
+                "forward again: ankle off by",
+                format!("{:.1e} m", leg.ankle_error_metres),
+            ),
+            (
+                "forward again: knee off by",
+                format!("{:.4} mm", leg.knee_error_millimetres),
+            ),
+        ]
+        .map(|(name, value)| [name.to_owned(), value]),
+    );
 }

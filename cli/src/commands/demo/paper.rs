@@ -226,7 +226,7 @@ fn comfort(page: &mut Page) -> Result<()> {
     page.tinted_table(names.each_ref().map(String::as_str), rows);
     page.paragraph(
         "The paper measured 120 seconds of another film by another program. A dash is a score that \
-         cannot be known: a walk before a still wall does not tell by itself how late one eye is.",
+         cannot be known: a person before a still wall does not tell by itself how late one eye is.",
     );
     Ok(())
 }

@@ -19,7 +19,8 @@ pub(crate) struct Report {
     #[serde(flatten)]
     figure: report::Report,
     scores: Scores,
-    leg: LegBothWays,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    leg: Option<LegBothWays>,
     modelling_points: Vec<Level>,
     weights: Weights,
     steps: BTreeMap<&'static str, Value>,
@@ -42,7 +43,7 @@ impl Report {
         figure: Performed,
         run: &Run,
         scores: Scores,
-        leg: LegBothWays,
+        leg: Option<LegBothWays>,
         modelling_points: Vec<Level>,
         weights: Weights,
     ) -> Self {

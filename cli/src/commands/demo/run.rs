@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use super::disparity::true_disparities;
 use super::inputs::Truth;
-use super::steps::{CALIBRATION, DISPARITIES, KEY_FRAMES, STEPS, Step};
+use super::steps::{CALIBRATION, DISPARITIES, DOTS, KEY_FRAMES, PEOPLE, STEPS, Step};
 use super::studio::SIZE;
 use super::times::Times;
 use crate::frame::{Context, Progress, Recorded};
@@ -26,13 +26,14 @@ use crate::frame::{Context, Progress, Recorded};
 /// What a step said.
 pub(super) struct Done {
     pub(super) step: &'static Step,
+    line: String,
     pub(super) said: Recorded,
 }
 
 impl Done {
     /// The command as a shell reads it.
     pub(super) fn command(&self) -> String {
-        format!("nullcone {}", self.step.line)
+        format!("nullcone {}", self.line)
     }
 }
 
@@ -43,9 +44,11 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Runs all commands in the current folder.
+    /// Runs all commands in the current folder. A file with the character is named where it is not
+    /// the mannequin.
     pub(super) fn new(
         truth: &Truth,
+        character: Option<&str>,
         context: &Context,
         progress: &Progress,
         times: &mut Times,
@@ -55,13 +58,17 @@ impl Run {
         for step in &STEPS {
             progress.part(step.title, step.share);
             let begin = Instant::now();
-            let line = words(step.line);
-            let said = context
-                .record(&line)
-                .with_context(|| format!("nullcone {}", step.line))?;
+            let line = match character {
+                Some(file) if [DOTS, PEOPLE].contains(&step.name) => {
+                    format!("{} --character {file}", step.line)
+                }
+                _ => step.line.to_owned(),
+            };
+            let said = context.record(&words(&line));
+            let said = said.with_context(|| format!("nullcone {line}"))?;
             let seconds = begin.elapsed().as_secs_f64();
             times.steps.push((step.name.to_owned(), seconds));
-            steps.push(Done { step, said });
+            steps.push(Done { step, line, said });
             match step.name {
                 CALIBRATION => rig = Some(placed(truth)?),
                 DISPARITIES => {

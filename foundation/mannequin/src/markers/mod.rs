@@ -1,48 +1,24 @@
-//! Markers on the skin, by which cameras find the body: discs round the bones, and dots all over.
+//! Markers on the skin, by which cameras find the body: discs round the bones, and dots all over,
+//! also those of other bodies.
 
+mod discs;
 mod dots;
 mod layout;
+mod marker;
+mod skin;
 
-use ga_anim::weights::Influence;
 use ga_image::plane::Plane;
-use ga_mesh::query::Bvh;
-use ga_runtime::cga3::Point;
-use ga_runtime::geometry::ray::Ray;
 
 use crate::{Human, Vector};
-use layout::{LAYOUT, Ring};
+use layout::LAYOUT;
+use skin::Skin;
+
+pub use discs::{DISC_LIFT, with_discs};
+pub use dots::dots_on;
+pub use marker::Marker;
 
 /// The radius of the inner disc as a part of the marker's.
 const INNER: f64 = 0.55;
-/// Points round the rim of a marker, by which its middle and its weights are found.
-const RIM: usize = 32;
-/// Steps by which a point of the rim is moved along the skin to its distance from the centre.
-const RIM_STEPS: usize = 8;
-
-/// A disc on the skin at rest, all points of the skin within a radius of its centre: a ring of one
-/// colour round an inner disc of another, which has 0.55 of the radius.
-///
-/// Pictures show its outline. On a bent skin the centre of the outline is not the centre of the
-/// disc, which bulges out of the plane of the rim; it is the middle of the rim, from wherever the
-/// whole of it is seen.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Marker {
-    /// The name of the joint and the number of the marker on its bone from 0, such as
-    /// `LeftLowerArm 2`.
-    pub name: String,
-    /// The joint on whose bone it is.
-    pub joint: usize,
-    /// Its centre on the skin at rest, in metres.
-    pub centre: [f64; 3],
-    /// The distance of its rim from the centre, in metres.
-    pub radius: f64,
-    /// The unit normal of the skin at its centre at rest, outwards.
-    pub normal: [f64; 3],
-    /// The mean of its rim at rest: the point that pictures show as its centre.
-    pub middle: [f64; 3],
-    /// The mean of the skin weights at its rim, greatest first.
-    pub weights: Vec<Influence>,
-}
 
 impl Human {
     /// The markers of the body: 4 round the middle of each long bone, and others on the trunk, the
@@ -59,7 +35,7 @@ impl Human {
     /// ```
     #[must_use]
     pub fn markers(&self) -> Vec<Marker> {
-        let Some(skin) = Skin::new(self) else {
+        let Some(skin) = Skin::new(&self.mesh, &self.skeleton, &self.weights) else {
             return Vec::new();
         };
         let mut markers: Vec<Marker> = Vec::new();
@@ -139,110 +115,3 @@ const DARKENING: f64 = 0.4;
 /// How many texels a metre of the skin has, for each row of the texture: the charts of its 2 square
 /// metres cover about two thirds of the texture.
 const TEXELS_PER_METRE: f64 = 0.55;
-
-struct Skin<'a> {
-    human: &'a Human,
-    surface: Bvh,
-    triangles: Vec<[u32; 3]>,
-}
-
-impl<'a> Skin<'a> {
-    fn new(human: &'a Human) -> Option<Self> {
-        let positions: Vec<[f64; 3]> = human.mesh.coordinates().collect();
-        let triangles = human.mesh.triangles();
-        let surface = Bvh::new(&positions, &triangles).ok()?;
-        Some(Self {
-            human,
-            surface,
-            triangles,
-        })
-    }
-
-    /// The marker that a ray from the bone meets at an angle; `None` where there is no skin.
-    fn marker(&self, ring: &Ring, joint: usize, angle: f64) -> Option<Marker> {
-        let (from, direction) = ring.ray(&self.human.skeleton.joints()[joint], angle)?;
-        let ray = Ray::new(Point::from(from), direction.coordinates())?;
-        let hit = self.surface.first_hit(ray)?;
-        let centre = from + direction.normalized()? * hit.hit.distance;
-        let corners = self.triangles[hit.triangle as usize].map(|vertex| self.position(vertex));
-        let normal = (corners[1] - corners[0])
-            .cross(corners[2] - corners[0])
-            .normalized()?;
-        let across = normal.cross(direction.cross(Vector::new(0.3, 0.5, 0.8)));
-        self.disc(joint, centre, normal, across, ring.radius)
-    }
-
-    /// The disc of a radius about a point of the skin, with its rim from a direction on.
-    fn disc(
-        &self,
-        joint: usize,
-        centre: Vector,
-        normal: Vector,
-        across: Vector,
-        radius: f64,
-    ) -> Option<Marker> {
-        let across = across.normalized()?;
-        let depth = normal.cross(across);
-        let mut middle = Vector::ZERO;
-        let mut weights = vec![0.0; self.human.skeleton.len()];
-        for step in 0..RIM {
-            let (sin, cos) = (std::f64::consts::TAU * step as f64 / RIM as f64).sin_cos();
-            let rim = self.rim(centre, across * cos + depth * sin, radius)?;
-            middle += rim.0 / RIM as f64;
-            for (sum, weight) in weights.iter_mut().zip(rim.1) {
-                *sum += weight / RIM as f64;
-            }
-        }
-        Some(Marker {
-            name: String::new(),
-            joint,
-            centre: centre.coordinates(),
-            radius,
-            normal: normal.coordinates(),
-            middle: middle.coordinates(),
-            weights: influences(&weights),
-        })
-    }
-
-    /// The point of the skin at a distance from a centre in about a direction, and its weights.
-    fn rim(&self, centre: Vector, direction: Vector, radius: f64) -> Option<(Vector, Vec<f64>)> {
-        let mut way = direction;
-        for _ in 0..RIM_STEPS {
-            let near = self
-                .surface
-                .nearest(Point::from(centre + way * radius))
-                .ok()?;
-            way = (Vector::from(near.point) - centre).normalized()?;
-        }
-        let place = centre + way * radius;
-        let near = self.surface.nearest(Point::from(place)).ok()?;
-        let mut weights = vec![0.0; self.human.skeleton.len()];
-        let corners = self.triangles[near.triangle as usize];
-        for (vertex, share) in corners.into_iter().zip(near.barycentric) {
-            for influence in self.human.weights.influences(vertex as usize) {
-                weights[influence.joint as usize] += share * influence.weight;
-            }
-        }
-        Some((place, weights))
-    }
-
-    fn position(&self, vertex: u32) -> Vector {
-        Vector::from(self.human.mesh.positions()[vertex as usize])
-    }
-}
-
-/// The weights above zero, greatest first.
-fn influences(weights: &[f64]) -> Vec<Influence> {
-    let joints = weights
-        .iter()
-        .enumerate()
-        .filter(|(_, weight)| **weight > 0.0);
-    let mut influences: Vec<Influence> = joints
-        .map(|(joint, &weight)| Influence {
-            joint: joint as u32,
-            weight,
-        })
-        .collect();
-    influences.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-    influences
-}

@@ -2,7 +2,15 @@
 
 use std::sync::LazyLock;
 
-use ga_mannequin::Marker;
+use std::f64::consts::TAU;
+
+use ga_anim::character::Character;
+use ga_anim::skeleton::{Joint, Skeleton};
+use ga_anim::weights::SkinWeights;
+use ga_mannequin::{DISC_LIFT, Marker, dots_on, with_discs};
+use ga_mesh::query::Bvh;
+use ga_mesh::{Faces, Mesh};
+use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
 use crate::skin::texel;
@@ -148,18 +156,7 @@ fn dots_are_apart_and_on_every_limb() {
     names.sort();
     names.dedup();
     assert_eq!(names.len(), DOTS.len());
-    for (index, dot) in DOTS.iter().enumerate() {
-        for other in &DOTS[..index] {
-            let distance = Vector::from(dot.centre).distance(other.centre.into());
-            let least = 1.75 * (dot.radius + other.radius);
-            assert!(
-                distance >= least - 1e-12,
-                "{}, {}: {distance}",
-                dot.name,
-                other.name
-            );
-        }
-    }
+    are_apart(&DOTS);
     for bone in [
         "UpperLeg", "LowerLeg", "UpperArm", "LowerArm", "Hand", "Foot",
     ] {
@@ -186,5 +183,151 @@ fn dots_lie_on_the_skin_with_its_normal() {
             (*place - front).dot(normal) > 0.0 && place.distance(front) < 0.5 * dot.radius
         });
         assert_eq!(near.count(), 0, "{}", dot.name);
+    }
+}
+
+fn are_apart(dots: &[Marker]) {
+    for (index, dot) in dots.iter().enumerate() {
+        for other in &dots[..index] {
+            let distance = Vector::from(dot.centre).distance(other.centre.into());
+            let least = 1.75 * (dot.radius + other.radius);
+            let names = [&dot.name, &other.name];
+            assert!(distance >= least - 1e-12, "{names:?}: {distance}");
+        }
+    }
+}
+
+/// An upright pipe that is 1 m long, in rings of 48 vertices, with a joint in its middle.
+fn pipe(radius: f64) -> Character {
+    let (sides, rings) = (48, 21);
+    let positions = (0..rings).flat_map(|ring| {
+        (0..sides).map(move |side| {
+            let (sin, cos) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
+            [radius * cos, 0.05 * f64::from(ring), -radius * sin]
+        })
+    });
+    let positions: Vec<[f64; 3]> = positions.collect();
+    let at = |ring: i32, side: i32| (ring * sides + side % sides) as u32;
+    let faces = (0..rings - 1).flat_map(|ring| {
+        (0..sides).map(move |side| {
+            [
+                at(ring, side),
+                at(ring, side + 1),
+                at(ring + 1, side + 1),
+                at(ring + 1, side),
+            ]
+        })
+    });
+    let faces = Faces::from_uniform(faces.collect()).unwrap();
+    let joint = |name: &str, parent, [low, high]: [f64; 2]| Joint {
+        name: name.to_owned(),
+        parent,
+        head: [0.0, low, 0.0],
+        tail: [0.0, high, 0.0],
+    };
+    let joints = vec![
+        joint("low", None, [0.0, 0.5]),
+        joint("high", Some(0), [0.5, 1.0]),
+    ];
+    let rows = positions
+        .iter()
+        .map(|position| [(u32::from(position[1] > 0.5), 1.0)]);
+    Character {
+        weights: SkinWeights::new(2, rows).unwrap(),
+        mesh: Mesh::new(positions, faces).unwrap(),
+        skeleton: Skeleton::new(joints).unwrap(),
+    }
+}
+
+/// A sixth of the thickness, between 9.5 and 15 mm.
+#[test]
+fn dots_on_thick_limbs_are_larger() {
+    for (radius, expected) in [(0.02, 0.0095), (0.036, 0.012), (0.1, 0.015)] {
+        let dots = dots_on(&pipe(radius));
+        // As many as circles of the least distance, each in a hexagon, at most.
+        let most = TAU * radius / (0.75_f64.sqrt() * (3.5_f64 * expected).powi(2));
+        let count = dots.len() as f64;
+        assert!(
+            (0.4 * most..1.3 * most).contains(&count),
+            "{count} of {most}"
+        );
+        are_apart(&dots);
+        for dot in &dots {
+            assert!(
+                (dot.radius - expected).abs() < 0.02 * expected,
+                "{}",
+                dot.radius
+            );
+            let [x, y, z] = dot.centre;
+            assert!((x.hypot(z) / radius - 1.0).abs() < 0.01);
+            let [u, v, w] = dot.normal;
+            assert!((u * x + w * z) / radius > 0.99 && v.abs() < 0.1);
+            assert_eq!(dot.joint, usize::from(y > 0.525), "{y}");
+        }
+    }
+    assert!(dots_on(&pipe(0.003)).is_empty());
+}
+
+#[test]
+fn discs_lie_on_the_skin_of_any_character() {
+    let character = Character::from(HUMAN.clone());
+    let dots = dots_on(&character);
+    assert!((300..700).contains(&dots.len()), "{}", dots.len());
+    are_apart(&dots);
+    let triangles = character.mesh.triangles();
+    let surface = Bvh::new(&positions(), &triangles).unwrap();
+    let distance = |place: [f64; 3]| surface.nearest(Point::from(place)).unwrap().distance;
+    for dot in &dots {
+        assert!(distance(dot.centre) < 1e-12, "{}", dot.name);
+        assert!((0.0095..=0.015).contains(&dot.radius));
+        let sum: f64 = dot.weights.iter().map(|influence| influence.weight).sum();
+        assert!((sum - 1.0).abs() < 1e-9);
+    }
+
+    let own = |index: usize| [0.25, index as f64 / 1024.0];
+    let discs: Vec<_> = dots
+        .iter()
+        .enumerate()
+        .map(|(index, dot)| (dot, own(index)))
+        .collect();
+    let dotted = with_discs(&character, &discs, [0.75, 0.5]).unwrap();
+    assert_eq!(dotted.skeleton, character.skeleton);
+    let (before, after) = (character.mesh.vertex_count(), dotted.mesh.vertex_count());
+    assert_eq!(after - before, dots.len() * (1 + 4 * 24));
+    assert_eq!(
+        &dotted.mesh.positions()[..before],
+        character.mesh.positions()
+    );
+    let faces = dotted.mesh.triangles();
+    assert_eq!(faces.len() - triangles.len(), dots.len() * (24 + 3 * 48));
+    let raised: Vec<[f64; 3]> = dotted.mesh.coordinates().skip(before).collect();
+    for (index, place) in raised.iter().enumerate() {
+        let dot = &dots[index / 97];
+        let above = distance(*place);
+        assert!(
+            above > 0.5 * DISC_LIFT && above < DISC_LIFT + 1e-9,
+            "{}: {above}",
+            dot.name
+        );
+        let away = Vector::from(*place).distance(dot.centre.into());
+        assert!(away < dot.radius + 2.0 * DISC_LIFT, "{}", dot.name);
+        let influences = dotted.weights.influences(before + index).iter();
+        let sum: f64 = influences.map(|influence| influence.weight).sum();
+        assert!((sum - 1.0).abs() < 1e-12);
+    }
+    // Discs look outwards.
+    for (triangle, index) in faces[triangles.len()..].iter().zip(0..) {
+        let [a, b, c] =
+            triangle.map(|vertex| Vector::from(dotted.mesh.positions()[vertex as usize]));
+        let normal = Vector::from(dots[index / (24 + 3 * 48)].normal);
+        assert!((b - a).cross(c - a).dot(normal) > 0.0, "{index}");
+    }
+    let coordinates = dotted.mesh.texture_coordinates().unwrap();
+    for (corner, &vertex) in dotted.mesh.faces().corners().iter().enumerate() {
+        let expected = match (vertex as usize).checked_sub(before) {
+            Some(index) => own(index / 97),
+            None => [0.75, 0.5],
+        };
+        assert_eq!(coordinates.get(corner), Some(&expected));
     }
 }

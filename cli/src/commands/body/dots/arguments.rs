@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use crate::frame::Check;
-use crate::person::{CameraFiles, HueSeed};
+use crate::person::{CameraFiles, DottedCharacter};
 
-/// Find the dots on the mannequin's skin in films of calibrated cameras, and by them its joints.
+/// Find the dots on a character's skin in films of calibrated cameras, and by them its joints.
 ///
-/// The films of two views or more show the character that `nullcone body paint` made. In each frame
+/// The films of two views or more show the character that `nullcone body paint` made; --character
+/// is the one that was painted, without its dots, and --seed the one of that command. In each frame
 /// the dots are found as coloured discs on grey. Those of two views are taken for dots of the
 /// body by their hues and distances, the pose is fitted to them, and by the pose all other dots are
 /// recognised. Each frame is found by itself.
@@ -53,7 +54,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "JOINTS.json")]
     pub(super) out: PathBuf,
     #[command(flatten)]
-    pub(super) seed: HueSeed,
+    pub(super) character: DottedCharacter,
     #[command(flatten)]
     pub(super) check: Check,
 }

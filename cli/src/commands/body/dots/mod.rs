@@ -1,4 +1,4 @@
-//! `nullcone body dots`: the joints of the mannequin in films, by the dots on its skin.
+//! `nullcone body dots`: the joints of a character in films, by the dots on its skin.
 
 mod arguments;
 mod films;
@@ -7,6 +7,7 @@ mod report;
 
 pub(crate) use arguments::Arguments;
 
+use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, bail};
@@ -16,7 +17,7 @@ use rayon::prelude::*;
 use crate::files::expanded;
 use crate::format::Format;
 use crate::frame::{Command, Context};
-use crate::person::{Dotted, ViewCamera};
+use crate::person::ViewCamera;
 use films::Films;
 use found::{Found, View};
 use report::Report;
@@ -39,14 +40,16 @@ impl Command for Arguments {
 
 impl Arguments {
     fn find(&self, context: &Context) -> Result<Report> {
-        let mut files = context.files(self.films.iter().chain(self.cameras.path()))?;
+        let films = self.films.iter().chain(self.cameras.path());
+        let inputs = films.map(PathBuf::as_path).chain(self.character.path());
+        let mut files = context.files(inputs)?;
         files.write("--out", &self.out, &[Format::Json])?;
         let progress = context.progress(3);
         progress.step("reading");
         let mut films = Films::open(&self.films)?;
         let names: Vec<String> = films.all.iter().map(|film| film.name.clone()).collect();
         let views = self.views(&films, &names)?;
-        let body = Dotted::new(self.seed).into_body()?;
+        let body = self.character.read()?.into_body()?;
         progress.step("finding dots");
         let begin = Instant::now();
         let mut found: Vec<Found> = Vec::new();

@@ -86,7 +86,7 @@ impl Report {
         warnings.extend(films.other_rates());
         Self {
             out: arguments.out.display().to_string(),
-            seed: arguments.seed.seed,
+            seed: arguments.character.seed(),
             frames: found.len(),
             frames_per_second: joints.frames_per_second(),
             frames_without_joints: without,

@@ -2,7 +2,6 @@
 //! wall.
 
 use anyhow::{Context as _, Result};
-use ga_camera::rig::StereoRig;
 use ga_image::grain::grain;
 use ga_image::plane::Plane;
 use ga_render::texture::{Mipmap, Sampler};
@@ -10,7 +9,10 @@ use ga_render::{Appearance, Attribute, MaterialChoice, Object};
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
-/// How far the wall is from the cameras, in metres.
+use super::Standpoint;
+
+/// How far the wall is from the cameras, in metres. This and all other lengths are those of a
+/// studio of the usual size.
 const WALL: f64 = 4.4;
 /// Half the width of floor and wall, and the height of the wall.
 const HALF_WIDTH: f64 = 6.0;
@@ -50,8 +52,12 @@ pub(in crate::commands::demo) struct Room {
 }
 
 impl Room {
-    /// The room that a rig looks into, with its floor at the height of a place.
-    pub(in crate::commands::demo) fn new(rig: &StereoRig, floor: f64, seed: u64) -> Result<Self> {
+    /// The room that the cameras look into, whose floor the person stands on.
+    pub(in crate::commands::demo) fn new(standpoint: &Standpoint, seed: u64) -> Result<Self> {
+        let rig = standpoint.rig()?;
+        let floor = standpoint.place.coordinates()[1];
+        let [wall, half_width, wall_height, grain] =
+            [WALL, HALF_WIDTH, WALL_HEIGHT, GRAIN_METRES].map(|length| length * standpoint.scale);
         let eye = Vector::from(rig.left.centre());
         let back = rig.left.world_to_camera.reverse();
         let ahead = Vector::from(back.transform(Point::new(0.0, 0.0, 1.0))) - eye;
@@ -59,21 +65,22 @@ impl Room {
         let ahead = ahead * ahead.length().recip();
         // y up: the right of who looks ahead.
         let right = Vector::new(-ahead.e3, 0.0, ahead.e1);
-        let foot = Vector::new(eye.e1, floor, eye.e3) + ahead * WALL;
+        let foot = Vector::new(eye.e1, floor, eye.e3) + ahead * wall;
         let place = |across: f64, up: f64, before: f64| {
             (foot + right * across + Vector::Y * up - ahead * before).coordinates()
         };
         let corners = [[-1.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-1.0, 1.0]];
-        let wall = corners.map(|[x, y]| place(HALF_WIDTH * x, WALL_HEIGHT * y, 0.0));
-        let near = corners.map(|[x, y]| place(HALF_WIDTH * x, 0.0, WALL * (1.0 - y)));
+        let upright = corners.map(|[x, y]| place(half_width * x, wall_height * y, 0.0));
+        let near = corners.map(|[x, y]| place(half_width * x, 0.0, wall * (1.0 - y)));
         let at = |[x, y]: [f64; 2], height: f64, offset: f64| {
-            [offset + HALF_WIDTH * x, height * y].map(|metres| metres / GRAIN_METRES)
+            [offset + half_width * x, height * y].map(|metres| metres / grain)
         };
-        let coordinates = corners.map(|corner| at(corner, WALL_HEIGHT, 0.0));
-        let of_floor = corners.map(|corner| at(corner, WALL, 1.3));
+        let coordinates = corners.map(|corner| at(corner, wall_height, 0.0));
+        let of_floor = corners.map(|corner| at(corner, wall, 1.3 * standpoint.scale));
         let quads = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
 
-        let [across, up, radius] = [-1.15, 1.75, 0.22];
+        let [across, radius] = [-1.15, 0.22].map(|length| length * standpoint.scale);
+        let up = standpoint.height(1.75);
         let disc = Disc {
             centre: Point::from(place(across, up, BEFORE_WALL)),
             radius,
@@ -84,7 +91,7 @@ impl Room {
         });
         let count = CORNERS as u32;
         Ok(Self {
-            positions: [wall, near].concat(),
+            positions: [upright, near].concat(),
             coordinates: [coordinates, of_floor].concat(),
             triangles: quads.to_vec(),
             disc_positions: rim.collect(),
