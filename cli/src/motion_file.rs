@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use ga_anim::bvh::{self, Bvh, BvhWarning};
 use ga_anim::motion_file::{Loss, MotionFile, Options};
 use ga_anim::unit::LikelyUnit;
@@ -34,6 +34,17 @@ pub(crate) fn read_any(
         warn_of_unit(path, unit, option, warnings);
     }
     Ok(motion)
+}
+
+/// The length of one unit in metres, where it is given.
+pub(crate) fn checked_unit(option: &str, metres: Option<f64>) -> Result<Option<f64>> {
+    if let Some(metres) = metres {
+        ensure!(
+            metres > 0.0 && metres.is_finite(),
+            "{option} {metres}: the length of a unit must be greater than 0 and finite"
+        );
+    }
+    Ok(metres)
 }
 
 /// Adds what is not clear about a unit that was found to the warnings; `option` gives it.

@@ -73,11 +73,11 @@ impl MovedArguments {
         onto: (&Character, &str),
         warnings: &mut Vec<Warning>,
     ) -> Result<Moved> {
+        let option = "--motion-metres-per-unit";
         let options = Options {
-            metres_per_unit: self.motion_metres_per_unit,
+            metres_per_unit: motion_file::checked_unit(option, self.motion_metres_per_unit)?,
             ..Options::default()
         };
-        let option = "--motion-metres-per-unit";
         let read = motion_file::read_any(file, options, option, warnings)?;
         let motion = read.recording_in_units();
         let motion = motion.with_context(|| file.display().to_string())?;

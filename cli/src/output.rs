@@ -74,6 +74,12 @@ impl Staging {
 
     /// Moves a file that is complete elsewhere to its place.
     pub(crate) fn move_file(&self, path: &Path, from: &Path) -> Result<()> {
+        if is_standard_output(path) {
+            return self.write_with(path, |to| {
+                std::io::copy(&mut std::fs::File::open(from)?, to)?;
+                Ok(())
+            });
+        }
         Ok(self.0.borrow_mut().add_file(path, from)?)
     }
 

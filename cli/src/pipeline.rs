@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, Result};
+use ga_anim::gltf::meshes_without_joint;
 use ga_anim::retarget::Checks;
 use ga_character::report::{AnimationReport, FigureReport};
 use ga_character::{Animation, Figure, Overlay, TwoViews, model, pictures};
@@ -12,7 +13,7 @@ use ga_image::film::Rate;
 use crate::files::Files;
 use crate::film_file::{self, Film};
 use crate::format::Format;
-use crate::frame::Progress;
+use crate::frame::{Progress, Warning};
 use crate::mesh_file::missing_parts;
 use crate::motion_file::lost;
 use crate::output::Staging;
@@ -23,6 +24,9 @@ pub(crate) const STEPS: u64 = 5;
 
 /// The name of the file that holds the report.
 pub(crate) const REPORT: &str = "report.json";
+
+/// The name of the film in another folder than that where it will be, without its ending.
+pub(crate) const FILM: &str = "film-of-the-figure";
 
 /// Where the files are written, what is drawn over the pictures, and the seed of the random
 /// numbers.
@@ -61,14 +65,22 @@ impl OutputArguments {
         self.seed
     }
 
-    /// The same with the files of the folder in another one, and the film where it was.
-    pub(crate) fn in_folder(&self, folder: &Path) -> Result<Self> {
-        let film = self.film.as_ref().map(std::path::absolute);
-        Ok(Self {
+    /// The film that is asked for.
+    pub(crate) fn film(&self) -> Option<&Path> {
+        self.film.as_deref()
+    }
+
+    /// The same with the files of the folder, and the film, in another one.
+    pub(crate) fn in_folder(&self, folder: &Path) -> Self {
+        let film = self.film.as_ref().map(|film| {
+            let format = Format::of(film, &film_file::FORMATS).unwrap_or(Format::Png);
+            folder.join(FILM).with_extension(format.endings()[0])
+        });
+        Self {
             out: folder.to_path_buf(),
-            film: film.transpose().context("there is no current folder")?,
+            film,
             ..self.clone()
-        })
+        }
     }
 
     /// Fails early where the files could not be written in the end, or would replace one of those
@@ -198,4 +210,36 @@ pub(crate) fn perform(
         seconds: begin.elapsed().as_secs_f64(),
         warnings,
     })
+}
+
+/// What of a document is not in the mesh of its character, and so not in model.obj.
+pub(crate) fn not_in_obj(figure: &Figure, file: Option<&Path>) -> Result<Vec<Warning>> {
+    let Some(document) = &figure.document else {
+        return Ok(Vec::new());
+    };
+    let still = meshes_without_joint(document)?;
+    let targets = document.meshes.iter().flat_map(|mesh| {
+        let primitives = mesh.primitives.iter();
+        primitives.map(|primitive| primitive.targets.len()).max()
+    });
+    let losses = [
+        ("materials", document.materials.len()),
+        ("morph targets", targets.sum()),
+        ("meshes that no joint moves", still),
+    ];
+    let losses = losses.into_iter().filter(|(_, count)| *count > 0);
+    let warnings = losses.map(|(what, count)| {
+        let message = format!("{what} ({count}) are in model.glb and pictures, not in model.obj");
+        let warning = Warning::new("omission", message);
+        let warning = match file {
+            Some(path) => warning.in_file(path),
+            None => warning,
+        };
+        Warning {
+            what: Some(what),
+            count: Some(count),
+            ..warning
+        }
+    });
+    Ok(warnings.collect())
 }

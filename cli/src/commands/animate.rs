@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Result, bail, ensure};
-use ga_anim::gltf::meshes_without_joint;
 use ga_character::Figure;
 
-use crate::frame::{Command, Context, Warning};
+use crate::frame::{Command, Context};
 use crate::mesh_file;
+use crate::motion_file;
 use crate::moved::{End, FigureFiles, MovedArguments};
 use crate::pipeline::{self, OutputArguments, perform};
 use crate::reading::reading;
@@ -113,7 +113,7 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let progress = context.progress(pipeline::STEPS + 2);
     progress.step("reading the figure");
     let figure = figure(arguments)?.with_smoothed_weights(arguments.smooth_weights)?;
-    let mut warnings = losses(arguments, &figure)?;
+    let mut warnings = pipeline::not_in_obj(&figure, arguments.character.as_deref())?;
     if let Some(mesh) = &arguments.mesh {
         warnings.extend(mesh_file::warnings_of(mesh, figure.warnings.clone()));
     }
@@ -146,17 +146,7 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         fps > 0.0 && fps <= 1000.0,
         "--fps {fps}: the number of frames per second must be greater than 0 and at most 1000"
     );
-    let of_motion = arguments.moved.motion_metres_per_unit;
-    for (option, unit) in [
-        ("--metres-per-unit", Some(arguments.metres_per_unit())),
-        ("--motion-metres-per-unit", of_motion),
-    ] {
-        let unit = unit.unwrap_or(1.0);
-        ensure!(
-            unit > 0.0 && unit.is_finite(),
-            "{option} {unit}: the length of a unit must be greater than 0 and finite"
-        );
-    }
+    motion_file::checked_unit("--metres-per-unit", Some(arguments.metres_per_unit()))?;
     let times = arguments.smooth_weights;
     ensure!(
         times <= 100,
@@ -191,36 +181,4 @@ fn figure(arguments: &Arguments) -> Result<Figure> {
         } => Figure::read_parts(mesh, rig, weights, group.as_deref(), unit, reading())?,
         _ => bail!("--mesh, --rig and --weights, or --character, are needed"),
     })
-}
-
-/// What of a document is not in the mesh of its character, and so not in model.obj.
-fn losses(arguments: &Arguments, figure: &Figure) -> Result<Vec<Warning>> {
-    let Some(document) = &figure.document else {
-        return Ok(Vec::new());
-    };
-    let still = meshes_without_joint(document)?;
-    let targets = document.meshes.iter().flat_map(|mesh| {
-        let primitives = mesh.primitives.iter();
-        primitives.map(|primitive| primitive.targets.len()).max()
-    });
-    let losses = [
-        ("materials", document.materials.len()),
-        ("morph targets", targets.sum()),
-        ("meshes that no joint moves", still),
-    ];
-    let losses = losses.into_iter().filter(|(_, count)| *count > 0);
-    let warnings = losses.map(|(what, count)| {
-        let message = format!("{what} ({count}) are in model.glb and pictures, not in model.obj");
-        let warning = Warning::new("omission", message);
-        let warning = match &arguments.character {
-            Some(path) => warning.in_file(path),
-            None => warning,
-        };
-        Warning {
-            what: Some(what),
-            count: Some(count),
-            ..warning
-        }
-    });
-    Ok(warnings.collect())
 }

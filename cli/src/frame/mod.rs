@@ -46,7 +46,7 @@ struct Object<'a, R> {
 const NOT_GOOD: u8 = 3;
 
 /// Runs a command, and prints its report as it is asked for. Its files and those of the report take
-/// their names together, so that no file of a run lies beside others of an earlier one.
+/// their names together, or none of them does.
 fn run<C: Command>(command: &C, context: &Context) -> Result<ExitCode> {
     warning::forget();
     let mut report = match command.run(context) {

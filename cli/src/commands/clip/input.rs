@@ -58,7 +58,7 @@ impl MotionArguments {
             );
         }
         let options = Options {
-            metres_per_unit: checked_unit(UNIT, unit)?,
+            metres_per_unit: motion_file::checked_unit(UNIT, unit)?,
             animation: self.animation.unwrap_or(0),
             rate: self.rate,
             ..Options::default()
@@ -72,17 +72,6 @@ impl MotionArguments {
         let recording = motion.recording().with_context(|| self.file())?;
         Ok((motion, recording))
     }
-}
-
-/// The length of one unit in metres, where it is given.
-pub(super) fn checked_unit(option: &str, metres: Option<f64>) -> Result<Option<f64>> {
-    if let Some(metres) = metres {
-        ensure!(
-            metres > 0.0 && metres.is_finite(),
-            "{option} {metres}: the length of a unit must be greater than 0 and finite"
-        );
-    }
-    Ok(metres)
 }
 
 /// A motion that was read, as reports describe it.

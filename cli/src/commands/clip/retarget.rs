@@ -12,7 +12,7 @@ use ga_anim::retarget::{MapOrigin, Target, Transfer};
 use ga_files::is_same_file;
 use serde::Serialize;
 
-use super::input::{MotionArguments, checked_unit};
+use super::input::MotionArguments;
 use super::target::{FORMATS, put, written};
 use crate::format::Format;
 use crate::frame::{self, Check, Command, Context, Progress, Verdict, Warning};
@@ -186,7 +186,7 @@ impl Arguments {
     fn target(&self, warnings: &mut Vec<Warning>) -> Result<Target> {
         let (path, option) = (&self.target, "--target-metres-per-unit");
         let options = Options {
-            metres_per_unit: checked_unit(option, self.target_metres_per_unit)?,
+            metres_per_unit: motion_file::checked_unit(option, self.target_metres_per_unit)?,
             ..Options::default()
         };
         let file = motion_file::read_any(path, options, option, warnings)?;

@@ -11,7 +11,7 @@ use ga_mesh::gltf;
 use serde::Serialize;
 
 use super::info::lines_of;
-use super::input::{Input, MotionArguments, checked_unit, short};
+use super::input::{Input, MotionArguments, short};
 use super::phases::Phases;
 use crate::format::Format;
 use crate::frame::{self, Context, Progress, Warning};
@@ -93,7 +93,7 @@ impl TargetArguments {
                 self.out.display()
             );
         }
-        checked_unit("--out-metres-per-unit", self.out_metres_per_unit)?;
+        motion_file::checked_unit("--out-metres-per-unit", self.out_metres_per_unit)?;
         Ok(format)
     }
 

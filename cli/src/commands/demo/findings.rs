@@ -74,10 +74,13 @@ pub(super) fn finding(step: &str, run: &Run, scores: &Scores) -> Result<Option<S
                 .flatten()
                 .map(|key| key["index"].to_string())
                 .collect();
-            format!(
-                "The film is one shot; its key frames are {}.",
-                keys.join(", ")
-            )
+            let shots = run.said(step)?.values["shots"].as_array();
+            let shots = match shots.map_or(0, Vec::len) {
+                1 => "one shot".to_owned(),
+                shots => format!("{shots} shots"),
+            };
+            let keys = keys.join(", ");
+            format!("The film has {shots}; its key frames are {keys}.")
         }
         STATISTICS => format!(
             "{} shots, {} with a static background: the cameras stand still.",
@@ -124,7 +127,8 @@ pub(super) fn finding(step: &str, run: &Run, scores: &Scores) -> Result<Option<S
 
 fn strains(checks: &[String]) -> String {
     match checks {
-        [] => "Nothing strains the eyes: all checks that can be made are green in all frames."
+        [] => "Nothing strains the eyes: no check is orange or red in any frame, apart from too little \
+               depth, which does not strain them."
             .to_owned(),
         checks => format!("These strain the eyes: {}.", in_words(checks)),
     }

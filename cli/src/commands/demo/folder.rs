@@ -6,7 +6,9 @@ use anyhow::{Context as _, Result};
 use ga_files::TemporaryFolder;
 
 use crate::output::Staging;
+use crate::pipeline::FILM;
 use crate::report::Written;
+use crate::standard_output::is_standard_output;
 
 /// A temporary folder beside that of the results, as the current folder of the program.
 pub(super) struct Work {
@@ -30,15 +32,22 @@ impl Work {
         })
     }
 
-    /// Moves all files to where they get their names, and says what they are.
-    pub(super) fn publish(self, outputs: &Staging) -> Result<Vec<Written>> {
+    /// Moves all files to where they get their names, and says what they are; the film of the figure
+    /// has a place of its own.
+    pub(super) fn publish(self, outputs: &Staging, film: Option<&Path>) -> Result<Vec<Written>> {
         let mut written = Vec::new();
         for path in files(self.folder.path())? {
             let name = path.strip_prefix(self.folder.path()).unwrap_or(&path);
             let bytes = std::fs::metadata(&path)?.len() as usize;
-            outputs.move_file(&self.out.join(name), &path)?;
+            let is_film = name.file_stem().is_some_and(|stem| stem == FILM);
+            let (to, shown) = match film.filter(|_| is_film) {
+                Some(film) if is_standard_output(film) => (film.to_owned(), film),
+                Some(film) => (self.before.join(film), film),
+                None => (self.out.join(name), name),
+            };
+            outputs.move_file(&to, &path)?;
             written.push(Written {
-                file: name.display().to_string(),
+                file: shown.display().to_string(),
                 bytes,
             });
         }

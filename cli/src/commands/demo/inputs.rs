@@ -62,7 +62,7 @@ pub(super) fn make(figure: &Figure, clip: &Clip, seed: u64) -> Result<Truth> {
     let standpoint = Standpoint::before(middle(&joints), heading, &skin.concat())?;
     let rig = standpoint.rig()?;
     let room = Room::new(&standpoint, seed)?;
-    let (glb, _) = ga_character::gltf::encode(figure, clip, "walk")?;
+    let (glb, _) = ga_character::gltf::encode(figure, clip, "motion")?;
     let document = gltf::decode(&glb)?;
     let outputs = Staging::default();
     outputs.write("film/person.glb", &glb)?;

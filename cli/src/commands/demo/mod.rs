@@ -102,11 +102,11 @@ impl Command for Arguments {
         }
         let steps: u64 = steps::STEPS.iter().map(|step| step.share).sum();
         let progress = Progress::of_parts(FIGURE + FILMS + steps, context.is_quiet());
-        let outputs = self.output.in_folder(Path::new(""))?;
+        let outputs = self.output.in_folder(Path::new(""));
         let work = Work::enter(self.output.folder())?;
         let mut report = demonstrate(subject, &outputs, context, &progress)?;
         drop(progress);
-        report.files = work.publish(context.outputs())?;
+        report.files = work.publish(context.outputs(), self.output.film())?;
         report.seconds = begin.elapsed().as_secs_f64();
         Ok(Demonstrated::All(report.into()))
     }

@@ -52,8 +52,8 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     page.paragraph(
         "The right picture is too bright and rolled a little, and both have noise. The commands are \
          told where the dots are on the figure at rest, how large the squares of the chessboard are, \
-         about where the disc on the wall is in both pictures, and where in the room the left camera \
-         stands. What else the films were made of is used for the scores alone.",
+         about where the disc on the wall is in both pictures, where in the room the left camera \
+         stands, and that the floor is at y = 0. What else the films were made of is used for the scores alone.",
     );
     page.paragraph(
         "“Cui” is the paper behind these steps: Y. Cui, Geometric Algebra-Based Modeling Techniques \
@@ -79,7 +79,7 @@ pub(super) fn page(contents: &Contents<'_>) -> Result<Page> {
     let mut sheet = Page::new("Figures 7 and 8");
     picture(
         &mut sheet,
-        "Key frames of a stride, and three in-between frames after each",
+        "Key frames of the motion, and three in-between frames after each",
         "sheet.png",
     )?;
     page.fold("Figures 7 and 8: key frames and in-between frames", sheet);
@@ -153,7 +153,10 @@ fn step(page: &mut Page, done: &Done, run: &Run, scores: &Scores) -> Result<()> 
     match done.said.page.clone() {
         _ if step.name == PEOPLE => {}
         Some(own) => page.fold(&format!("The page of {}", words(step.line)), own),
-        None => page.fold("All numbers", values(&done.said.values)),
+        None if has_numbers(&done.said.values) => {
+            page.fold("All numbers", values(&done.said.values));
+        }
+        None => {}
     }
     Ok(())
 }
@@ -184,6 +187,11 @@ fn words(line: &str) -> String {
         .split(' ')
         .take_while(|word| !word.contains(['/', '.', '-']));
     format!("nullcone {}", words.collect::<Vec<_>>().join(" "))
+}
+
+fn has_numbers(values: &Value) -> bool {
+    let mut all = values.as_object().into_iter().flatten();
+    all.any(|(_, value)| !value.is_object() && !value.is_array())
 }
 
 /// The single values that a command says; lists are in `report.json`.

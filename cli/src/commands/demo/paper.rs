@@ -91,7 +91,7 @@ pub(super) fn tables(page: &mut Page, run: &Run, scores: &Scores) -> Result<()> 
         }),
     );
     page.paragraph(
-        "The paper counts shots of animated films; here are two films of one shot each.",
+        "The paper counts shots of animated films; here are the two films of this page.",
     );
 
     let joints = &scores.joints;

@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use super::disparity::true_disparities;
 use super::inputs::Truth;
-use super::steps::{CALIBRATION, DISPARITIES, DOTS, KEY_FRAMES, PEOPLE, STEPS, Step};
+use super::steps::{CALIBRATION, CONTOUR, DISPARITIES, DOTS, KEY_FRAMES, PEOPLE, STEPS, Step};
 use super::studio::SIZE;
 use super::times::Times;
 use crate::frame::{Context, Progress, Recorded};
@@ -62,6 +62,7 @@ impl Run {
                 Some(file) if [DOTS, PEOPLE].contains(&step.name) => {
                     format!("{} --character {file}", step.line)
                 }
+                _ if step.name == CONTOUR => format!("{} {}", step.line, circles(truth)?),
                 _ => step.line.to_owned(),
             };
             let said = context.record(&words(&line));
@@ -112,6 +113,22 @@ impl Run {
         });
         steps.collect()
     }
+}
+
+/// Circles about the disc, somewhat larger, in both pictures: what the contour begins with.
+fn circles(truth: &Truth) -> Result<String> {
+    const LARGER: f64 = 1.4;
+    let StereoRig { left, right } = truth.rig;
+    let [left, right] = [left, right].map(|camera| -> Result<String> {
+        let [u, v] = camera.project(truth.disc.centre)?;
+        let [_, _, depth] = camera
+            .world_to_camera
+            .transform(truth.disc.centre)
+            .coordinates();
+        let radius = LARGER * camera.intrinsics.focal()[0] * truth.disc.radius / depth;
+        Ok(format!("{u:.0},{v:.0},{radius:.0}"))
+    });
+    Ok(format!("--circle {} --right-circle {}", left?, right?))
 }
 
 /// The words of a line, of which some are in single quotes.

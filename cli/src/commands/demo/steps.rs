@@ -91,7 +91,7 @@ pub(super) const STEPS: [Step; 21] = [
         formula: "bad-2 = the part of pixels with |d − d_true| > 2",
         line: "stereo evaluate disparity.pfm truth/disparity.pfm --visible truth/visible.png \
                --picture errors.png",
-        files: &["errors.png", "truth/disparity.pfm"],
+        files: &["errors.png"],
         share: 1,
     },
     Step {
@@ -125,8 +125,8 @@ pub(super) const STEPS: [Step; 21] = [
         does: "A snake closes around the disc on the wall in both pictures; where the rays of \
                both outlines meet is a curve in space, to which a circle is fitted.",
         formula: "circle = p ∧ q ∧ r, of points where the rays of both borders meet",
-        line: "contour stills/left.png stills/right.png --rig rig.yml --circle 212,134,70 \
-               --right-circle 172,126,70 --fit circle --out contour.obj",
+        line: "contour stills/left.png stills/right.png --rig rig.yml --fit circle \
+               --out contour.obj",
         files: &["contour.obj"],
         share: 1,
     },

@@ -14,7 +14,7 @@ use super::studio::FRAMES_PER_SECOND;
 use crate::frame::Warning;
 use crate::moved::{End, FigureFiles, MovedArguments};
 use crate::person::{Dotted, HueSeed, MANNEQUIN};
-use crate::pipeline::Performance;
+use crate::pipeline::{self, Performance};
 use crate::report::{Input, MotionInput};
 
 /// Two steps each.
@@ -67,6 +67,7 @@ impl SubjectArguments {
                 let mut figure = Figure::read_gltf(path, 1.0)?;
                 // The current folder becomes another one.
                 figure.file = Some(std::path::absolute(path)?);
+                warnings.extend(pipeline::not_in_obj(&figure, Some(path))?);
                 let dotted = Dotted::own(figure.name.clone(), figure.character.clone(), hues);
                 (figure, dotted.with_context(|| path.display().to_string())?)
             }

@@ -1,7 +1,7 @@
 //! What every command leaves where something fails from outside: folders that cannot be written,
 //! full disks, signals, closed pipes, and files that claim too much or end too early.
 
-#![cfg(unix)]
+#![cfg(target_os = "linux")]
 
 mod closed_pipe;
 mod cut;

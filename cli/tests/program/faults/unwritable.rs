@@ -6,7 +6,7 @@ use tempfile::tempdir;
 
 use super::table::{ROWS, words, working};
 use super::{error, for_each, inputs, left};
-use crate::common::{assert_success, names, nullcone, text};
+use crate::common::{names, nullcone, text};
 
 /// The program fails in one line that names the place.
 #[track_caller]
@@ -83,15 +83,4 @@ fn a_page_that_cannot_be_written_leaves_no_other_file() {
         assert_refused(folder.path(), &words, page);
         assert!(names(folder.path()).is_empty(), "{}", row.line);
     });
-}
-
-/// The table names its outputs by their option, as the tests above count on it.
-#[test]
-fn outputs_of_the_table_are_those_that_are_written() {
-    let folder = tempdir().unwrap();
-    let row = ROWS.iter().find(|row| row.line.starts_with("curve"));
-    let words = row.unwrap().words(inputs::folder(), "out");
-    assert_success(&nullcone(folder.path(), words));
-    let out = names(&folder.path().join("out"));
-    assert_eq!(out, ["curve.csv", "curve.svg", "page.html"]);
 }

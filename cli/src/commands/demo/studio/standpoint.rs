@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use ga_camera::rig::StereoRig;
 use ga_camera::{Camera, Intrinsics};
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
@@ -45,6 +45,10 @@ pub(in crate::commands::demo) struct Standpoint {
 
 impl Standpoint {
     /// The nearest one from which both cameras see all points, or nearly so.
+    ///
+    /// # Errors
+    ///
+    /// Where that would be too far away.
     pub(in crate::commands::demo) fn before(
         place: Point<f64>,
         heading: f64,
@@ -62,10 +66,14 @@ impl Standpoint {
                 .iter()
                 .flat_map(|point| [&left, &right].map(|c| c.project(*point)));
             if all.all(|pixel| pixel.is_ok_and(is_inside)) {
-                break;
+                return Ok(standpoint);
             }
         }
-        Ok(standpoint)
+        bail!(
+            "the person goes too far in the second that is filmed: cameras at a distance of {:.1} m \
+             do not see all of it",
+            DISTANCE * standpoint.scale
+        )
     }
 
     /// The cameras, with y up.
