@@ -32,8 +32,8 @@ impl Work {
         })
     }
 
-    /// Moves all files to where they get their names, and says what they are; the film of the figure
-    /// has a place of its own.
+    /// Moves all files to where they get their names, and says what they are; the film of the
+    /// figure has a place of its own.
     pub(super) fn publish(self, outputs: &Staging, film: Option<&Path>) -> Result<Vec<Written>> {
         let mut written = Vec::new();
         for path in files(self.folder.path())? {
