@@ -51,11 +51,12 @@ fn page(folder: &Path, more: &[&str]) -> String {
 
 /// The texts of all elements of this name.
 fn texts(page: &str, name: &str) -> Vec<String> {
-    let (start, end) = (format!("<{name}>"), format!("</{name}>"));
+    let (start, end) = (format!("<{name}"), format!("</{name}>"));
+    // Headings have names, by which lists of contents lead to them.
     let parts = page.split(&start).skip(1);
-    parts
-        .map(|part| part.split(&end).next().unwrap().to_owned())
-        .collect()
+    let parts = parts.filter(|part| part.starts_with('>') || part.starts_with(" id="));
+    let parts = parts.map(|part| part.split(&end).next().unwrap().split_once('>').unwrap());
+    parts.map(|(_, text)| text.to_owned()).collect()
 }
 
 /// Checks that pictures are XML, that each picture of pixels is inside the page, and that nothing
