@@ -9,10 +9,10 @@ use ga_character::Figure;
 use crate::frame::{Command, Context};
 use crate::mesh_file;
 use crate::motion_file;
-use crate::moved::{End, FigureFiles, MovedArguments};
 use crate::pipeline::{self, OutputArguments, perform};
 use crate::reading::reading;
 use crate::report::Performed;
+use crate::retargeted::{End, FigureFiles, RetargetedArguments};
 
 /// Animate your own figure with a recorded motion.
 ///
@@ -50,7 +50,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: PathBuf,
     #[command(flatten)]
-    moved: MovedArguments,
+    retargeting: RetargetedArguments,
     /// Smooth the skin weights: in each pass, those of every vertex move half the way to the mean
     /// of those of its neighbours. At most 100.
     ///
@@ -89,7 +89,7 @@ impl Arguments {
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
         let figure = [&self.mesh, &self.rig, &self.weights, &self.character];
         let files = figure.into_iter().flatten().chain([&self.motion]);
-        files.chain(self.moved.inputs())
+        files.chain(self.retargeting.inputs())
     }
 
     /// The file of the skeleton.
@@ -121,9 +121,9 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
     let rig = arguments.rig().unwrap_or(Path::new("the figure"));
     let onto = (&figure.character, &*rig.to_string_lossy());
     let end = End::Frame(arguments.to);
-    let moved = arguments
-        .moved
-        .moved(&arguments.motion, end, onto, &mut warnings)?;
+    let retargeted = arguments
+        .retargeting
+        .retarget(&arguments.motion, end, onto, &mut warnings)?;
     let figure_file = |part: &Option<PathBuf>| {
         let path = arguments.character.as_ref().or(part.as_ref());
         path.map(|path| ga_files::name(path)).unwrap_or_default()
@@ -133,7 +133,7 @@ fn animate(arguments: &Arguments, context: &Context) -> Result<Performed> {
         rig: figure_file(&arguments.rig),
         weights: figure_file(&arguments.weights),
     };
-    let performance = moved.performance("animate", files, figure, arguments.fps)?;
+    let performance = retargeted.performance("animate", files, figure, arguments.fps)?;
     let outputs = context.outputs();
     let mut performed = perform(performance, &arguments.output, outputs, &progress, begin)?;
     performed.warnings.splice(0..0, warnings);
@@ -152,7 +152,7 @@ fn check_numbers(arguments: &Arguments) -> Result<()> {
         times <= 100,
         "--smooth-weights {times}: at most 100 times are possible"
     );
-    if let (Some(from), Some(to)) = (arguments.moved.from, arguments.to) {
+    if let (Some(from), Some(to)) = (arguments.retargeting.from, arguments.to) {
         ensure!(from <= to, "--from {from} comes after --to {to}");
     }
     Ok(())

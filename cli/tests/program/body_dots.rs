@@ -84,6 +84,22 @@ fn succeeds(folder: &Path, arguments: &[&str]) {
     assert_success(&nullcone(folder, arguments));
 }
 
+/// Films the dotted character as it walks, by two cameras a metre apart.
+fn film_walk(path: &Path) -> [Value; 2] {
+    write_walk(&path.join("walk.bvh"));
+    let cameras = [camera("left", -0.125), camera("right", 0.125)];
+    let views = json!({"views": &cameras}).to_string();
+    std::fs::write(path.join("views.json"), views).unwrap();
+    let retarget = ["clip", "retarget", "walk.bvh", "--target", "dotted.glb"];
+    succeeds(path, &[&retarget[..], &["--out", "walking.glb"]].concat());
+    for view in ["left", "right"] {
+        let film = format!("{view}.y4m");
+        let render = ["render", "walking.glb", "--camera", "views.json", "--view"];
+        succeeds(path, &[&render[..], &[view, "--film", &film]].concat());
+    }
+    cameras
+}
+
 const DOTS: [&str; 6] = [
     "body",
     "dots",
@@ -98,10 +114,6 @@ const DOTS: [&str; 6] = [
 fn another_character_is_found_again_by_its_dots() {
     let folder = tempdir().unwrap();
     let path = folder.path();
-    write_walk(&path.join("walk.bvh"));
-    let cameras = [camera("left", -0.125), camera("right", 0.125)];
-    let views = json!({"views": cameras}).to_string();
-    std::fs::write(path.join("views.json"), views).unwrap();
     let write = |name: &str, character: Character| {
         let figure = Figure::new("own", character);
         let joints = figure.character.skeleton.len();
@@ -119,13 +131,7 @@ fn another_character_is_found_again_by_its_dots() {
     let painted = json(path, &[&paint[..], &own].concat());
     assert_eq!(painted["character"], "own");
     assert!(number(&painted, "/dots") > 300.0);
-    let retarget = ["clip", "retarget", "walk.bvh", "--target", "dotted.glb"];
-    succeeds(path, &[&retarget[..], &["--out", "walking.glb"]].concat());
-    for view in ["left", "right"] {
-        let film = format!("{view}.y4m");
-        let render = ["render", "walking.glb", "--camera", "views.json", "--view"];
-        succeeds(path, &[&render[..], &[view, "--film", &film]].concat());
-    }
+    film_walk(path);
     let found = json(path, &[&DOTS[..], &own, &["--out", "joints.json"]].concat());
     assert_eq!(found["verdict"], "good", "{}", found["warnings"]);
     let names: Vec<&str> = found["joints"]
@@ -170,20 +176,9 @@ fn another_character_is_found_again_by_its_dots() {
 fn films_of_dots_become_the_motion_again() {
     let folder = tempdir().unwrap();
     let path = folder.path();
-    write_walk(&path.join("walk.bvh"));
-    // A metre apart.
-    let cameras = [camera("left", -0.125), camera("right", 0.125)];
-    let views = json!({"views": cameras}).to_string();
-    std::fs::write(path.join("views.json"), views).unwrap();
     let painted = json(path, &["body", "paint", "--out", "dotted.glb"]);
     assert!(number(&painted, "/dots") > 400.0);
-    let retarget = ["clip", "retarget", "walk.bvh", "--target", "dotted.glb"];
-    succeeds(path, &[&retarget[..], &["--out", "walking.glb"]].concat());
-    for view in ["left", "right"] {
-        let film = format!("{view}.y4m");
-        let render = ["render", "walking.glb", "--camera", "views.json", "--view"];
-        succeeds(path, &[&render[..], &[view, "--film", &film]].concat());
-    }
+    let cameras = film_walk(path);
     let dots = [&DOTS[..], &["--out", "joints.json"]].concat();
     let found = json(path, &dots);
     assert_eq!(found["verdict"], "good", "{}", found["warnings"]);

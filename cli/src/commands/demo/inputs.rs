@@ -1,7 +1,6 @@
 //! What the demonstration begins with: two films of a person, and pictures of a board. The truth
 //! behind them is kept for the scores alone.
 
-use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, anyhow};
@@ -11,7 +10,7 @@ use ga_anim::skeleton::Skeleton;
 use ga_anim::skin::Method;
 use ga_camera::rig::StereoRig;
 use ga_character::Figure;
-use ga_image::film::{self, Rate};
+use ga_image::film::Rate;
 use ga_image::plane::Plane;
 use ga_image::png;
 use ga_mesh::gltf;
@@ -23,6 +22,8 @@ use super::counterparts::facing;
 use super::studio::{
     Disc, FRAMES_PER_SECOND, Filmed, Room, SIZE, Stage, Standpoint, board_pictures,
 };
+use crate::film_file::Film;
+use crate::format::Format;
 use crate::output::Staging;
 
 /// Frames of the films.
@@ -170,13 +171,15 @@ fn write_film(
     frames: &[&Plane<[u8; 3]>],
     rate: Rate,
 ) -> Result<()> {
-    outputs.write_with(path, |file| {
-        let mut file = BufWriter::new(file);
-        let mut writer = film::Writer::new(&mut file, film::Format::Y4m, SIZE, frames.len(), rate)?;
-        for frame in frames {
-            writer.write(frame)?;
-        }
-        writer.finish()?;
-        Ok(file.flush()?)
-    })
+    let film = Film {
+        path,
+        format: Format::Y4m,
+        size: SIZE.map(|side| side as u32),
+        frames: frames.len(),
+        rate,
+    };
+    film.write(outputs, |show| {
+        frames.iter().try_for_each(|frame| show(frame))
+    })?;
+    Ok(())
 }

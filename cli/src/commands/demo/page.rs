@@ -153,10 +153,14 @@ fn step(page: &mut Page, done: &Done, run: &Run, scores: &Scores) -> Result<()> 
     match done.said.page.clone() {
         _ if step.name == PEOPLE => {}
         Some(own) => page.fold(&format!("The page of {}", words(step.line)), own),
-        None if has_numbers(&done.said.values) => {
-            page.fold("All numbers", values(&done.said.values));
+        None => {
+            let numbers = numbers(&done.said.values);
+            if !numbers.is_empty() {
+                let mut table = Page::new("Numbers");
+                table.table(["", ""], numbers);
+                page.fold("All numbers", table);
+            }
         }
-        None => {}
     }
     Ok(())
 }
@@ -189,13 +193,8 @@ fn words(line: &str) -> String {
     format!("nullcone {}", words.collect::<Vec<_>>().join(" "))
 }
 
-fn has_numbers(values: &Value) -> bool {
-    let mut all = values.as_object().into_iter().flatten();
-    all.any(|(_, value)| !value.is_object() && !value.is_array())
-}
-
 /// The single values that a command says; lists are in `report.json`.
-fn values(values: &Value) -> Page {
+fn numbers(values: &Value) -> Vec<[String; 2]> {
     let all = values.as_object().into_iter().flatten();
     let single = all.filter_map(|(name, value)| {
         let text = match value {
@@ -209,9 +208,7 @@ fn values(values: &Value) -> Page {
         };
         Some([name.replace('_', " "), text])
     });
-    let mut page = Page::new("Numbers");
-    page.table(["", ""], single);
-    page
+    single.collect()
 }
 
 /// A number of four digits.

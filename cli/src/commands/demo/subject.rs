@@ -12,10 +12,10 @@ use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
 use super::inputs::FRAMES;
 use super::studio::FRAMES_PER_SECOND;
 use crate::frame::Warning;
-use crate::moved::{End, FigureFiles, MovedArguments};
 use crate::person::{Dotted, HueSeed, MANNEQUIN};
 use crate::pipeline::{self, Performance};
 use crate::report::{Input, MotionInput};
+use crate::retargeted::{End, FigureFiles, RetargetedArguments};
 
 /// Two steps each.
 const STRIDES: u16 = 2;
@@ -35,7 +35,7 @@ pub(super) struct SubjectArguments {
     #[arg(long, value_name = "FILE.bvh|FILE.glb|FILE.clip")]
     motion: Option<PathBuf>,
     #[command(flatten)]
-    moved: MovedArguments,
+    retargeting: RetargetedArguments,
 }
 
 /// The figure in its motion.
@@ -55,7 +55,7 @@ impl SubjectArguments {
     /// The files that are read.
     pub(super) fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
         let files = self.character.iter().chain(&self.motion);
-        files.chain(self.moved.inputs())
+        files.chain(self.retargeting.inputs())
     }
 
     /// Reads the files.
@@ -86,9 +86,11 @@ impl SubjectArguments {
                     None => (MANNEQUIN.to_owned(), own_files()),
                 };
                 let onto = (&figure.character, name.as_str());
-                let moved = match motion {
-                    Some(file) => self.moved.moved(file, second, onto, &mut warnings)?,
-                    None => self.moved.moved_recording(
+                let retargeted = match motion {
+                    Some(file) => self
+                        .retargeting
+                        .retarget(file, second, onto, &mut warnings)?,
+                    None => self.retargeting.retarget_recording(
                         Path::new("walk"),
                         (&walk_of_mannequin(rate)?, 1.0),
                         second,
@@ -96,8 +98,8 @@ impl SubjectArguments {
                         &mut warnings,
                     )?,
                 };
-                let clip = moved.transfer.clip.clone();
-                (moved.performance("demo", files, figure, rate)?, clip)
+                let clip = retargeted.transfer.clip.clone();
+                (retargeted.performance("demo", files, figure, rate)?, clip)
             }
         };
         Ok(Subject {

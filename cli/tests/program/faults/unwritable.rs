@@ -18,8 +18,8 @@ fn assert_refused(folder: &Path, words: &[String], place: &str) {
     assert!(is_named, "{words:?}: {message}");
 }
 
-/// Permissions do not hold for the superuser, but a file is a folder for nobody, and nobody makes
-/// files in `/proc`.
+/// The superuser may write to any folder, whatever its permissions are, but cannot make a folder
+/// below a file, or a file in `/proc`.
 #[test]
 fn a_folder_below_a_file_and_one_of_the_system_are_refused() {
     for_each(&working(), |row| {

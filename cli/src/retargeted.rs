@@ -17,7 +17,7 @@ use crate::transfer::{Body, Motion, TransferArguments};
 
 /// How a motion is read, where it begins, and how it is transferred.
 #[derive(Clone, Debug, clap::Args)]
-pub(crate) struct MovedArguments {
+pub(crate) struct RetargetedArguments {
     /// The length of one unit of the motion in metres [default: of BVH found from the length of the
     /// legs, of glTF 1]. A compressed clip is in metres.
     #[arg(long, value_name = "METRES", requires = "motion")]
@@ -51,7 +51,7 @@ struct Range {
 }
 
 /// A motion on a character.
-pub(crate) struct Moved {
+pub(crate) struct Retargeted {
     name: String,
     stem: String,
     range: Range,
@@ -59,20 +59,20 @@ pub(crate) struct Moved {
     pub(crate) transfer: Transfer,
 }
 
-impl MovedArguments {
+impl RetargetedArguments {
     /// The files that are read beside the motion.
     pub(crate) fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
         self.transfer.inputs()
     }
 
     /// Reads a motion and transfers it to a character, which messages call by a name.
-    pub(crate) fn moved(
+    pub(crate) fn retarget(
         &self,
         file: &Path,
         end: End,
         onto: (&Character, &str),
         warnings: &mut Vec<Warning>,
-    ) -> Result<Moved> {
+    ) -> Result<Retargeted> {
         let option = "--motion-metres-per-unit";
         let options = Options {
             metres_per_unit: motion_file::checked_unit(option, self.motion_metres_per_unit)?,
@@ -81,18 +81,18 @@ impl MovedArguments {
         let read = motion_file::read_any(file, options, option, warnings)?;
         let motion = read.recording_in_units();
         let motion = motion.with_context(|| file.display().to_string())?;
-        self.moved_recording(file, (&motion, read.metres_per_unit()), end, onto, warnings)
+        self.retarget_recording(file, (&motion, read.metres_per_unit()), end, onto, warnings)
     }
 
     /// Transfers a motion that was read, whose unit has a length.
-    pub(crate) fn moved_recording(
+    pub(crate) fn retarget_recording(
         &self,
         file: &Path,
         (motion, metres_per_unit): (&Recording, f64),
         end: End,
         (character, rig): (&Character, &str),
         warnings: &mut Vec<Warning>,
-    ) -> Result<Moved> {
+    ) -> Result<Retargeted> {
         let range = self.frames(file, end, motion)?;
         let onto = || format!("{} cannot move {rig}", file.display());
         let soles = Soles::of_mesh(character.mesh.positions(), &character.weights);
@@ -112,7 +112,7 @@ impl MovedArguments {
         let transfer = self.transfer.transfer(&source, &body, warnings);
         let transfer = transfer.with_context(onto)?;
         let name = ga_files::name(file);
-        Ok(Moved {
+        Ok(Retargeted {
             input: MotionInput {
                 name: name.clone(),
                 joints: motion.joints().len(),
@@ -169,7 +169,7 @@ pub(crate) struct FigureFiles {
     pub(crate) weights: String,
 }
 
-impl Moved {
+impl Retargeted {
     /// The figure with the motion at a rate.
     pub(crate) fn performance(
         self,
