@@ -97,7 +97,11 @@ pub fn encode<'a>(
     picture: impl Into<PlaneView<'a, [u8; 3]>>,
     quality: u8,
 ) -> Result<Vec<u8>, FormatError> {
-    let picture = picture.into();
+    encode_view(picture.into(), quality)
+}
+
+/// Beside [`encode`], which is compiled where it is called, so that this is compiled once.
+fn encode_view(picture: PlaneView<'_, [u8; 3]>, quality: u8) -> Result<Vec<u8>, FormatError> {
     let [width, height] = [picture.width(), picture.height()];
     if width.max(height) > usize::from(u16::MAX) {
         return Err(FormatError::Size {

@@ -58,7 +58,11 @@ impl<P: Pixel> Pyramid<P> {
 /// up.
 #[must_use]
 pub fn halved<'a, P: Pixel>(picture: impl Into<PlaneView<'a, P>>) -> Plane<P> {
-    let picture = picture.into();
+    P::halved(picture.into())
+}
+
+/// As [`halved`], compiled where it is called.
+pub(crate) fn by_filter<P: Pixel>(picture: PlaneView<'_, P>) -> Plane<P> {
     let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
     let mut result = Plane::filled(width, height, P::default());
     if !picture.is_empty() {

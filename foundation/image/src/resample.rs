@@ -3,7 +3,6 @@
 //! A picture covers the same rectangle before and after. The centre of pixel *i* of *n* is at
 //! (*i* + ½) / *n* of the width, so that nothing moves by parts of a pixel.
 
-use crate::filter::to_floats;
 use crate::plane::{Plane, PlaneError, PlaneView};
 use crate::sample::{Pixel, Sample};
 
@@ -143,29 +142,34 @@ fn weighted<P: Pixel>(
     let columns = shares(width, picture.width());
     let mut floats = vec![0.0f32; picture.width() * P::CHANNELS];
     let mut sums = floats.clone();
+    let mut new = vec![0.0f32; width * P::CHANNELS];
     for (row, share) in shares(height, picture.height()).iter().enumerate() {
         sums.fill(0.0);
         for (offset, weight) in share.weights.iter().enumerate() {
             let source = P::samples(picture.row(share.first + offset));
-            to_floats(source, &mut floats);
-            for (sum, float) in sums.iter_mut().zip(&floats) {
-                *sum += weight * float;
-            }
+            P::Sample::to_floats(source, &mut floats);
+            add(&mut sums, *weight, &floats);
         }
-        let target = P::samples_mut(result.row_mut(row));
-        for (target, share) in target.chunks_exact_mut(P::CHANNELS).zip(&columns) {
-            for (channel, target) in target.iter_mut().enumerate() {
-                let samples = sums[share.first * P::CHANNELS + channel..].iter();
-                let sum = samples
-                    .step_by(P::CHANNELS)
-                    .zip(&share.weights)
-                    .map(|(sample, weight)| weight * sample)
-                    .sum();
-                *target = P::Sample::from_f32(sum);
-            }
-        }
+        along_row(&sums, P::CHANNELS, &columns, &mut new);
+        P::Sample::from_floats(&new, P::samples_mut(result.row_mut(row)));
     }
     result
+}
+
+fn add(sums: &mut [f32], weight: f32, floats: &[f32]) {
+    for (sum, float) in sums.iter_mut().zip(floats) {
+        *sum += weight * float;
+    }
+}
+
+fn along_row(old: &[f32], channels: usize, columns: &[Share], new: &mut [f32]) {
+    for (new, share) in new.chunks_exact_mut(channels).zip(columns) {
+        for (channel, new) in new.iter_mut().enumerate() {
+            let samples = old[share.first * channels + channel..].iter();
+            let samples = samples.step_by(channels).zip(&share.weights);
+            *new = samples.map(|(sample, weight)| weight * sample).sum();
+        }
+    }
 }
 
 fn bilinear(i: usize, new: usize, old: usize) -> Share {

@@ -3,6 +3,9 @@
 use std::fmt::Debug;
 
 use crate::luma::{Luma, weighted, weighted_bytes};
+use crate::picture::{PictureView, convert};
+use crate::plane::{Plane, PlaneView};
+use crate::pyramid::by_filter;
 
 /// The number that one channel of a pixel holds: `u8`, `u16` or `f32`.
 ///
@@ -63,6 +66,27 @@ pub trait Sample: Copy + Debug + Default + PartialEq + PartialOrd + Send + Sync 
         u16::from_unit(self.to_unit())
     }
 
+    /// The numbers, without scaling. For whole rows: with those that follow it is compiled once for
+    /// each type of sample, and not where it is called.
+    #[doc(hidden)]
+    fn to_floats(samples: &[Self], floats: &mut [f32]);
+
+    /// See [`from_f32`](Self::from_f32).
+    #[doc(hidden)]
+    fn from_floats(floats: &[f32], samples: &mut [Self]);
+
+    /// See [`Picture::to_grey`](crate::picture::Picture::to_grey).
+    #[doc(hidden)]
+    fn grey(picture: &PictureView<'_>, luma: Luma) -> Plane<Self>;
+
+    /// See [`Picture::to_rgb`](crate::picture::Picture::to_rgb).
+    #[doc(hidden)]
+    fn rgb(picture: &PictureView<'_>) -> Plane<[Self; 3]>;
+
+    /// See [`Picture::to_rgba`](crate::picture::Picture::to_rgba).
+    #[doc(hidden)]
+    fn rgba(picture: &PictureView<'_>) -> Plane<[Self; 4]>;
+
     /// The grey of a colour; see [`Luma::of`].
     #[doc(hidden)]
     #[must_use]
@@ -95,6 +119,42 @@ pub trait Pixel: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
 
     /// The samples of these pixels, to be changed.
     fn samples_mut(pixels: &mut [Self]) -> &mut [Self::Sample];
+
+    /// See [`halved`](crate::pyramid::halved). Of pixels of one sample, it is compiled once for each
+    /// type.
+    #[doc(hidden)]
+    fn halved(picture: PlaneView<'_, Self>) -> Plane<Self> {
+        by_filter(picture)
+    }
+}
+
+/// What is compiled once for each type of sample.
+macro_rules! rows_and_pictures {
+    () => {
+        fn to_floats(samples: &[Self], floats: &mut [f32]) {
+            for (float, sample) in floats.iter_mut().zip(samples) {
+                *float = sample.to_f32();
+            }
+        }
+
+        fn from_floats(floats: &[f32], samples: &mut [Self]) {
+            for (sample, float) in samples.iter_mut().zip(floats) {
+                *sample = Self::from_f32(*float);
+            }
+        }
+
+        fn grey(picture: &PictureView<'_>, luma: Luma) -> Plane<Self> {
+            convert::grey(picture, luma)
+        }
+
+        fn rgb(picture: &PictureView<'_>) -> Plane<[Self; 3]> {
+            convert::channels(picture, |[red, green, blue, _]| [red, green, blue])
+        }
+
+        fn rgba(picture: &PictureView<'_>) -> Plane<[Self; 4]> {
+            convert::channels(picture, |rgba| rgba)
+        }
+    };
 }
 
 macro_rules! integer_samples {
@@ -112,6 +172,8 @@ macro_rules! integer_samples {
                 // The conversion truncates and saturates.
                 (value + 0.5) as Self
             }
+
+            rows_and_pictures!();
 
             $($own)*
         }
@@ -153,6 +215,8 @@ pub(crate) fn spread_to_16_bits(value: u16, white: u16) -> u16 {
 impl Sample for f32 {
     const WHITE: f32 = 1.0;
 
+    rows_and_pictures!();
+
     #[inline]
     fn to_level(self) -> f32 {
         self * 255.0
@@ -184,6 +248,10 @@ macro_rules! pixels_of_one_sample {
             #[inline]
             fn samples_mut(pixels: &mut [Self]) -> &mut [Self] {
                 pixels
+            }
+
+            fn halved(picture: PlaneView<'_, Self>) -> Plane<Self> {
+                by_filter(picture)
             }
         }
     )*};

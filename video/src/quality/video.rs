@@ -3,6 +3,7 @@
 use ga_image::plane::{Plane, PlaneError};
 use ga_image::quality::{Weights, mse};
 use ga_image::sample::Pixel;
+use ga_image::ycbcr::YCbCr;
 use serde::{Deserialize, Serialize};
 
 use super::colour_difference::mean_ciede2000;
@@ -190,42 +191,51 @@ impl<R: Source, D: Source> VideoComparison<R, D> {
         }
         self.next += 1;
         let colours = self.reference.source.properties().colours;
-        let [reference, distorted] = [&self.reference.frame, &self.distorted.frame];
-        let eight = reference.samples.eight_bits();
-        let meter = &mut self.meter;
-        let measured = match (&reference.samples, &distorted.samples) {
-            (Samples::Eight(a), Samples::Eight(b)) => planes(meter, a, b, &eight.luma),
-            (Samples::Ten(a), Samples::Ten(b)) => planes(meter, a, b, &eight.luma),
-            (a, b) => {
-                let [reference, distorted] = [a, b].map(|s| format!("{} bits", s.bit_depth()));
-                return Err(VideoError::Properties {
-                    what: "depth",
-                    reference,
-                    distorted,
-                });
-            }
-        };
-        let measured = measured.map_err(|problem| VideoError::Unmeasured {
-            frame: index,
-            problem,
-        })?;
-        let has_eight_bits = reference.samples.bit_depth() == 8;
-        let ciede2000 = has_eight_bits.then(|| match measured.same.is_all() {
-            true => 0.0,
-            false => mean_ciede2000(&reference.to_rgb(colours), &distorted.to_rgb(colours)),
-        });
-        Ok(Some(FrameQuality {
-            index,
-            time_seconds: reference.time_seconds,
-            distorted_index,
-            time_offset_seconds: distorted.time_seconds - reference.time_seconds,
-            luma: measured.luma,
-            psnr_differences: measured.psnr_differences,
-            psnr_all: measured.psnr_all,
-            ciede2000,
-            same: measured.same,
-        }))
+        let frames = [&self.reference.frame, &self.distorted.frame];
+        frame_quality(&mut self.meter, [index, distorted_index], frames, colours).map(Some)
     }
+}
+
+/// The measures of two frames. Unlike the comparison of sources of any kind, this is compiled once.
+fn frame_quality(
+    meter: &mut Meter,
+    [index, distorted_index]: [usize; 2],
+    [reference, distorted]: [&Frame; 2],
+    colours: YCbCr,
+) -> Result<FrameQuality, VideoError> {
+    let eight = reference.samples.eight_bits();
+    let measured = match (&reference.samples, &distorted.samples) {
+        (Samples::Eight(a), Samples::Eight(b)) => planes(meter, a, b, &eight.luma),
+        (Samples::Ten(a), Samples::Ten(b)) => planes(meter, a, b, &eight.luma),
+        (a, b) => {
+            let [reference, distorted] = [a, b].map(|s| format!("{} bits", s.bit_depth()));
+            return Err(VideoError::Properties {
+                what: "depth",
+                reference,
+                distorted,
+            });
+        }
+    };
+    let measured = measured.map_err(|problem| VideoError::Unmeasured {
+        frame: index,
+        problem,
+    })?;
+    let has_eight_bits = reference.samples.bit_depth() == 8;
+    let ciede2000 = has_eight_bits.then(|| match measured.same.is_all() {
+        true => 0.0,
+        false => mean_ciede2000(&reference.to_rgb(colours), &distorted.to_rgb(colours)),
+    });
+    Ok(FrameQuality {
+        index,
+        time_seconds: reference.time_seconds,
+        distorted_index,
+        time_offset_seconds: distorted.time_seconds - reference.time_seconds,
+        luma: measured.luma,
+        psnr_differences: measured.psnr_differences,
+        psnr_all: measured.psnr_all,
+        ciede2000,
+        same: measured.same,
+    })
 }
 
 impl<R: Source, D: Source> Iterator for VideoComparison<R, D> {

@@ -61,7 +61,7 @@ pub fn find<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
 ) -> Result<FoundBoard, CalibrationError> {
-    Search::new(picture.into(), size).whole()
+    Search::new(picture.into().map(Sample::to_unit), size).whole()
 }
 
 /// The same, or, where there is no complete board, the rows and columns of one that are complete
@@ -78,7 +78,7 @@ pub fn find_part<'a, T: Sample>(
     picture: impl Into<PlaneView<'a, T>>,
     size: BoardSize,
 ) -> Result<FoundBoard, CalibrationError> {
-    let mut search = Search::new(picture.into(), size);
+    let mut search = Search::new(picture.into().map(Sample::to_unit), size);
     match search.whole() {
         Err(CalibrationError::NotFound { .. }) => search.part(),
         whole => whole,

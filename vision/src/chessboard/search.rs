@@ -2,9 +2,8 @@
 
 use std::collections::HashSet;
 
-use ga_image::plane::{Plane, PlaneView};
+use ga_image::plane::Plane;
 use ga_image::pyramid::halved;
-use ga_image::sample::Sample;
 use ga_runtime::vga2::Vector;
 
 use super::BoardSize;
@@ -36,8 +35,9 @@ pub(super) struct Search {
 type Found = (BoardSize, Vec<[f64; 2]>);
 
 impl Search {
-    pub(super) fn new<T: Sample>(picture: PlaneView<'_, T>, size: BoardSize) -> Self {
-        let mut levels = vec![picture.map(Sample::to_unit)];
+    /// A search in a picture whose white is 1.
+    pub(super) fn new(picture: Plane<f32>, size: BoardSize) -> Self {
+        let mut levels = vec![picture];
         while let Some(last) = levels.last()
             && last.width().min(last.height()) >= 2 * LEAST_SIDE
         {

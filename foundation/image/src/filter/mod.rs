@@ -10,4 +10,4 @@ pub use border::Border;
 pub use gaussian::Gaussian;
 pub use gradient::Gradient;
 pub(crate) use gradient::SlopeRows;
-pub(crate) use separable::{Continued, to_floats};
+pub(crate) use separable::Continued;

@@ -48,7 +48,7 @@ impl<P: Pixel> Work for Convolution<'_, P> {
         for row in 0..height {
             while ready < height && ready <= row + radius {
                 let source = continued.row(P::CHANNELS, |floats| {
-                    to_floats(P::samples(self.picture.row(ready)), floats);
+                    P::Sample::to_floats(P::samples(self.picture.row(ready)), floats);
                 });
                 let at = |column: usize| &source[column * P::CHANNELS..];
                 let pair = |d: usize| (at(radius - d), at(radius + d));
@@ -88,14 +88,6 @@ fn weighted_sum<'a>(
                 *sum += weight * (before + after);
             }
         }
-    }
-}
-
-/// Converts samples.
-#[inline(always)]
-pub(crate) fn to_floats<S: Sample>(samples: &[S], floats: &mut [f32]) {
-    for (float, sample) in floats.iter_mut().zip(samples) {
-        *float = sample.to_f32();
     }
 }
 

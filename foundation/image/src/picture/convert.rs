@@ -34,62 +34,71 @@ impl PictureView<'_> {
     /// See [`Picture::to_grey`].
     #[must_use]
     pub fn to_grey<T: Sample>(&self, luma: Luma) -> Plane<T> {
-        fn of_rgb<S: Sample, T: Sample>(luma: Luma, rgb: [S; 3]) -> T {
-            T::from_unit(luma.of(rgb).to_unit())
-        }
-        match self {
-            Self::Grey8(view) => view.map(|v| T::from_unit(v.to_unit())),
-            Self::GreyAlpha8(view) => view.map(|[v, _]| T::from_unit(v.to_unit())),
-            Self::Rgb8(view) => view.map(|rgb| of_rgb(luma, rgb)),
-            Self::Rgba8(view) => view.map(|[r, g, b, _]| of_rgb(luma, [r, g, b])),
-            Self::Grey16(view) => view.map(|v| T::from_unit(v.to_unit())),
-            Self::GreyAlpha16(view) => view.map(|[v, _]| T::from_unit(v.to_unit())),
-            Self::Rgb16(view) => view.map(|rgb| of_rgb(luma, rgb)),
-            Self::Rgba16(view) => view.map(|[r, g, b, _]| of_rgb(luma, [r, g, b])),
-            Self::GreyF32(view) => view.map(T::from_unit),
-            Self::RgbF32(view) => view.map(|rgb| of_rgb(luma, rgb)),
-        }
+        T::grey(self, luma)
     }
 
     /// See [`Picture::to_rgb`].
     #[must_use]
     pub fn to_rgb<T: Sample>(&self) -> Plane<[T; 3]> {
-        self.converted(|[red, green, blue, _]| [red, green, blue])
+        T::rgb(self)
     }
 
     /// See [`Picture::to_rgba`].
     #[must_use]
     pub fn to_rgba<T: Sample>(&self) -> Plane<[T; 4]> {
-        self.converted(|rgba| rgba)
+        T::rgba(self)
     }
+}
 
-    fn converted<T: Sample, P: Copy>(&self, choose: impl Fn([T; 4]) -> P) -> Plane<P> {
-        fn level<S: Sample, T: Sample>(value: S) -> T {
-            T::from_unit(value.to_unit())
-        }
-        fn changed<S: Copy, T: Sample, P: Copy>(
-            view: &PlaneView<'_, S>,
-            channels: impl Fn(S) -> [T; 4],
-            choose: impl Fn([T; 4]) -> P,
-        ) -> Plane<P> {
-            view.map(|pixel| choose(channels(pixel)))
-        }
-        let opaque = T::from_unit(1.0);
-        let grey = |v: T| [v, v, v, opaque];
-        let grey_alpha = |[v, alpha]: [T; 2]| [v, v, v, alpha];
-        let rgb = |[r, g, b]: [T; 3]| [r, g, b, opaque];
-        match self {
-            Self::Grey8(view) => changed(view, |v| grey(level(v)), choose),
-            Self::GreyAlpha8(view) => changed(view, |v| grey_alpha(v.map(level)), choose),
-            Self::Rgb8(view) => changed(view, |v| rgb(v.map(level)), choose),
-            Self::Rgba8(view) => changed(view, |v| v.map(level), choose),
-            Self::Grey16(view) => changed(view, |v| grey(level(v)), choose),
-            Self::GreyAlpha16(view) => changed(view, |v| grey_alpha(v.map(level)), choose),
-            Self::Rgb16(view) => changed(view, |v| rgb(v.map(level)), choose),
-            Self::Rgba16(view) => changed(view, |v| v.map(level), choose),
-            Self::GreyF32(view) => changed(view, |v| grey(level(v)), choose),
-            Self::RgbF32(view) => changed(view, |v| rgb(v.map(level)), choose),
-        }
+/// The picture in grey.
+pub(crate) fn grey<T: Sample>(picture: &PictureView<'_>, luma: Luma) -> Plane<T> {
+    fn of_rgb<S: Sample, T: Sample>(luma: Luma, rgb: [S; 3]) -> T {
+        T::from_unit(luma.of(rgb).to_unit())
+    }
+    match picture {
+        PictureView::Grey8(view) => view.map(|v| T::from_unit(v.to_unit())),
+        PictureView::GreyAlpha8(view) => view.map(|[v, _]| T::from_unit(v.to_unit())),
+        PictureView::Rgb8(view) => view.map(|rgb| of_rgb(luma, rgb)),
+        PictureView::Rgba8(view) => view.map(|[r, g, b, _]| of_rgb(luma, [r, g, b])),
+        PictureView::Grey16(view) => view.map(|v| T::from_unit(v.to_unit())),
+        PictureView::GreyAlpha16(view) => view.map(|[v, _]| T::from_unit(v.to_unit())),
+        PictureView::Rgb16(view) => view.map(|rgb| of_rgb(luma, rgb)),
+        PictureView::Rgba16(view) => view.map(|[r, g, b, _]| of_rgb(luma, [r, g, b])),
+        PictureView::GreyF32(view) => view.map(T::from_unit),
+        PictureView::RgbF32(view) => view.map(|rgb| of_rgb(luma, rgb)),
+    }
+}
+
+/// What is chosen of red, green, blue and alpha.
+pub(crate) fn channels<T: Sample, P: Copy>(
+    picture: &PictureView<'_>,
+    choose: impl Fn([T; 4]) -> P,
+) -> Plane<P> {
+    fn level<S: Sample, T: Sample>(value: S) -> T {
+        T::from_unit(value.to_unit())
+    }
+    fn changed<S: Copy, T: Sample, P: Copy>(
+        view: &PlaneView<'_, S>,
+        channels: impl Fn(S) -> [T; 4],
+        choose: impl Fn([T; 4]) -> P,
+    ) -> Plane<P> {
+        view.map(|pixel| choose(channels(pixel)))
+    }
+    let opaque = T::from_unit(1.0);
+    let grey = |v: T| [v, v, v, opaque];
+    let grey_alpha = |[v, alpha]: [T; 2]| [v, v, v, alpha];
+    let rgb = |[r, g, b]: [T; 3]| [r, g, b, opaque];
+    match picture {
+        PictureView::Grey8(view) => changed(view, |v| grey(level(v)), choose),
+        PictureView::GreyAlpha8(view) => changed(view, |v| grey_alpha(v.map(level)), choose),
+        PictureView::Rgb8(view) => changed(view, |v| rgb(v.map(level)), choose),
+        PictureView::Rgba8(view) => changed(view, |v| v.map(level), choose),
+        PictureView::Grey16(view) => changed(view, |v| grey(level(v)), choose),
+        PictureView::GreyAlpha16(view) => changed(view, |v| grey_alpha(v.map(level)), choose),
+        PictureView::Rgb16(view) => changed(view, |v| rgb(v.map(level)), choose),
+        PictureView::Rgba16(view) => changed(view, |v| v.map(level), choose),
+        PictureView::GreyF32(view) => changed(view, |v| grey(level(v)), choose),
+        PictureView::RgbF32(view) => changed(view, |v| rgb(v.map(level)), choose),
     }
 }
 

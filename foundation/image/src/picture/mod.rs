@@ -1,6 +1,6 @@
 //! Pictures whose kind of pixel is known only at run time, as they come from files.
 
-mod convert;
+pub(crate) mod convert;
 mod white;
 
 use crate::orientation::Orientation;

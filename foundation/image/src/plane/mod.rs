@@ -245,7 +245,11 @@ impl<T: Copy> PlaneView<'_, T> {
     /// A copy of the pixels.
     #[must_use]
     pub fn to_plane(self) -> Plane<T> {
-        self.map(|value| value)
+        Plane {
+            width: self.width,
+            height: self.height,
+            values: self.rows().collect::<Vec<_>>().concat(),
+        }
     }
 
     /// The plane of what `change` gives for each pixel.

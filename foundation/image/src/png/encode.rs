@@ -26,8 +26,12 @@ use crate::size::size_for;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, FormatError> {
-    let picture = picture.into();
-    let (colour, depth) = kind(&picture)?;
+    encode_view(&picture.into())
+}
+
+/// Beside [`encode`], which is compiled where it is called, so that this is compiled once.
+fn encode_view(picture: &PictureView<'_>) -> Result<Vec<u8>, FormatError> {
+    let (colour, depth) = kind(picture)?;
     let [width, height] = size_for(Format::Png, [picture.width(), picture.height()])?;
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width, height);
@@ -35,7 +39,7 @@ pub fn encode<'a>(picture: impl Into<PictureView<'a>>) -> Result<Vec<u8>, Format
     encoder.set_depth(depth);
     encoder.set_filter(Filter::Adaptive);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&raw(&picture))?;
+    writer.write_image_data(&raw(picture))?;
     writer.finish()?;
     Ok(bytes)
 }
