@@ -100,8 +100,10 @@ impl BoardPairs {
         let pair = self.names.len();
         let mut reasons = Vec::new();
         let mut boards = Vec::new();
-        for (picture, name) in pictures.iter().zip([&names.left, &names.right]) {
-            match or_reason(self.board.find(picture))? {
+        let [left, right] = pictures;
+        let found = rayon::join(|| self.board.find(left), || self.board.find(right));
+        for (found, name) in [(found.0, &names.left), (found.1, &names.right)] {
+            match or_reason(found)? {
                 Ok(board) => boards.push(board),
                 Err(reason) => reasons.push(format!("{name}: {reason}")),
             }

@@ -22,6 +22,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use ga_anim::skeleton::Skeleton;
+use nullcone_speed::Speed;
 use serde::Serialize;
 
 use crate::frame::{self, Command, Context, Progress, Warning};
@@ -175,7 +176,6 @@ fn demonstrate(
     let rectified = run::rectified(&run.rig)?;
     let levels = algebra::levels(&found_disparities()?, &rectified)?;
     let weights = Weights::new(&figure.character)?;
-    times.measure_kernels();
     let page = page::page(&Contents {
         figure: &figure,
         clip: &clip,
@@ -186,7 +186,7 @@ fn demonstrate(
         weights: &weights,
     })?;
     ga_files::write("report.html", page.into_html().as_bytes())?;
-    ga_files::write(times::FILE, times.script()?.as_bytes())?;
+    ga_files::write(times::FILE, times.script(Speed::measure())?.as_bytes())?;
     let report = Report::new(performed, &run, scores, leg, levels, weights);
     report.write()?;
     Ok(report)

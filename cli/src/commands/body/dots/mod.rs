@@ -54,8 +54,8 @@ impl Arguments {
         let begin = Instant::now();
         let mut found: Vec<Found> = Vec::new();
         loop {
-            // So many are in memory at a time.
-            let frames = films.next(rayon::current_num_threads())?;
+            // So many are in memory at a time. Some take longer than others.
+            let frames = films.next(2 * rayon::current_num_threads())?;
             if frames.is_empty() {
                 break;
             }
