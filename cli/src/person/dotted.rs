@@ -12,6 +12,7 @@ use ga_image::plane::Plane;
 use ga_mannequin::{DISC_LIFT, Human, Marker, dots_on, with_discs};
 
 use super::{CharacterFile, MANNEQUIN};
+use crate::frame::Warning;
 
 /// A person with a dot of one hue at each of its places for dots.
 pub(crate) struct Dotted {
@@ -129,9 +130,10 @@ impl Dotted {
         self.dots.len()
     }
 
-    /// The figure with its dots; the painted skin of the mannequin has this number of rows and
-    /// columns.
-    pub(crate) fn into_figure(self, size: usize) -> Result<Figure> {
+    /// The figure with its dots, and a warning where some have no room; the painted skin of the
+    /// mannequin has this number of rows and columns.
+    pub(crate) fn into_figure(self, size: usize) -> Result<(Figure, Option<Warning>)> {
+        let mut left_out = Vec::new();
         let (character, paint) = match self.body {
             Body::Mannequin(human) => {
                 let colours: Vec<_> = self.hues.iter().map(|hue| [hue.colour(); 2]).collect();
@@ -141,16 +143,24 @@ impl Dotted {
             Body::Own(character) => {
                 let fields = self.hues.iter().map(|hue| field(1 + hue_number(*hue)));
                 let discs: Vec<_> = self.dots.iter().zip(fields).collect();
-                (
-                    with_discs(&character, &discs, field(0))?,
-                    fields_of_colours(),
-                )
+                let (character, without) = with_discs(&character, &discs, field(0))?;
+                left_out = without;
+                (character, fields_of_colours())
             }
         };
-        Ok(Figure {
+        let names = left_out.iter().map(|&index| self.dots[index].name.as_str());
+        let warning = (!left_out.is_empty()).then(|| {
+            let message = format!(
+                "dots for which the skin has no room are left out: {}",
+                names.collect::<Vec<_>>().join(", ")
+            );
+            Warning::new("no_room", message)
+        });
+        let figure = Figure {
             paint: Some(paint),
             ..Figure::new(self.name, character)
-        })
+        };
+        Ok((figure, warning))
     }
 
     /// The body by which the dots are recognised.

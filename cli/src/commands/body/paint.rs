@@ -65,7 +65,8 @@ impl Command for Arguments {
             seed: self.character.seed(),
             dots: dotted.count(),
         };
-        let mut document = at_rest(&dotted.into_figure(TEXTURE_SIZE)?)?;
+        let (figure, warning) = dotted.into_figure(TEXTURE_SIZE)?;
+        let mut document = at_rest(&figure)?;
         document.animations.clear();
         progress.step("writing");
         let contents = gltf::encode(&document).context("the character cannot be written")?;
@@ -83,6 +84,7 @@ impl Command for Arguments {
         let next = next.then(|| format!("nullcone render {target} --out dotted.png"));
         Ok(Shown {
             next,
+            warnings: warning.map(|warning| vec![warning]),
             ..Shown::new(values, text)
         })
     }

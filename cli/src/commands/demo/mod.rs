@@ -25,7 +25,7 @@ use ga_anim::skeleton::Skeleton;
 use nullcone_speed::Speed;
 use serde::Serialize;
 
-use crate::frame::{self, Command, Context, Progress, Warning};
+use crate::frame::{self, Command, Context, Progress, Warning, keep_for_failure};
 use crate::output::Staging;
 use crate::pipeline::{self, OutputArguments, perform};
 use crate::report::Performed;
@@ -155,7 +155,7 @@ fn demonstrate(
     let mut times = Times::default();
     progress.part("Making a figure", FIGURE);
     let figure = performance.figure.clone();
-    let dotted = dotted.into_figure(TEXTURE_SIZE)?;
+    let (dotted, no_room) = dotted.into_figure(TEXTURE_SIZE)?;
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
         || {
@@ -168,8 +168,12 @@ fn demonstrate(
         || inputs::make(&dotted, &clip, seed),
     );
     let (mut performed, truth) = (performed?, truth?);
-    performed.warnings.splice(0..0, warnings);
-    let run = Run::new(&truth, character, context, progress, &mut times)?;
+    performed
+        .warnings
+        .splice(0..0, warnings.into_iter().chain(no_room));
+    // The commands of the steps begin without the warnings of what was before.
+    let run = Run::new(&truth, character, context, progress, &mut times)
+        .inspect_err(|_| keep_for_failure(&performed.warnings))?;
 
     let scores = Scores::new(&run, &truth)?;
     let leg = leg(&figure.character.skeleton, &truth)?;

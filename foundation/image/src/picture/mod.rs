@@ -1,11 +1,11 @@
 //! Pictures whose kind of pixel is known only at run time, as they come from files.
 
 pub(crate) mod convert;
+mod warped;
 mod white;
 
 use crate::orientation::Orientation;
-use crate::plane::{Plane, PlaneError, PlaneView};
-use crate::warp::Warp;
+use crate::plane::{Plane, PlaneView};
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident($pixel:ty), $name:literal;)*) => {
@@ -80,20 +80,6 @@ macro_rules! kinds {
                 match self {
                     $(Self::$kind(_) => $name,)*
                 }
-            }
-
-            /// The picture seen through a map of places. Outside of it all samples are zero: black,
-            /// and transparent where there is an alpha channel.
-            ///
-            /// # Errors
-            ///
-            /// [`PlaneError::Differs`] where the map is for pictures of another size.
-            pub fn warped(&self, warp: &Warp) -> Result<Picture, PlaneError> {
-                Ok(match self {
-                    $(Self::$kind(plane) => {
-                        Picture::$kind(warp.warped(*plane, Default::default())?)
-                    })*
-                })
             }
 
             /// A copy of the picture.

@@ -16,7 +16,8 @@ pub const DISC_LIFT: f64 = 0.001;
 const RINGS: usize = 4;
 const SIDES: usize = 24;
 
-/// A character with a disc for each marker, which lies on its skin and moves with it.
+/// A character with a disc for each marker, which lies on its skin and moves with it; and which of
+/// the markers have none, as on a skin without triangles.
 ///
 /// The texture coordinates are those that are given: of each disc, and of all the rest.
 ///
@@ -26,7 +27,7 @@ pub fn with_discs(
     character: &Character,
     discs: &[(&Marker, [f64; 2])],
     elsewhere: [f64; 2],
-) -> Result<Character, MotionFileError> {
+) -> Result<(Character, Vec<usize>), MotionFileError> {
     let Character {
         mesh,
         skeleton,
@@ -42,11 +43,13 @@ pub fn with_discs(
     });
     let mut rows: Vec<Vec<(u32, f64)>> = influences.collect();
     let mut coordinates = vec![elsewhere; positions.len()];
+    let mut left_out = Vec::new();
     if let Some(skin) = Skin::new(mesh, skeleton, weights) {
         let points = discs.par_iter().map(|(marker, _)| skin.points(marker));
         let points: Vec<Option<Vec<Place>>> = points.collect();
-        for (points, (_, place)) in points.into_iter().zip(discs) {
+        for (index, (points, (_, place))) in points.into_iter().zip(discs).enumerate() {
             let Some(points) = points else {
+                left_out.push(index);
                 continue;
             };
             let first = positions.len() as u32;
@@ -59,14 +62,17 @@ pub fn with_discs(
                 rows.push(shares.filter(|(_, weight)| *weight > 0.0).collect());
             }
         }
+    } else {
+        left_out.extend(0..discs.len());
     }
     let mesh = Mesh::new(positions, Faces::from_uniform(triangles)?)?;
     let coordinates = CornerAttribute::of_vertices(coordinates, mesh.faces());
-    Ok(Character {
+    let dotted = Character {
         mesh: mesh.with_texture_coordinates(vec![coordinates])?,
         skeleton: skeleton.clone(),
         weights: SkinWeights::new(skeleton.len(), rows)?,
-    })
+    };
+    Ok((dotted, left_out))
 }
 
 impl Skin<'_> {

@@ -9,7 +9,7 @@ use ga_anim::skeleton::{Joint, Skeleton};
 use ga_anim::weights::SkinWeights;
 use ga_mannequin::{DISC_LIFT, Marker, dots_on, with_discs};
 use ga_mesh::query::Bvh;
-use ga_mesh::{Faces, Mesh};
+use ga_mesh::{CornerAttribute, Faces, Mesh};
 use ga_runtime::cga3::Point;
 use ga_runtime::vga3::Vector;
 
@@ -269,6 +269,25 @@ fn dots_on_thick_limbs_are_larger() {
 }
 
 #[test]
+fn markers_without_a_disc_are_listed() {
+    let character = Character::from(HUMAN.clone());
+    let dots = dots_on(&character);
+    let discs: Vec<_> = dots.iter().map(|dot| (dot, [0.5; 2])).take(3).collect();
+    let without_triangles = Character {
+        mesh: Mesh::new(positions(), Faces::default()).unwrap(),
+        ..character
+    };
+    let (dotted, left_out) = with_discs(&without_triangles, &discs, [0.75, 0.5]).unwrap();
+    assert_eq!(left_out, [0, 1, 2]);
+    assert_eq!(dotted.mesh, {
+        let none =
+            CornerAttribute::of_vertices(vec![[0.75, 0.5]; positions().len()], &Faces::default());
+        let mesh = without_triangles.mesh.clone();
+        mesh.with_texture_coordinates(vec![none]).unwrap()
+    });
+}
+
+#[test]
 fn discs_lie_on_the_skin_of_any_character() {
     let character = Character::from(HUMAN.clone());
     let dots = dots_on(&character);
@@ -290,7 +309,8 @@ fn discs_lie_on_the_skin_of_any_character() {
         .enumerate()
         .map(|(index, dot)| (dot, own(index)))
         .collect();
-    let dotted = with_discs(&character, &discs, [0.75, 0.5]).unwrap();
+    let (dotted, left_out) = with_discs(&character, &discs, [0.75, 0.5]).unwrap();
+    assert!(left_out.is_empty());
     assert_eq!(dotted.skeleton, character.skeleton);
     let (before, after) = (character.mesh.vertex_count(), dotted.mesh.vertex_count());
     assert_eq!(after - before, dots.len() * (1 + 4 * 24));
