@@ -27,7 +27,8 @@ seconds() { # command
 least() { sort -n | head -n 1; }
 
 runtime="ga-runtime = { path = \"$root/ga-runtime\" }"
-glam=$(grep -m 1 '^glam = ' Cargo.toml)
+# With its default features, as a crate has it that asks for no others.
+glam="glam = \"$(sed -n 's/^glam = { version = "\([^"]*\)".*/\1/p' Cargo.toml)\""
 crate only_runtime "$runtime"
 crate only_glam "$glam"
 for name in only_runtime only_glam; do
