@@ -171,9 +171,10 @@ fn demonstrate(
     performed
         .warnings
         .splice(0..0, warnings.into_iter().chain(no_room));
-    // The commands of the steps begin without the warnings of what was before.
-    let run = Run::new(&truth, character, context, progress, &mut times)
-        .inspect_err(|_| keep_for_failure(&performed.warnings))?;
+    let run = Run::new(&truth, character, context, progress, &mut times);
+    // The commands of the steps have forgotten the warnings of what was before.
+    keep_for_failure(&performed.warnings);
+    let run = run?;
 
     let scores = Scores::new(&run, &truth)?;
     let leg = leg(&figure.character.skeleton, &truth)?;
