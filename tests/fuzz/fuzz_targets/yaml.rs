@@ -50,7 +50,7 @@ fuzz_target!(|data: &[u8]| {
     }
     if let Ok([only]) = file.as_ref().map(|file| file.cameras.as_slice()) {
         if let (Ok(intrinsics), None, None) = (only.intrinsics(), only.pose, &only.picture) {
-            let text = camera::encode(&intrinsics, only.size);
+            let text = camera::storage(&intrinsics, only.size).encode();
             let back = decode(text.as_bytes(), Path::new("")).expect("what is written is readable");
             assert_eq!(back.cameras[0].intrinsics().ok(), Some(intrinsics));
             assert_eq!(back.cameras[0].size, only.size);

@@ -1,7 +1,8 @@
 //! Least squares against certified values, and the elimination of groups against the whole matrix.
 
 use ga_numerics::least_squares::{
-    Columns, Equations, LeastSquaresError, Loss, Options, Problem, Region, minimise,
+    Attempt, Columns, Damping, Descent, Equations, LeastSquaresError, Loss, Options, Problem,
+    Region, Search, minimise,
 };
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
@@ -392,4 +393,121 @@ fn intervals_follow_groups_along_a_logarithm() {
     // That of the first order is too short.
     let part = normal.cdf(place(1.96 * first)) - normal.cdf(place(-1.96 * first));
     assert!(part < 0.942, "{part}");
+}
+
+/// A residual of 3 with the scale 2, by hand; the weight of each loss is its derivative.
+#[test]
+fn losses_are_those_of_their_formulas() {
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-12 * (1.0 + b.abs());
+    for (loss, expected) in [
+        (Loss::Squares, 9.0),
+        (Loss::Huber(2.0), 2.0 * (2.0 * 3.0 - 2.0)),
+        (Loss::Cauchy(2.0), 4.0 * 3.25f64.ln()),
+        (Loss::GemanMcClure(2.0), 9.0 / 3.25),
+    ] {
+        let (value, weight) = loss.of(9.0);
+        assert!(near(value, expected), "{loss:?}: {value} {expected}");
+        let step = 1e-5;
+        let slope = (loss.of(9.0 + step).0 - loss.of(9.0 - step).0) / (2.0 * step);
+        assert!((weight - slope).abs() < 1e-8, "{loss:?}: {weight} {slope}");
+    }
+    // Small residuals are squares, and Huber's loss goes on where it bends.
+    assert_eq!(Loss::Huber(2.0).of(3.0), (3.0, 1.0));
+    assert_eq!(Loss::Huber(2.0).of(4.0), (4.0, 1.0));
+    assert!(near(Loss::Huber(2.0).of(4.0 + 1e-12).0, 4.0));
+}
+
+/// Steps that are what they are told to be.
+struct Told(Attempt, usize);
+
+impl Descent for Told {
+    fn attempt(&mut self, _: f64) -> Attempt {
+        self.0
+    }
+
+    fn accept(&mut self) {
+        self.1 += 1;
+    }
+}
+
+#[test]
+fn a_fall_that_rounding_hides_is_taken_only_while_steps_become_smaller() {
+    let damping = Damping {
+        first: 1.0,
+        least: 1e-12,
+        greatest: 1e12,
+    };
+    // At a cost of 1 a fall below 10⁻¹⁰ is lost in rounding.
+    let attempt = |size, predicted, cost| Attempt {
+        size,
+        predicted,
+        is_small: false,
+        cost,
+    };
+    let mut search = Search::new(1.0, damping);
+    let mut accepted = |attempt| search.step(&mut Told(attempt, 0)).is_accepted;
+    // The first step of a search is smaller than none before.
+    assert!(accepted(attempt(1.0, 1e-12, 1.0 + 1e-12)));
+    assert!(!accepted(attempt(1.0, 1e-12, 1.0 + 1e-12)), "not smaller");
+    assert!(accepted(attempt(0.5, 1e-12, 1.0 + 1e-12)));
+    assert!(
+        !accepted(attempt(0.1, 1e-3, 1.0 + 2e-12)),
+        "a fall was predicted"
+    );
+    assert!(
+        !accepted(attempt(0.1, 1e-12, 1.0 + 1e-6)),
+        "beyond rounding"
+    );
+    assert!(accepted(attempt(9.0, 1e-3, 1.0 - 1e-3)), "a fall is a fall");
+}
+
+#[test]
+fn the_damping_follows_the_gain() {
+    let limits = Damping {
+        first: 1.0,
+        least: 0.05,
+        greatest: 50.0,
+    };
+    let attempt = |cost| Attempt {
+        size: 1.0,
+        predicted: 0.5,
+        is_small: false,
+        cost,
+    };
+    // As predicted: 1 − (2 − 1)³ = 0, at least a tenth. Half of it: 1 − 0³ = 1. A tenth of it:
+    // 1 + 0.8³ = 1.512. Nothing of it: twice, then four times, then eight times.
+    for (fall, factor) in [(0.5, 0.1), (0.25, 1.0), (0.05, 1.512)] {
+        let mut search = Search::new(10.0, limits);
+        let mut told = Told(attempt(10.0 - fall), 0);
+        assert!(search.step(&mut told).is_accepted);
+        assert_eq!(told.1, 1);
+        let mut next = Observed(attempt(11.0), Vec::new());
+        for _ in 0..4 {
+            assert!(!search.step(&mut next).is_accepted);
+        }
+        let expected = [1.0, 2.0, 8.0, 64.0].map(|growth| factor * growth);
+        for (found, expected) in next.1.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        }
+        assert!(search.is_exhausted());
+    }
+    let mut search = Search::new(10.0, limits);
+    for cost in [9.5, 9.0, 8.5] {
+        search.step(&mut Told(attempt(cost), 0));
+    }
+    let mut next = Observed(attempt(99.0), Vec::new());
+    search.step(&mut next);
+    assert_eq!(next.1, [0.05]);
+}
+
+/// The dampings that a search tries.
+struct Observed(Attempt, Vec<f64>);
+
+impl Descent for Observed {
+    fn attempt(&mut self, damping: f64) -> Attempt {
+        self.1.push(damping);
+        self.0
+    }
+
+    fn accept(&mut self) {}
 }
