@@ -376,6 +376,34 @@ fn marks_of_rectified_pictures_are_said_to_be_left_out() {
     assert_eq!(omitted(Format::Kitti), ["sizes of pictures", bounds]);
 }
 
+/// Middlebury's format has a baseline and no poses.
+#[test]
+fn middleburys_format_takes_only_views_side_by_side() {
+    let intrinsics = Intrinsics::new([500.0; 2], [320.0, 240.0]).unwrap();
+    let view = |name: &str, pose| {
+        let camera = NamedCamera::new(name, intrinsics).with_size(Some([640, 480]));
+        camera.with_pose(Some(pose))
+    };
+    let pair = |right| {
+        let file = CameraFile::new(vec![view("left", Motor::default()), view("right", right)]);
+        encode_files("out", Format::Middlebury, &file)
+    };
+    let y = [0.0, 1.0, 0.0];
+    let text = &pair(motor(y, 0.0, [-0.25, 0.0, 0.0])).unwrap().files[0].1;
+    assert!(text.contains("baseline=250"), "{text}");
+    for (angle, displacement) in [
+        (1e-6, [-0.25, 0.0, 0.0]),
+        (0.0, [-0.25, 1e-6, 0.0]),
+        (0.0, [-0.25, 0.0, -1e-6]),
+    ] {
+        let error = pair(motor(y, angle, displacement)).unwrap_err();
+        assert!(
+            matches!(error, CameraFileError::NotRectified { .. }),
+            "{error}"
+        );
+    }
+}
+
 proptest! {
     #[test]
     fn what_is_written_comes_back(file in rigs()) {

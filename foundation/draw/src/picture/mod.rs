@@ -34,3 +34,46 @@ impl Picture {
         drawing.picture
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use ga_runtime::cga3::{Plane, Point};
+    use ga_runtime::vga3::Vector;
+
+    use super::*;
+    use crate::style::Style;
+
+    /// Four borders and seven lines each way, a quarter of half a side apart, all in the plane.
+    #[test]
+    fn a_plane_is_a_square_with_a_grid() {
+        let mut scene = Scene::new("A plane");
+        let plane = Plane::from_point_normal(Point::default(), [0.0, 0.0, 1.0]);
+        scene.add(plane, Style::default()).unwrap();
+        (scene.grid, scene.axes) = (false, false);
+        let picture = Picture::of(&scene);
+        let [patch] = &picture.patches[..] else {
+            panic!("one square")
+        };
+        let sides =
+            (0..4).map(|side| (patch.corners[side] - patch.corners[(side + 1) % 4]).length());
+        let side = patch.corners[0].e1.abs() * 2.0;
+        assert!(sides.into_iter().all(|other| (other - side).abs() < 1e-12));
+        let ends = |curve: &Curve| [curve.points[0], curve.points[curve.points.len() - 1]];
+        let grid = picture.curves.iter().filter(|curve| curve.opacity == 0.35);
+        let mut places: [Vec<i32>; 2] = Default::default();
+        for [from, to] in grid.map(ends) {
+            assert!(((from - to).length() - side).abs() < 1e-12);
+            let across = usize::from((from - to).e1.abs() < 1e-12);
+            let place = |end: Vector<f64>| if across == 1 { end.e1 } else { end.e2 };
+            assert!((place(from) - place(to)).abs() < 1e-12);
+            let eighths = place(from) / (side / 8.0);
+            assert!((eighths - eighths.round()).abs() < 1e-9, "{eighths}");
+            places[across].push(eighths.round() as i32);
+        }
+        for mut places in places {
+            places.sort_unstable();
+            assert_eq!(places, [-3, -2, -1, 0, 1, 2, 3]);
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! What is seen in each pixel, against spheres and rays cast by plain arithmetic.
 
+use ga_image::picture::Picture;
 use ga_render::{Attribute, Buffers, MaterialChoice, Object, RenderError, Scene, View};
 use proptest::prelude::*;
 
@@ -186,4 +187,40 @@ fn sizes_and_scenes_are_checked() {
     let nothing = Buffers::new(&empty, &front(5.0), 5, 5).unwrap();
     assert_eq!(nothing.points().values(), [None; 25]);
     assert_eq!(nothing.get(5, 0), None);
+}
+
+/// The files hold what the buffers say, in the order and of the kinds that the page lists.
+#[test]
+fn the_files_of_buffers_hold_their_numbers() {
+    let (positions, triangles) = sphere(1.0, [0.0; 3]);
+    let scene = Scene::new(&positions, &triangles);
+    let buffers = Buffers::new(&scene, &front(5.0), SIZE, SIZE).unwrap();
+    let files = ga_render::buffer_files::encode(&buffers).unwrap();
+    let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ga_render::buffer_files::NAMES);
+    let floats = |file: usize| match ga_image::pfm::decode(&files[file].1).unwrap() {
+        Picture::GreyF32(plane) => plane,
+        other => panic!("one float a pixel, not {other:?}"),
+    };
+    assert_eq!(floats(0).values(), buffers.depth().values());
+    assert_eq!(floats(1).values(), buffers.distance().values());
+    let triples = |file: usize| match ga_image::pfm::decode(&files[file].1).unwrap() {
+        Picture::RgbF32(plane) => plane,
+        other => panic!("three floats a pixel, not {other:?}"),
+    };
+    assert_eq!(triples(2).values(), buffers.texture_coordinates().values());
+    assert_eq!(triples(3).values(), buffers.normals().values());
+    let Picture::Rgb16(identities) = ga_image::png::decode(&files[4].1).unwrap() else {
+        panic!("three numbers of 16 bits")
+    };
+    let points = buffers.points();
+    for (identity, point) in identities.values().iter().zip(points.values()) {
+        let expected = point.map_or([0; 3], |point| [1, 0, point.triangle as u16 + 1]);
+        assert_eq!(*identity, expected);
+    }
+    assert!(identities.values().iter().any(|identity| identity[2] > 1));
+    let Picture::Grey16(materials) = ga_image::png::decode(&files[5].1).unwrap() else {
+        panic!("a number of 16 bits")
+    };
+    assert!(materials.values().iter().all(|material| *material == 0));
 }
