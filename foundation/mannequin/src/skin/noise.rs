@@ -57,3 +57,66 @@ fn random(point: [i64; 3]) -> f64 {
     bits ^= bits >> 33;
     (bits >> 11) as f64 / (1u64 << 53) as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn place() -> impl Strategy<Value = Vector> {
+        proptest::array::uniform3(-50.0..50.0).prop_map(Vector::from)
+    }
+
+    proptest! {
+        /// Spots of other cubes reach into a cube, so that a border between two is not to be seen:
+        /// the depth changes by no more than a way divided by the least radius.
+        #[test]
+        fn spots_go_on_over_the_borders_of_cubes(place in place(), radius in 0.1..1.0) {
+            for axis in 0..3 {
+                let mut sides = [place.coordinates(); 2];
+                let border = place[axis].round();
+                sides[0][axis] = border - 1e-6;
+                sides[1][axis] = border + 1e-6;
+                let [before, behind] = sides.map(|side| spots(side.into(), 0.9, radius));
+                prop_assert!((before - behind).abs() <= 2.1e-6 / (0.4 * radius));
+                prop_assert!((0.0..=1.0).contains(&before));
+            }
+        }
+
+        #[test]
+        fn noise_goes_on_over_the_borders_of_cubes(place in place()) {
+            for axis in 0..3 {
+                let mut sides = [place.coordinates(); 2];
+                let border = place[axis].round();
+                sides[0][axis] = border - 1e-6;
+                sides[1][axis] = border + 1e-6;
+                let [before, behind] = sides.map(|side| noise(side.into()));
+                // At a border the slope along the axis is 0.
+                prop_assert!((before - behind).abs() < 1e-9);
+                prop_assert!(before.abs() <= 1.0 && rough(place).abs() <= 1.0);
+            }
+        }
+    }
+
+    /// Uniform numbers between −1 and 1, of which the middle of a cube is the mean of eight.
+    #[test]
+    fn noise_has_the_mean_and_the_spread_of_uniform_numbers() {
+        let corners = (0..8000).map(|k| [k % 20, k / 20 % 20, k / 400].map(f64::from));
+        let values: Vec<f64> = corners.map(|corner| noise(corner.into())).collect();
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
+        // The standard deviation of the mean is 1 / √(3 · 8000) = 0.0065.
+        assert!(mean(&values).abs() < 0.026);
+        assert!((mean(&squares) - 1.0 / 3.0).abs() < 0.014);
+        let corner = |k: i32| {
+            noise(Vector::new(
+                f64::from(k % 2),
+                f64::from(k / 2 % 2),
+                f64::from(k / 4),
+            ))
+        };
+        let middle = (0..8).map(corner).sum::<f64>() / 8.0;
+        assert!((noise(Vector::new(0.5, 0.5, 0.5)) - middle).abs() < 1e-12);
+    }
+}

@@ -351,3 +351,37 @@ fn discs_lie_on_the_skin_of_any_character() {
         assert_eq!(coordinates.get(corner), Some(&expected));
     }
 }
+
+/// Between the markers the texture is the skin without colour and at two fifths of its light.
+#[test]
+fn the_skin_between_markers_is_grey_and_darker() {
+    let size = 64;
+    let skin = HUMAN.texture(size);
+    let marked = HUMAN.marked_texture(size, &[], &[]);
+    let linear = |value: u8| {
+        let value = f64::from(value) / 255.0;
+        if value <= 0.040_45 {
+            value / 12.92
+        } else {
+            ((value + 0.055) / 1.055).powf(2.4)
+        }
+    };
+    let srgb = |light: f64| {
+        if light <= 0.003_130_8 {
+            12.92 * light
+        } else {
+            1.055 * light.powf(1.0 / 2.4) - 0.055
+        }
+    };
+    for (skin, marked) in skin.values().iter().zip(marked.values()) {
+        let [r, g, b] = skin.map(linear);
+        let expected = 255.0 * srgb(0.4 * (0.2126 * r + 0.7152 * g + 0.0722 * b));
+        for channel in marked {
+            // The skin is rounded, which matters most where it is dark.
+            assert!(
+                (f64::from(*channel) - expected).abs() < 2.5,
+                "{marked:?} {expected}"
+            );
+        }
+    }
+}
