@@ -217,11 +217,12 @@ fn what_is_missing_is_the_default_and_said() {
             "line 6: no library defines the material \"red\"; it has the default appearance",
         ]
     );
-    let (zero, warnings) = load("vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\n", "");
+    let (zero, warnings) = load("vn 0 0 0\nvn 0 0 2\nvn 0 3 0\nf 1//1 2//2 3//3\n", "");
     assert_eq!(warnings, [Warning::ZeroNormals { line: 5, count: 1 }]);
     let normals = zero.normals().unwrap();
     assert_eq!(normals.get(0), None);
     assert_eq!(normals.get(1), Some(&Vector::new(0.0, 0.0, 1.0)));
+    assert_eq!(normals.get(2), Some(&Vector::new(0.0, 1.0, 0.0)));
 }
 
 #[test]

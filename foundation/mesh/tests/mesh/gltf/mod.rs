@@ -16,6 +16,7 @@ mod samples;
 mod source;
 mod validator;
 
+use ga_mesh::gltf::Transform;
 use ga_mesh::gltf::model::{Dielectric, Model, encode};
 use gltf::animation::util::ReadOutputs;
 use proptest::prelude::*;
@@ -254,5 +255,46 @@ fn indices_and_joints_are_as_wide_as_they_must_be() {
             joints_read.iter().flatten().max(),
             Some(&(joints as u16 - 1))
         );
+    }
+}
+
+/// Columns of the matrix are the rotated and scaled axes and the translation; a quaternion may have
+/// any length.
+#[test]
+fn a_transform_scales_rotates_and_translates() {
+    let half = 0.5f32.sqrt();
+    for length in [1.0, 0.25, 3.0] {
+        // A quarter about z takes x to y and y to −x.
+        let transform = Transform::Decomposed {
+            translation: [7.0, 8.0, 9.0],
+            rotation: [0.0, 0.0, half, half].map(|part| part * length),
+            scale: [2.0, 3.0, 5.0],
+        };
+        let expected = [
+            [0.0, -3.0, 0.0, 7.0],
+            [2.0, 0.0, 0.0, 8.0],
+            [0.0, 0.0, 5.0, 9.0],
+        ];
+        for (found, expected) in transform
+            .to_matrix()
+            .iter()
+            .flatten()
+            .zip(expected.as_flattened())
+        {
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{length}: {found} {expected}"
+            );
+        }
+    }
+    // The same rotation about a slanted axis, by a third of a whole, permutes the axes.
+    let third = Transform::Decomposed {
+        translation: [0.0; 3],
+        rotation: [1.0; 4],
+        scale: [1.0; 3],
+    };
+    let expected = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    for (found, expected) in third.to_matrix().iter().zip(expected) {
+        assert_eq!(found[..3], expected);
     }
 }
