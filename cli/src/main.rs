@@ -5,6 +5,7 @@ mod board;
 mod camera_file;
 mod chosen_animation;
 mod commands;
+mod counted;
 mod examples;
 mod failure;
 mod files;

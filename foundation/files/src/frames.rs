@@ -172,6 +172,25 @@ mod tests {
         assert_eq!(shown([&left, &right]), expected);
     }
 
+    /// Of six files of the camera with the fewest, three find a partner; where only two do, numbers
+    /// say nothing, and the order does.
+    #[test]
+    fn half_of_the_files_must_find_others() {
+        let names = |camera: &str, numbers: [u32; 6]| {
+            numbers.map(|number| format!("{camera}{number:02}.png"))
+        };
+        let left = names("l", [1, 2, 3, 4, 5, 6]);
+        for (others, expected) in [
+            ([4, 5, 6, 7, 8, 9], FramesBy::Numbers),
+            ([5, 6, 7, 8, 9, 10], FramesBy::Places),
+        ] {
+            let right = names("r", others);
+            let cameras = [&left, &right].map(|names| names.each_ref().map(String::as_str));
+            let found = found([&cameras[0], &cameras[1]]).unwrap();
+            assert_eq!(found.by, expected, "{others:?}");
+        }
+    }
+
     #[test]
     fn zeros_before_a_number_and_other_orders_do_not_matter() {
         let (left, right) = (["l10.png", "l9.png", "l9.png"], ["r0009.png", "r0010.png"]);

@@ -21,8 +21,8 @@ impl Analysed {
             ));
         }
         page.paragraph(&format!(
-            "{} frames of {width} × {height} pixels, {} shots ({} with static, {} with dynamic \
-             background), {} key frames.",
+            "Frames: {}, of {width} × {height} pixels. Shots: {}, {} with static and {} with \
+             dynamic background. Key frames: {}.",
             analysis.frames.len(),
             statistics.shots(),
             statistics.static_shots,

@@ -9,6 +9,7 @@ use super::steps::{
     MAPS, OPERATIONS, PEOPLE, QUALITY, RECTIFICATION, STATISTICS, SUBDIVISION, SURFACE, TEXTURE,
 };
 use super::studio::{BASELINE, FOCAL, SQUARE};
+use crate::counted::counted;
 
 /// The finding of a step; `None` where its picture shows it.
 pub(super) fn finding(step: &str, run: &Run, scores: &Scores) -> Result<Option<String>> {
@@ -75,15 +76,12 @@ pub(super) fn finding(step: &str, run: &Run, scores: &Scores) -> Result<Option<S
                 .map(|key| key["index"].to_string())
                 .collect();
             let shots = run.said(step)?.values["shots"].as_array();
-            let shots = match shots.map_or(0, Vec::len) {
-                1 => "one shot".to_owned(),
-                shots => format!("{shots} shots"),
-            };
+            let shots = counted(shots.map_or(0, Vec::len), "shot");
             let keys = keys.join(", ");
             format!("The film has {shots}; its key frames are {keys}.")
         }
         STATISTICS => format!(
-            "{} shots, {} with a static background: the cameras stand still.",
+            "Shots: {}, with a static background: {}. The cameras stand still.",
             number("/total/shots")?,
             number("/total/static")?,
         ),

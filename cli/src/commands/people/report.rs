@@ -7,6 +7,7 @@ use ga_body::ground::{Contact, Ground, UpSource};
 use ga_draw::document::Page;
 use serde::Serialize;
 
+use crate::counted::counted;
 use crate::frame::{self, Kept, Verdict, Warning};
 use crate::shell::quoted;
 
@@ -162,18 +163,14 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let many = |count: usize, of: &str| match count {
-            1 => format!("1 {of}"),
-            count => format!("{count} {of}s"),
-        };
         let views = &self.views;
         let mut lines = vec![
             format!("the result is {}", self.verdict.with_files().word()),
             format!(
                 "motion         {} of {} in {}, {:.2} s",
-                many(self.frames, "frame"),
-                many(self.joints.len(), "joint"),
-                many(views.len(), "view"),
+                counted(self.frames, "frame"),
+                counted(self.joints.len(), "joint"),
+                counted(views.len(), "view"),
                 self.frames as f64 / self.frames_per_second
             ),
             format!(
@@ -194,8 +191,8 @@ impl frame::Report for Report {
         if self.joints_unseen > 0 {
             lines.push(format!(
                 "unseen         {} in {}",
-                many(self.joints_unseen, "joint"),
-                many(self.frames_with_unseen_joints, "frame")
+                counted(self.joints_unseen, "joint"),
+                counted(self.frames_with_unseen_joints, "frame")
             ));
         }
         if let Some([x, y, z]) = self.ground.up {

@@ -10,6 +10,7 @@ use ga_video::keyframe::statistics::Statistics;
 use serde::Serialize;
 
 use super::shots::ShotOptions;
+use crate::counted::counted;
 use crate::files::expanded;
 use crate::frame::{Command, Context, Shown};
 
@@ -54,9 +55,9 @@ impl Row {
         let proportion = found.static_proportion();
         let proportion = proportion.map_or("none".into(), |part| format!("{:.2} %", 100.0 * part));
         format!(
-            "{name}: {} frames, {} shots, {} static, {} dynamic, static proportion {proportion}\n",
-            self.frames,
-            found.shots(),
+            "{name}: {}, {}, {} static, {} dynamic, static proportion {proportion}\n",
+            counted(self.frames, "frame"),
+            counted(found.shots(), "shot"),
             found.static_shots,
             found.dynamic_shots
         )

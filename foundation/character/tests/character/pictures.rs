@@ -95,6 +95,24 @@ fn a_figure_is_seen_from_its_own_side_wherever_it_looks() {
     }
 }
 
+/// A square of 2 m seen 0.9 rad from aside is 2 cos 0.9 = 1.24 m wide; its nearer side, and so the
+/// whole, is a little higher.
+#[test]
+fn the_camera_stands_aside() {
+    let mut figure = painted();
+    figure.paint = Some(Plane::filled(1, 1, [255, 0, 0]));
+    let picture = &frames(&figure, journey(0.1, &[[0.0; 3]]))[0];
+    let red = red(picture);
+    let extent = |of: &dyn Fn(usize) -> usize| {
+        let places = (0..red.len()).filter(|&index| red[index]).map(of);
+        let (least, greatest) = places.fold((usize::MAX, 0), |(a, b), x| (a.min(x), b.max(x)));
+        (greatest - least) as f64
+    };
+    let width = picture.width();
+    let ratio = extent(&|index| index % width) / extent(&|index| index / width);
+    assert!((0.4..0.7).contains(&ratio), "{ratio}");
+}
+
 #[test]
 fn a_sheet_has_all_moments_and_marks_lie_over_them() {
     let figure = Figure::new("square", character());

@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::arguments::Arguments;
 use super::films::Films;
 use super::found::Found;
+use crate::counted::counted;
 use crate::format::Format;
 use crate::frame::{self, Verdict, Warning};
 use crate::shell::quoted;
@@ -248,10 +249,6 @@ impl frame::Report for Report {
     }
 
     fn text(&self) -> String {
-        let many = |count: usize, of: &str| match count {
-            1 => format!("1 {of}"),
-            count => format!("{count} {of}s"),
-        };
         let pixels = |rms: Option<f64>| match rms {
             Some(rms) => format!("{rms:.2} px RMS"),
             None => "nothing".to_owned(),
@@ -261,9 +258,9 @@ impl frame::Report for Report {
             format!(
                 "{}: {} of {} in {}",
                 self.out,
-                many(self.frames, "frame"),
-                many(self.joints.len(), "joint"),
-                many(self.views.len(), "view")
+                counted(self.frames, "frame"),
+                counted(self.joints.len(), "joint"),
+                counted(self.views.len(), "view")
             ),
             format!("reprojection   {}", pixels(self.reprojection_rms_px)),
         ];
@@ -273,18 +270,18 @@ impl frame::Report for Report {
                 view.name,
                 pixels(view.reprojection_rms_px),
                 view.dots_recognised,
-                many(view.dots, "dot")
+                counted(view.dots, "dot")
             )
         }));
         if self.joints_left_out > 0 {
             lines.push(format!(
                 "left out       {} in {}",
-                many(self.joints_left_out, "joint"),
-                many(self.frames_with_joints_left_out, "frame")
+                counted(self.joints_left_out, "joint"),
+                counted(self.frames_with_joints_left_out, "frame")
             ));
         }
         if self.frames_without_joints > 0 {
-            let frames = many(self.frames_without_joints, "frame");
+            let frames = counted(self.frames_without_joints, "frame");
             lines.push(format!("not recognised {frames}"));
         }
         let time = self.milliseconds_per_frame;

@@ -8,6 +8,7 @@ use ga_body::format::JointsNote;
 use serde::Serialize;
 
 use super::Arguments;
+use crate::counted::counted;
 use crate::format::Format;
 use crate::frame::{self, Verdict, Warning};
 use crate::motion_file::lost;
@@ -69,12 +70,11 @@ impl frame::Report for Report {
 
     fn text(&self) -> String {
         let Self { out, fit, .. } = self;
-        let many = |count: usize, of: &str| match count {
-            1 => format!("1 {of}"),
-            count => format!("{count} {of}s"),
-        };
-        let frames = many(fit.frames, "frame");
-        let (joints, views) = (many(fit.joints.len(), "joint"), many(fit.views, "view"));
+        let frames = counted(fit.frames, "frame");
+        let (joints, views) = (
+            counted(fit.joints.len(), "joint"),
+            counted(fit.views, "view"),
+        );
         let mut lines = vec![
             format!("{out}: {frames} of {joints} in {views}"),
             format!(
@@ -88,8 +88,8 @@ impl frame::Report for Report {
                 format!("  {:12} {rms:.2} px RMS", view.name)
             }));
         }
-        let unseen = many(fit.joints_unseen, "joint");
-        let frames = many(fit.frames_with_unseen_joints, "frame");
+        let unseen = counted(fit.joints_unseen, "joint");
+        let frames = counted(fit.frames_with_unseen_joints, "frame");
         lines.push(format!("unseen         {unseen} in {frames}"));
         if let Some(factors) = &fit.length_factors {
             let least = factors.values().copied().fold(f64::INFINITY, f64::min);

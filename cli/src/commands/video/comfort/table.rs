@@ -2,13 +2,15 @@
 
 use ga_video::comfort::{Dimension, Level, Summary, Viewing};
 
+use crate::counted::counted;
+
 /// The mean of each row, how many frames are green, orange and red, and the worst frame.
 pub(super) fn text(summary: &Summary, viewing: &Viewing) -> String {
     let mut text = format!(
-        "{} frames, {} shots; a screen {:.2} m wide at {:.2} m\n\n{:<20} {:>5} {:<7} {:>6} {:>6} \
+        "{}, {}; a screen {:.2} m wide at {:.2} m\n\n{:<20} {:>5} {:<7} {:>6} {:>6} \
          {:>6} {:>8} {:>12}\n",
-        summary.frames,
-        summary.shots,
+        counted(summary.frames, "frame"),
+        counted(summary.shots, "shot"),
         viewing.width(),
         viewing.distance(),
         "",

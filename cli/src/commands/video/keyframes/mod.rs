@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 
 pub(crate) use self::parts::{COMMAND, FORMATS, merged};
 use crate::commands::video::shots::ShotOptions;
+use crate::counted::counted;
 use crate::format::Format;
 use crate::frame::{Command, Context, Shown};
 use crate::output::Staging;
@@ -324,13 +325,13 @@ fn text(found: &Analysed) -> String {
     let analysis = &found.analysis;
     let transitions = &analysis.transitions;
     let mut text = format!(
-        "{} frames, {} shots, {} cuts, {} dissolves, {} fades, {} key frames\n",
-        analysis.frames.len(),
-        analysis.shots.len(),
-        transitions.cuts.len(),
-        transitions.dissolves.len(),
-        transitions.fades.len(),
-        analysis.key_frames.len()
+        "{}, {}, {}, {}, {}, {}\n",
+        counted(analysis.frames.len(), "frame"),
+        counted(analysis.shots.len(), "shot"),
+        counted(transitions.cuts.len(), "cut"),
+        counted(transitions.dissolves.len(), "dissolve"),
+        counted(transitions.fades.len(), "fade"),
+        counted(analysis.key_frames.len(), "key frame")
     );
     for line in transitions.blended() {
         text += &(line + "\n");
