@@ -370,3 +370,78 @@ impl Mul for Real {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A number with a bound, and two numbers within it, the ends.
+    fn bounded() -> impl Strategy<Value = (Real, [f64; 2])> {
+        let value = prop_oneof![-4.0..-0.1, 0.1..4.0];
+        (value, 0.0..1e-6_f64).prop_map(|(value, error)| {
+            let real = Real::with_error(value, error);
+            (real, [value - error, value + error])
+        })
+    }
+
+    /// That a result holds all that is possible, and its bound is not more than it needs to be.
+    fn check(found: Real, possible: &[f64], excess: f64) -> Result<(), TestCaseError> {
+        prop_assert!(found.is_known());
+        let low = possible.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = possible.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let slack = 1e-14 * (1.0 + high.abs().max(low.abs()));
+        prop_assert!(found.value - found.error <= low + slack, "{found:?} {low}");
+        prop_assert!(
+            found.value + found.error >= high - slack,
+            "{found:?} {high}"
+        );
+        prop_assert!(
+            found.error <= excess * (high - low) + slack,
+            "{found:?} {low} {high}"
+        );
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn bounds_hold_what_is_possible_and_little_more(a in bounded(), b in bounded()) {
+            let ((x, xs), (y, ys)) = (a, b);
+            let both = |of: fn(f64, f64) -> f64| {
+                [of(xs[0], ys[0]), of(xs[0], ys[1]), of(xs[1], ys[0]), of(xs[1], ys[1])]
+            };
+            check(x + y, &both(|x, y| x + y), 0.51)?;
+            check(x - y, &both(|x, y| x - y), 0.51)?;
+            check(x * y, &both(|x, y| x * y), 0.51)?;
+            check(-x, &xs.map(|x| -x), 0.51)?;
+            check(x.recip(), &xs.map(f64::recip), 0.51)?;
+            let of = |function| Real::function(function, &[x, y]);
+            check(of(Function::Absolute), &xs.map(f64::abs), 0.51)?;
+            check(of(Function::Hypotenuse), &both(f64::hypot), 1.1)?;
+            check(of(Function::ArcTangent), &both(f64::atan2), 2.1).or_else(|error| {
+                // The angle jumps between the ends at the negative axis.
+                if xs[0] < 0.0 && ys[0] * ys[1] <= 0.0 { Ok(()) } else { Err(error) }
+            })?;
+            let [mapped, exponential] = [Function::HyperbolicTangent, Function::Exponential].map(of);
+            check(mapped, &xs.map(f64::tanh), 1.1)?;
+            check(exponential, &xs.map(f64::exp), 1.1)?;
+            if xs[0] > 0.0 {
+                check(of(Function::SquareRoot), &xs.map(f64::sqrt), 1.1)?;
+                check(of(Function::NaturalLogarithm), &xs.map(f64::ln), 1.1)?;
+            }
+        }
+    }
+
+    #[test]
+    fn what_may_be_zero_has_no_known_inverse() {
+        assert!(Real::exact(0.0).recip().is_none());
+        let near = Real::with_error(1e-6, 2e-6);
+        assert!(near.may_be_zero() && !near.recip().is_known() && !near.recip().is_none());
+        assert!(!Real::exact(1e-300).may_be_zero());
+        assert!(Real::function(Function::SquareRoot, &[Real::exact(-1.0)]).is_none());
+        assert!((Real::NONE * Real::UNKNOWN).is_none());
+        assert!(Real::exact(1.0).may_equal(Real::with_error(1.0 + 1e-6, 1e-6)));
+        assert!(!Real::exact(1.0).may_equal(Real::with_error(1.0 + 3e-6, 1e-6)));
+    }
+}

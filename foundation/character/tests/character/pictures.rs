@@ -117,13 +117,13 @@ fn the_camera_stands_aside() {
 fn a_sheet_has_all_moments_and_marks_lie_over_them() {
     let figure = Figure::new("square", character());
     let animation = animation(journey(0.1, &[[0.0; 3], [0.5, 0.0, 0.0]]));
-    let overlay = |joints| Overlay {
+    let overlay = |bones, joints| Overlay {
         character: &figure.character,
         clip: &animation.clip,
-        bones: false,
+        bones,
         joints,
     };
-    let (plain, warnings) = sheet(&figure, &animation, &overlay(Vec::new())).unwrap();
+    let (plain, warnings) = sheet(&figure, &animation, &overlay(false, Vec::new())).unwrap();
     assert!(warnings.is_empty());
     assert_eq!(plain.name, "sheet.png");
     let picture = ga_image::png::decode(&plain.contents).unwrap();
@@ -132,12 +132,14 @@ fn a_sheet_has_all_moments_and_marks_lie_over_them() {
     // Five moments of 240 × 320 pixels in one row, and their depth in another.
     assert!((5 * 240..5 * 240 + 200).contains(&width), "{width}");
     assert!((2 * 320..3 * 320).contains(&height), "{height}");
-    let (marked, _) = sheet(&figure, &animation, &overlay(vec![1])).unwrap();
-    assert_eq!(marked.pixels, plain.pixels);
-    assert!(marked.contents != plain.contents);
+    for (bones, joints) in [(false, vec![1]), (true, Vec::new())] {
+        let (marked, _) = sheet(&figure, &animation, &overlay(bones, joints)).unwrap();
+        assert_eq!(marked.pixels, plain.pixels);
+        assert!(marked.contents != plain.contents);
+    }
 
     let other = Clip::new(0.1, vec![Pose::rest(3)]).unwrap();
     let other = self::animation(other);
-    let overlay = overlay(Vec::new());
+    let overlay = overlay(false, Vec::new());
     assert!(sheet(&figure, &other, &overlay).is_err());
 }
