@@ -135,6 +135,16 @@ mod tests {
         product
     }
 
+    /// About x = 1000 the terms of (x − 1000)² add up to 4 · 10⁶.
+    #[test]
+    fn a_minimum_that_rounding_may_lift_from_zero_is_a_root() {
+        for (lifted, count) in [(0.0, 1), (2e-4, 1), (8e-4, 0)] {
+            let roots = real_roots(&[1e6 + lifted, -2000.0, 1.0]);
+            assert!(roots.len().min(1) == count, "{lifted}: {roots:?}");
+            assert!(roots.iter().all(|root| (root - 1000.0).abs() < 1e-3));
+        }
+    }
+
     #[test]
     fn the_roots_of_a_product_of_linear_factors_are_found() {
         let roots = [-3.5, -1.0, -0.25, 0.5, 0.75, 2.0, 4.0];

@@ -346,6 +346,9 @@ mod tests {
         let table = Table::with_names(text)?;
         assert_eq!(table.names(), ["#", "a", "b"]);
         assert_eq!(cells(&table), [["#1", "3", "4"], ["x", "5", "6"]]);
+        // A row of one cell is a comment in a table of one column as well.
+        let table = Table::with_names(b"a\n# note\n1\n")?;
+        assert_eq!(cells(&table), [["1"]]);
         Ok(())
     }
 

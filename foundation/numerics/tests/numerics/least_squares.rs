@@ -511,3 +511,55 @@ impl Descent for Observed {
 
     fn accept(&mut self) {}
 }
+
+/// Lines `y = a x + b_g` whose derivative by the slope is given in two parts.
+struct Straight {
+    places: Vec<Vec<[f64; 2]>>,
+}
+
+impl Problem for Straight {
+    type State = Vec<f64>;
+
+    fn columns(&self) -> Columns {
+        Columns::grouped(1, self.places.len(), 1)
+    }
+
+    fn evaluate(&self, state: &Vec<f64>, equations: &mut Equations) -> Option<()> {
+        for (group, points) in self.places.iter().enumerate() {
+            for [x, y] in points {
+                let residual = state[0] * x + state[1 + group] - y;
+                let derivatives = [(0, [0.25 * x]), (1 + group, [1.0]), (0, [0.75 * x])];
+                equations.add([residual], &derivatives);
+            }
+        }
+        Some(())
+    }
+
+    fn stepped(&self, state: &Vec<f64>, step: &[f64]) -> Option<Vec<f64>> {
+        Some(state.iter().zip(step).map(|(a, b)| a + b).collect())
+    }
+}
+
+/// Without a bend the covariance is that of a line with offsets, variance / Σ (x − mean x)².
+#[test]
+fn residuals_that_are_linear_have_their_covariance_to_first_order() {
+    let places = vec![
+        vec![[0.0, 1.0], [1.0, 2.5], [2.0, 2.0]],
+        vec![[-1.0, 0.0], [3.0, 4.5]],
+    ];
+    let problem = Straight { places };
+    let minimum = minimise(&problem, vec![0.0; 3], &Options::default()).unwrap();
+    for variance in [1.0, 0.04, 9.0] {
+        for region in [Region::Ellipsoid, Region::Intervals] {
+            let covariance = minimum
+                .curved_covariance(&problem, variance, region)
+                .unwrap();
+            let expected = variance / (2.0 + 8.0);
+            let found = covariance.shared(0, 0);
+            assert!(
+                (found - expected).abs() < 1e-9 * expected,
+                "{found} {expected}"
+            );
+        }
+    }
+}

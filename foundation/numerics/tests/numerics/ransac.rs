@@ -1,6 +1,6 @@
 //! What a threshold does to normal errors.
 
-use ga_numerics::ransac::SelectedNoise;
+use ga_numerics::ransac::{Consensus, Search, SelectedNoise};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -75,4 +75,42 @@ fn noise_without_a_meaning_is_none() {
     assert!(new(1.0, [20, 5], 1.0, 0).is_none());
     assert!(new(1.0, [5, 5], 10.0, 1).is_none());
     assert!(new(1.0, [7, 5], 10.0, 1).is_some_and(|noise| noise.of_region(5).is_none()));
+}
+
+/// Errors of numbers from a level.
+struct Level([f64; 4]);
+
+impl Consensus for Level {
+    type Model = f64;
+    const SAMPLE: usize = 1;
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn fit(&self, sample: &[usize], models: &mut Vec<f64>) {
+        models.push(self.0[sample[0]]);
+    }
+
+    fn squared_error(&self, level: &f64, observation: usize) -> f64 {
+        (self.0[observation] - level).powi(2)
+    }
+}
+
+/// With a threshold of 3 an error of 2 costs 4, and one of 5 as much as one that is not a number, 9.
+#[test]
+fn the_cost_of_an_error_ends_at_the_square_of_the_threshold() {
+    let search = Search {
+        threshold: 3.0,
+        confidence: 0.99,
+        least_samples: 1,
+        samples: 10,
+        seed: 1,
+    };
+    let problem = Level([2.0, 5.0, f64::NAN, 0.0]);
+    let candidate = search.rate(&problem, 0.0, f64::INFINITY).unwrap();
+    assert_eq!((candidate.cost, candidate.inliers), (22.0, 2));
+    assert_eq!(search.inliers(&problem, &0.0), [0, 3]);
+    assert!(search.rate(&problem, 0.0, 22.0).is_none());
+    assert!(search.rate(&problem, 0.0, 22.5).is_some());
 }
