@@ -206,16 +206,20 @@ fn cells_along(network: &Network, ends: Bone) -> Vec<usize> {
     cells
 }
 
-/// The distance of a bone at a cell from those at its neighbours: the solution of |∇L| = 1 with
-/// one-sided differences.
+/// The distance of a bone at a cell from those at its neighbours.
 fn eikonal(network: &Network, found: &Found, cell: usize, bone: u32) -> f64 {
-    let side = network.volume.side;
-    let mut near = [0, 1, 2].map(|axis| {
+    let near = [0, 1, 2].map(|axis| {
         let neighbours = network.volume.neighbours(cell, axis).into_iter().flatten();
         neighbours
             .filter_map(|other| found.distance(other, bone))
             .fold(f64::INFINITY, f64::min)
     });
+    one_sided(near, network.volume.side)
+}
+
+/// The solution L of |∇L| = 1 with one-sided differences from the lesser neighbour along each axis,
+/// `Σ max(L − near, 0)² = side²`.
+fn one_sided(mut near: [f64; 3], side: f64) -> f64 {
     near.sort_by(f64::total_cmp);
     let [a, b, c] = near;
     let mut distance = a + side;
@@ -233,4 +237,27 @@ fn eikonal(network: &Network, found: &Found, cell: usize, bone: u32) -> f64 {
         }
     }
     distance
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn the_slope_of_a_distance_is_one(
+            near in prop::array::uniform3(0.0..3.0),
+            side in 0.1..2.0,
+            missing in 0usize..3,
+        ) {
+            for known in [near, { let mut some = near; some[missing] = f64::INFINITY; some }] {
+                let distance = one_sided(known, side);
+                let squares = known.map(|near| (distance - near).max(0.0).powi(2));
+                let slope = squares.iter().sum::<f64>() / (side * side);
+                prop_assert!((slope - 1.0).abs() < 1e-9, "{slope}");
+            }
+        }
+    }
 }
