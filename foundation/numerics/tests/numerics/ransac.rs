@@ -97,7 +97,7 @@ impl Consensus for Level {
     }
 }
 
-/// With a threshold of 3 an error of 2 costs 4, and one of 5 as much as one that is not a number, 9.
+/// With a threshold of 3 an error of 2 costs 4; one of 5 costs 9, as does one that is not a number.
 #[test]
 fn the_cost_of_an_error_ends_at_the_square_of_the_threshold() {
     let search = Search {
