@@ -5,7 +5,6 @@ use ga_mesh::gltf::{
     Projection, Scene, Transform,
 };
 use ga_render::Viewpoint;
-use ga_runtime::vga3::Vector;
 
 use super::assert_near;
 
@@ -106,16 +105,12 @@ fn a_camera_is_where_its_node_is() {
     // Half of 200 rows is seen at the angle 0.25.
     let focal = view.camera(300, 200).unwrap().intrinsics.focal()[1];
     assert!((focal - 100.0 / 0.25f64.tan()).abs() < 1e-6, "{focal}");
-    for (node, expected) in [(0, "camera"), (3, "parallel")] {
-        let error = scene.view(node, at(0.0)).unwrap_err();
-        match expected {
-            "camera" => assert!(matches!(error, CharacterError::NoCamera { node: 0 })),
-            _ => assert!(matches!(
-                error,
-                CharacterError::ParallelProjection { node: 3 }
-            )),
-        }
-    }
+    let refused = |node| scene.view(node, at(0.0)).map_err(Box::new).unwrap_err();
+    assert!(matches!(*refused(0), CharacterError::NoCamera { node: 0 }));
+    assert!(matches!(
+        *refused(3),
+        CharacterError::ParallelProjection { node: 3 }
+    ));
     assert_eq!(camera_of(&document, 2), Some(&document.cameras[0]));
     assert_eq!(camera_of(&document, 0), None);
     assert_eq!(camera_of(&document, 99), None);
@@ -183,10 +178,6 @@ fn times_may_come_in_any_order() {
         let [low, high] = scene.at(at(seconds)).unwrap().bounds();
         let x = 2.0 * seconds;
         assert_near(low.coordinates(), [x, 0.0, 0.0], 1e-6);
-        assert_near(
-            high.coordinates(),
-            (Vector::new(x + 1.0, 1.0, 0.0)).coordinates(),
-            1e-6,
-        );
+        assert_near(high.coordinates(), [x + 1.0, 1.0, 0.0], 1e-6);
     }
 }
