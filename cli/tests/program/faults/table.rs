@@ -86,7 +86,7 @@ pub(super) const ROWS: &[Row] = &[
     row(
         "body evaluate --motion DATA/person.bvh --noise 1 --views 2 --frames 3 --plot OUT/plot.svg",
     ),
-    row("body paint --out OUT/dotted.glb"),
+    row("body paint --character DATA/hero.glb --out OUT/dotted.glb"),
     failing(
         "body dots DATA/a.y4m DATA/b.y4m DATA/a.y4m --views DATA/views.json --out OUT/joints.json",
     ),

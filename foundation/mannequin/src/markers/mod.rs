@@ -7,6 +7,8 @@ mod layout;
 mod marker;
 mod skin;
 
+use std::collections::HashMap;
+
 use ga_image::plane::Plane;
 
 use crate::{Human, Vector};
@@ -84,11 +86,27 @@ impl Human {
             .collect();
         // Edges are as soft as a texel.
         let softness = 1.0 / (TEXELS_PER_METRE * size as f64);
+        // The markers that reach into each cell of a grid.
+        let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+        for (index, (centre, radius, _)) in painted.iter().enumerate() {
+            let reach = Vector::from([radius + softness; 3]);
+            let [low, high] = [cell(*centre - reach), cell(*centre + reach)];
+            for x in low[0]..=high[0] {
+                for y in low[1]..=high[1] {
+                    for z in low[2]..=high[2] {
+                        cells.entry([x, y, z]).or_default().push(index);
+                    }
+                }
+            }
+        }
         let encoder = ga_image::colour::SrgbEncoder::new();
         self.painted(size, |point, cloth| {
-            let near = painted.iter().find(|(centre, radius, _)| {
-                (point - *centre).length_squared() < (radius + softness).powi(2)
-            });
+            let markers = cells.get(&cell(point)).into_iter().flatten();
+            let near = markers
+                .map(|&index| &painted[index])
+                .find(|(centre, radius, _)| {
+                    (point - *centre).length_squared() < (radius + softness).powi(2)
+                });
             let light = cloth.map(ga_image::colour::linear_from_srgb);
             let grey = DARKENING * (0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]);
             let mut colour = [grey; 3];
@@ -110,6 +128,15 @@ impl Human {
     }
 }
 
+/// The cell of a grid in which a point lies.
+fn cell(point: Vector) -> [i64; 3] {
+    point
+        .coordinates()
+        .map(|metres| (metres / CELL).floor() as i64)
+}
+
+/// The edge of a cell of the grid in metres, about the diameter of a marker.
+const CELL: f64 = 0.03;
 /// The light of the grey skin as a part of that of its colours: markers are brighter.
 const DARKENING: f64 = 0.4;
 /// How many texels a metre of the skin has, for each row of the texture: the charts of its 2 square

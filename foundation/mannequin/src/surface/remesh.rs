@@ -81,7 +81,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
                 continue;
             }
             let position = self.positions[a as usize].lerp(self.positions[b as usize], 0.5);
-            let on_rim = self.topology.triangles_at_edge(a, b).len() == 1;
+            let on_rim = self.topology.is_rim(a, b);
             self.topology.split(a, b);
             self.positions.push(position);
             self.lengths.push((self.length)(position));
@@ -110,7 +110,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
     /// over.
     fn try_collapse(&mut self, a: u32, b: u32) {
         let (rim_a, rim_b) = (self.rim[a as usize], self.rim[b as usize]);
-        let on_rim = self.topology.triangles_at_edge(a, b).len() == 1;
+        let on_rim = self.topology.is_rim(a, b);
         if rim_a && rim_b && !on_rim {
             return;
         }
@@ -143,9 +143,8 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
             return;
         }
         for (vertex, other) in [(keep, drop), (drop, keep)] {
-            let mut triangles = self.topology.triangles_around(vertex);
-            triangles.retain(|t| !t.contains(&other));
-            if self.turns_over(vertex, target, &triangles) {
+            let triangles = self.topology.triangles_around(vertex);
+            if self.turns_over(vertex, target, triangles.filter(|t| !t.contains(&other))) {
                 return;
             }
         }
@@ -189,7 +188,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
             let triangles = self.topology.triangles_around(v as u32);
             let here = self.positions[v];
             let (mut up, mut centre, mut total) = (Vector::ZERO, Vector::ZERO, 0.0);
-            for t in &triangles {
+            for t in triangles.clone() {
                 let [a, b, c] = t.map(|i| self.positions[i as usize]);
                 let area = area_vector([a, b, c]);
                 // Small where short edges are wanted, so that these areas do not drain.
@@ -211,7 +210,7 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
             let up = up.normalized().unwrap_or_default();
             let drifted = here + step - up * step.dot(up);
             let target = drifted - up * distance(drifted);
-            if !self.turns_over(v as u32, target, &triangles) {
+            if !self.turns_over(v as u32, target, triangles) {
                 self.positions[v] = target;
                 self.lengths[v] = (self.length)(target);
             }
@@ -220,8 +219,13 @@ impl<L: Fn(Vector) -> f64> Remesher<L> {
 
     /// Whether the normal of one of the triangles would rotate by more than 60° if one of its
     /// vertices moved.
-    fn turns_over(&self, vertex: u32, target: Vector, triangles: &[[u32; 3]]) -> bool {
-        triangles.iter().any(|t| {
+    fn turns_over(
+        &self,
+        vertex: u32,
+        target: Vector,
+        mut triangles: impl Iterator<Item = [u32; 3]>,
+    ) -> bool {
+        triangles.any(|t| {
             let old = t.map(|v| self.positions[v as usize]);
             let new = t.map(|v| {
                 if v == vertex {

@@ -29,11 +29,9 @@ impl Topology {
     }
 
     /// The triangles at a vertex.
-    pub(crate) fn triangles_around(&self, v: u32) -> Vec<[u32; 3]> {
-        self.around[v as usize]
-            .iter()
-            .filter_map(|t| self.triangles[*t as usize])
-            .collect()
+    pub(crate) fn triangles_around(&self, v: u32) -> impl Iterator<Item = [u32; 3]> + Clone {
+        let around = self.around[v as usize].iter();
+        around.filter_map(|t| self.triangles[*t as usize])
     }
 
     /// How many triangles there are at a vertex.
@@ -58,31 +56,36 @@ impl Topology {
     pub(crate) fn edges(&self) -> Vec<[u32; 2]> {
         let mut edges = Vec::new();
         for v in 0..self.around.len() as u32 {
-            let after = |n: &u32| *n > v;
-            edges.extend(self.neighbours(v).into_iter().filter(after).map(|n| [v, n]));
+            let first = edges.len();
+            for n in self.triangles_around(v).flatten() {
+                if n > v && !edges[first..].contains(&[v, n]) {
+                    edges.push([v, n]);
+                }
+            }
         }
         edges
     }
 
     pub(crate) fn has_edge(&self, a: u32, b: u32) -> bool {
-        !self.triangles_at_edge(a, b).is_empty()
+        self.triangles_at_edge(a, b).next().is_some()
+    }
+
+    /// Whether an edge is one that only one triangle has.
+    pub(crate) fn is_rim(&self, a: u32, b: u32) -> bool {
+        self.triangles_at_edge(a, b).count() == 1
     }
 
     /// The numbers of the triangles that hold both vertices.
-    pub(crate) fn triangles_at_edge(&self, a: u32, b: u32) -> Vec<u32> {
-        let holds_b = |t: &&u32| self.triangles[**t as usize].is_some_and(|t| t.contains(&b));
-        self.around[a as usize]
-            .iter()
-            .filter(holds_b)
-            .copied()
-            .collect()
+    fn triangles_at_edge(&self, a: u32, b: u32) -> impl Iterator<Item = u32> {
+        let holds_b = move |t: &u32| self.triangles[*t as usize].is_some_and(|t| t.contains(&b));
+        self.around[a as usize].iter().copied().filter(holds_b)
     }
 
     /// For each vertex whether it lies on an edge that only one triangle has.
     pub(crate) fn rim(&self) -> Vec<bool> {
         let mut rim = vec![false; self.around.len()];
         for [a, b] in self.edges() {
-            if self.triangles_at_edge(a, b).len() == 1 {
+            if self.is_rim(a, b) {
                 rim[a as usize] = true;
                 rim[b as usize] = true;
             }
@@ -111,7 +114,7 @@ impl Topology {
     pub(crate) fn split(&mut self, a: u32, b: u32) {
         let new = self.around.len() as u32;
         self.around.push(Vec::new());
-        for t in self.triangles_at_edge(a, b) {
+        for t in self.triangles_at_edge(a, b).collect::<Vec<_>>() {
             let Some(triangle) = self.triangles[t as usize] else {
                 continue;
             };
@@ -139,7 +142,7 @@ impl Topology {
 
     /// Replaces the edge a–b between the triangles a b c and b a d by c–d.
     pub(crate) fn flip(&mut self, a: u32, b: u32, c: u32, d: u32) {
-        let triangles = self.triangles_at_edge(a, b);
+        let triangles: Vec<u32> = self.triangles_at_edge(a, b).collect();
         for t in &triangles {
             self.remove(*t);
         }

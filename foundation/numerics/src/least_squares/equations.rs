@@ -219,7 +219,18 @@ impl Equations {
         self.cost += loss;
         self.residuals += N;
         let shared = self.columns.shared;
+        // All of them but the shared ones are in one group.
+        let own = derivatives.iter().find(|(column, _)| *column >= shared);
+        let (group, first) = own.map_or((0, shared), |(column, _)| {
+            let (group, row) = self.place(*column);
+            (group, column - row)
+        });
         for (place, (column, derivative)) in derivatives.iter().enumerate() {
+            let is_in_group = (first..first + self.columns.group_size).contains(column);
+            assert!(
+                *column < shared || is_in_group,
+                "a residual depends on two groups"
+            );
             let weighted = derivative.map(|value| weight * value);
             self.gradient[*column] += dot(&weighted, &residual);
             for (second, (other, other_derivative)) in derivatives[..=place].iter().enumerate() {
@@ -230,15 +241,10 @@ impl Equations {
                 let (low, high) = (*column.min(other), *column.max(other));
                 if high < shared {
                     self.shared[(high, low)] += product;
-                    continue;
-                }
-                let (group, row) = self.place(high);
-                if low < shared {
-                    self.mixed[group][(row, low)] += product;
+                } else if low < shared {
+                    self.mixed[group][(high - first, low)] += product;
                 } else {
-                    let (other_group, other_row) = self.place(low);
-                    assert_eq!(group, other_group, "a residual depends on two groups");
-                    self.own[group][(row, other_row)] += product;
+                    self.own[group][(high - first, low - first)] += product;
                 }
             }
         }
