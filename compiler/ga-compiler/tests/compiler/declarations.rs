@@ -93,6 +93,37 @@ fn every_fault_is_found_and_none_twice() {
     assert_eq!(found.err().expect("faulty"), expected);
 }
 
+/// What a message proposes can be written as it stands: a name that no type has, and the blades.
+#[test]
+fn names_of_missing_types_are_free_and_say_the_grades() {
+    for (products, proposed) in [
+        (quote!(wedge(Whole, Whole)), "struct Bivector2 { e12, "),
+        (quote!(wedge(Vector, Plane)), "struct Trivector { e123 }"),
+        (quote!(geometric(Vector, Vector)), "struct Even { scalar, "),
+        (quote!(geometric(Vector, Plane)), "struct Odd { e1, "),
+        (
+            quote!(geometric(Mixed, Mixed)),
+            "struct Multivector { scalar, ",
+        ),
+    ] {
+        let found = check(quote! {
+            mod some {
+                basis e1, e2, e3, e4;
+                signature 4;
+                struct Whole { e1, e2, e3, e4 }
+                struct Vector { e1, e2, e3 }
+                struct Plane { e12, e13, e23 }
+                struct Bivector { e34 }
+                struct Mixed { scalar, e1, e2 }
+                products { #products; }
+            }
+        });
+        let messages = found.err().expect("no type has the result");
+        assert_eq!(messages.len(), 1, "{messages:?}");
+        assert!(messages[0].contains(proposed), "{proposed}: {messages:?}");
+    }
+}
+
 /// Methods have the names of types in lower case with underscores, so these must differ too.
 #[test]
 fn types_that_methods_would_name_alike() {
@@ -164,6 +195,38 @@ fn emitted_code_reads_like_written_code() {
         let body = body.replace("\n", "\n    ");
         assert!(code.contains(&body), "{body}\nis not in\n{code}");
     }
+}
+
+/// Traits of other crates learn the fields in their order, and an operator that no declaration
+/// provides has a message of its own.
+#[test]
+fn what_other_crates_and_messages_need_is_emitted() {
+    let code = emitted(&quote! {
+        mod plane {
+            basis e1, e2;
+            signature 2;
+            struct Vector { e1, e2 }
+            struct Area { e12 }
+            products { wedge(Vector, Vector); }
+        }
+    });
+    let words = code.split_whitespace().collect::<Vec<_>>().join(" ");
+    let fields = [
+        r#"{ linear Vector "Vector" { e1 0 "e1", e2 1 "e2" } [] }"#,
+        r#"{ linear Area "Area" { e12 0 "e12" } [] }"#,
+    ];
+    let fields = fields.join(" ");
+    assert!(
+        words.contains(&format!("interoperate! {{ {fields} }}")),
+        "{code}"
+    );
+    // The products of two vectors that are missing, with the right operand first in the bound.
+    let is_missing = |operator: &str| {
+        let start = format!("::core::ops::{operator}<Vector<S>> for Vector<S> where Vector<S>: ");
+        words.contains(&format!("{start}::ga_runtime::products::"))
+    };
+    let missing = ["Mul", "BitXor", "BitOr", "BitAnd"].map(is_missing);
+    assert_eq!(missing, [true, false, true, true], "{code}");
 }
 
 /// Declarations that would take very long are refused, each with the bound.
