@@ -3,6 +3,7 @@
 mod clips;
 mod light;
 mod parts;
+mod reading;
 mod selection;
 mod splices;
 

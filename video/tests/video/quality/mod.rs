@@ -111,7 +111,10 @@ fn eight(frames: &[Planes<u8>]) -> Memory {
 
 fn compared(reference: impl Source, distorted: impl Source) -> Vec<FrameQuality> {
     let comparison = VideoComparison::new(reference, distorted, None).unwrap();
-    comparison.map(Result::unwrap).collect()
+    let stated = comparison.frame_count();
+    let frames: Vec<FrameQuality> = comparison.map(Result::unwrap).collect();
+    assert_eq!(stated, Some(frames.len()));
+    frames
 }
 
 #[test]
