@@ -3,17 +3,19 @@
 use std::collections::BTreeMap;
 
 use ga_image::plane::Plane;
-use ga_image::y4m::{self, Film};
+use ga_image::y4m::{self, Film, Sampling};
 use ga_image::ycbcr::YCbCr;
-use ga_video::Frame;
 use ga_video::comfort::asynchrony::Asynchrony;
 use ga_video::comfort::monitor::{Options, analyse, observe};
+use ga_video::comfort::report::{About, Report};
 use ga_video::comfort::stereoscopy::Stereoscopy;
 use ga_video::comfort::{
-    Dimension, FrameMeasures, Histogram, Missing, Observer, Record, Row, Score, Timeline, Viewing,
+    Dimension, FrameMeasures, Histogram, Missing, Observer, Record, Row, Score, Summary, Timeline,
+    Viewing,
 };
 use ga_video::stereo::{Layout, StereoSource};
 use ga_video::y4m::Y4mSource;
+use ga_video::{Frame, Properties};
 use proptest::prelude::*;
 
 use super::scene::{Random, grey, texture};
@@ -294,4 +296,39 @@ fn an_observer_sees_each_frame_twice() {
         assert_eq!((index, index), (record.frame, *frame));
         assert_eq!(&record.measures, measures);
     }
+}
+
+/// Charts have 645 units for all intervals, from 185 on.
+#[test]
+fn charts_show_where_shots_begin() {
+    let viewing = Viewing::default();
+    let mut report = Report::new(About {
+        title: "clip.y4m".into(),
+        align: None,
+        shift: String::new(),
+        properties: Properties {
+            size: [240, 136],
+            sampling: Sampling::Quarter,
+            bit_depth: 8,
+            colours: YCbCr::default(),
+            pixel_aspect: [1, 1],
+            frames_per_second: Some([25, 1]),
+            frame_count: Some(100),
+        },
+        viewing,
+    });
+    let mut summary = Summary::default();
+    for mut record in records(100, [25, 1], 3, &measures()) {
+        record.begins_shot = [0, 30, 70].contains(&record.frame);
+        summary.add(&record);
+        report.complete(record);
+    }
+    let page = report.page(&summary, None).unwrap().into_html();
+    let dashed = page
+        .lines()
+        .filter(|line| line.contains("stroke-dasharray=\"4 3\""));
+    let mut places: Vec<&str> = dashed.filter_map(|line| line.split('"').nth(1)).collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(places, ["378.5", "636.5"]);
 }
