@@ -68,17 +68,22 @@ mod tests {
         proptest::array::uniform3(-50.0..50.0).prop_map(Vector::from)
     }
 
+    /// Places just before and behind the border of cubes that is next to a place along an axis.
+    fn sides(place: Vector, axis: usize) -> [Vector; 2] {
+        [-1e-6, 1e-6].map(|step| {
+            let mut side = place.coordinates();
+            side[axis] = place[axis].round() + step;
+            side.into()
+        })
+    }
+
     proptest! {
         /// Spots of other cubes reach into a cube, so that a border between two is not to be seen:
         /// the depth changes by no more than a way divided by the least radius.
         #[test]
         fn spots_go_on_over_the_borders_of_cubes(place in place(), radius in 0.1..1.0) {
             for axis in 0..3 {
-                let mut sides = [place.coordinates(); 2];
-                let border = place[axis].round();
-                sides[0][axis] = border - 1e-6;
-                sides[1][axis] = border + 1e-6;
-                let [before, behind] = sides.map(|side| spots(side.into(), 0.9, radius));
+                let [before, behind] = sides(place, axis).map(|side| spots(side, 0.9, radius));
                 prop_assert!((before - behind).abs() <= 2.1e-6 / (0.4 * radius));
                 prop_assert!((0.0..=1.0).contains(&before));
             }
@@ -87,11 +92,7 @@ mod tests {
         #[test]
         fn noise_goes_on_over_the_borders_of_cubes(place in place()) {
             for axis in 0..3 {
-                let mut sides = [place.coordinates(); 2];
-                let border = place[axis].round();
-                sides[0][axis] = border - 1e-6;
-                sides[1][axis] = border + 1e-6;
-                let [before, behind] = sides.map(|side| noise(side.into()));
+                let [before, behind] = sides(place, axis).map(|side| noise(side));
                 // At a border the slope along the axis is 0.
                 prop_assert!((before - behind).abs() < 1e-9);
                 prop_assert!(before.abs() <= 1.0 && rough(place).abs() <= 1.0);
