@@ -92,7 +92,7 @@ mod tests {
         #[test]
         fn noise_goes_on_over_the_borders_of_cubes(place in place()) {
             for axis in 0..3 {
-                let [before, behind] = sides(place, axis).map(|side| noise(side));
+                let [before, behind] = sides(place, axis).map(noise);
                 // At a border the slope along the axis is 0.
                 prop_assert!((before - behind).abs() < 1e-9);
                 prop_assert!(before.abs() <= 1.0 && rough(place).abs() <= 1.0);
