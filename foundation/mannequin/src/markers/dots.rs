@@ -7,6 +7,7 @@ use ga_runtime::cga3::Point;
 use ga_runtime::geometry::ray::Ray;
 use rayon::prelude::*;
 
+use super::grid::cell;
 use super::marker::Marker;
 use super::skin::{Place, Skin};
 use crate::{Human, Vector};
@@ -43,6 +44,8 @@ const BEND: f64 = 0.6;
 const DIFFERENCE: f64 = 0.5;
 /// What is nearer than this beyond the rim, in metres, must not be the other side of the body.
 const BEYOND: f64 = 0.004;
+/// The edge of a cell: what is near to a place is in its cell and in those about it.
+const CELL: f64 = GREATEST + BEYOND;
 
 impl Human {
     /// Dots all over the skin, about 480: at any place on the trunk and the limbs, several are seen
@@ -162,7 +165,10 @@ impl<'a> Sampling<'a> {
         let radii = radii.collect();
         let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
         for (index, place) in places.iter().enumerate() {
-            cells.entry(cell(place.position)).or_default().push(index);
+            cells
+                .entry(cell(place.position, CELL))
+                .or_default()
+                .push(index);
         }
         Self {
             radii,
@@ -259,7 +265,7 @@ impl<'a> Sampling<'a> {
 
     /// The places in the cell of a position and in those about it.
     fn near(&self, position: Vector) -> impl Iterator<Item = &Place> {
-        let [x, y, z] = cell(position);
+        let [x, y, z] = cell(position, CELL);
         let cells = (0..27).map(move |k| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1]);
         let indices = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
         indices.map(|&index| &self.places[index])
@@ -291,11 +297,4 @@ impl Skin<'_> {
         let ray = Ray::new(Point::from(from.coordinates()), direction.coordinates())?;
         Some(self.surface.first_hit(ray)?.hit.distance)
     }
-}
-
-/// The cell of a position: what is near to it is in the next ones at most.
-fn cell(position: Vector) -> [i64; 3] {
-    position
-        .coordinates()
-        .map(|metres| (metres / (GREATEST + BEYOND)).floor() as i64)
 }

@@ -3,6 +3,7 @@
 
 mod discs;
 mod dots;
+mod grid;
 mod layout;
 mod marker;
 mod skin;
@@ -12,6 +13,7 @@ use std::collections::HashMap;
 use ga_image::plane::Plane;
 
 use crate::{Human, Vector};
+use grid::cell;
 use layout::LAYOUT;
 use skin::Skin;
 
@@ -86,11 +88,13 @@ impl Human {
             .collect();
         // Edges are as soft as a texel.
         let softness = 1.0 / (TEXELS_PER_METRE * size as f64);
-        // The markers that reach into each cell of a grid.
+        // The markers that reach into each cell of a grid, at most eight cells each.
+        let reaches = painted.iter().map(|(_, radius, _)| radius + softness);
+        let edge = 2.0 * reaches.fold(0.0, f64::max);
         let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
         for (index, (centre, radius, _)) in painted.iter().enumerate() {
             let reach = Vector::from([radius + softness; 3]);
-            let [low, high] = [cell(*centre - reach), cell(*centre + reach)];
+            let [low, high] = [cell(*centre - reach, edge), cell(*centre + reach, edge)];
             for x in low[0]..=high[0] {
                 for y in low[1]..=high[1] {
                     for z in low[2]..=high[2] {
@@ -101,7 +105,7 @@ impl Human {
         }
         let encoder = ga_image::colour::SrgbEncoder::new();
         self.painted(size, |point, cloth| {
-            let markers = cells.get(&cell(point)).into_iter().flatten();
+            let markers = cells.get(&cell(point, edge)).into_iter().flatten();
             let near = markers
                 .map(|&index| &painted[index])
                 .find(|(centre, radius, _)| {
@@ -128,15 +132,6 @@ impl Human {
     }
 }
 
-/// The cell of a grid in which a point lies.
-fn cell(point: Vector) -> [i64; 3] {
-    point
-        .coordinates()
-        .map(|metres| (metres / CELL).floor() as i64)
-}
-
-/// The edge of a cell of the grid in metres, about the diameter of a marker.
-const CELL: f64 = 0.03;
 /// The light of the grey skin as a part of that of its colours: markers are brighter.
 const DARKENING: f64 = 0.4;
 /// How many texels a metre of the skin has, for each row of the texture: the charts of its 2 square

@@ -146,6 +146,12 @@ fn the_marked_texture_is_grey_but_for_the_markers() {
     }
     let plain = HUMAN.marked_texture(64, &[], &[]);
     assert!(plain.values().iter().all(|[r, g, b]| r == g && g == b));
+    // A texel that is wider than the body sees some marker everywhere.
+    for size in 0..3 {
+        let small = HUMAN.marked_texture(size, &MARKERS[..], &vec![colours; MARKERS.len()]);
+        assert_eq!(small.width(), size);
+        assert!(small.values().iter().all(|[r, g, b]| r != g || g != b));
+    }
 }
 
 static DOTS: LazyLock<Vec<Marker>> = LazyLock::new(|| HUMAN.dots());
