@@ -12,7 +12,7 @@ use ga_body::registration::RegistrationOptions;
 use ga_body::{JointPixel, Lengths};
 use ga_camera::observation::observe;
 use ga_camera::{Camera, Intrinsics};
-use ga_mannequin::Human;
+use ga_mannequin::skeleton;
 use ga_runtime::cga3::{Motor, Point, Rotor, Translator};
 
 const RATE: f64 = 30.0;
@@ -51,7 +51,7 @@ struct Walk {
 }
 
 static WALK: LazyLock<Walk> = LazyLock::new(|| {
-    let skeleton = Human::new().skeleton;
+    let skeleton = skeleton();
     let clip = ga_mannequin::walk(2);
     let poses: Vec<Pose> = (0..FRAMES)
         .map(|frame| clip.sample(frame as f64 / RATE))

@@ -12,7 +12,7 @@ use ga_character::Figure;
 use ga_files::table::Table;
 use ga_image::plane::Plane;
 use ga_image::y4m::{self, Film};
-use ga_mannequin::{Human, walk};
+use ga_mannequin::{Human, skeleton, walk};
 use ga_runtime::cga3::Point;
 use ga_video::Frame;
 use serde_json::{Value, json};
@@ -31,7 +31,7 @@ fn write_walk(path: &Path) {
     let walk = walk(1);
     let poses = (0..FRAMES).map(|frame| walk.sample(0.2 + frame as f64 / RATE));
     let clip = ga_anim::clip::Clip::new(1.0 / RATE, poses.collect()).unwrap();
-    let recording = Recording::from_clip(&Human::new().skeleton, &clip).unwrap();
+    let recording = Recording::from_clip(&skeleton(), &clip).unwrap();
     let options = WriteOptions::default();
     let written = Written::new(&recording, Format::Bvh, &options, |_, _| ()).unwrap();
     std::fs::write(path, written.encode().unwrap()).unwrap();

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use ga_anim::gltf::Player;
-use ga_mannequin::{Human, walk};
+use ga_mannequin::{skeleton, walk};
 use ga_runtime::cga3::Point;
 use serde_json::{Value, json};
 use tempfile::{TempDir, tempdir};
@@ -44,7 +44,7 @@ pub(crate) const JOINTS: [&str; 19] = [
 pub(crate) fn truth() -> &'static [Vec<[f64; 3]>] {
     static TRUTH: OnceLock<Vec<Vec<[f64; 3]>>> = OnceLock::new();
     TRUTH.get_or_init(|| {
-        let (skeleton, walk) = (Human::new().skeleton, walk(1));
+        let (skeleton, walk) = (skeleton(), walk(1));
         let places = |frame: usize| {
             let bones = walk.sample(frame as f64 / RATE).bones(&skeleton).unwrap();
             let place = |name: &&str| {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use ga_anim::gltf::Player;
 use ga_camera::Intrinsics;
 use ga_files::table::Table;
-use ga_mannequin::{Human, walk};
+use ga_mannequin::{skeleton, walk};
 use ga_runtime::cga3::Point;
 use ga_vision::perspective_n_point::{Options, estimate};
 use serde_json::Value;
@@ -41,7 +41,7 @@ fn data(name: &str) -> PathBuf {
 fn places() -> Vec<Vec<Point<f64>>> {
     let frames = std::fs::read_to_string(data("one_view.json")).unwrap();
     let frames: Vec<Value> = serde_json::from_str(&frames).unwrap();
-    let (skeleton, walk) = (Human::new().skeleton, walk(1));
+    let (skeleton, walk) = (skeleton(), walk(1));
     let (mut points, mut pixels) = (Vec::new(), Vec::new());
     for (number, frame) in frames.iter().enumerate() {
         let pose = walk.sample(number as f64 / RATE);

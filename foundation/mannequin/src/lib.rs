@@ -83,7 +83,7 @@ impl Human {
     pub fn new() -> Self {
         let landmarks = landmarks::Landmarks::new();
         let body = shape::Body::new(&landmarks);
-        let skeleton = skeleton::skeleton(&landmarks);
+        let skeleton = skeleton();
         let surface = surface::surface(&body, &landmarks);
         let weights = weights::weights(&body, &landmarks, &skeleton, &surface.positions);
         let positions = surface.positions.into_iter().map(Position::from).collect();
@@ -97,6 +97,20 @@ impl Human {
             weights,
         }
     }
+}
+
+/// The [skeleton](Human::skeleton) alone, which is made in no time.
+///
+/// # Examples
+///
+/// ```
+/// let skeleton = ga_mannequin::skeleton();
+/// assert_eq!(skeleton.len(), 21);
+/// assert_eq!(skeleton.joints()[0].name, "Hips");
+/// ```
+#[must_use]
+pub fn skeleton() -> Skeleton {
+    skeleton::skeleton(&landmarks::Landmarks::new())
 }
 
 impl From<Human> for Character {

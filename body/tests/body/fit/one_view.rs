@@ -4,7 +4,7 @@ use ga_anim::pose::Pose;
 use ga_body::pose_error::mean_per_joint_position_error;
 use ga_body::{BodyFit, BodyModel, BodyPoint, FittedPose, Observation};
 use ga_camera::Camera;
-use ga_mannequin::{Human, walk};
+use ga_mannequin::{skeleton, walk};
 use ga_runtime::cga3::{Point, Rotor, Translator};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -103,7 +103,7 @@ fn a_clip_of_one_view_is_no_worse_than_its_frames() {
 
 /// Errors of the mannequin's walk towards a camera, seen without noise.
 fn of_walk() -> [f64; 2] {
-    let (skeleton, walk) = (Human::new().skeleton, walk(1));
+    let (skeleton, walk) = (skeleton(), walk(1));
     let joints = SEEN.map(|name| skeleton.index(name).unwrap());
     let place = |frame: usize| -> Vec<Point<f64>> {
         let bones = walk.sample(frame as f64 / RATE).bones(&skeleton).unwrap();

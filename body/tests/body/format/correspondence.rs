@@ -93,7 +93,7 @@ fn joints_of_detectors_are_joints_of_skeletons() {
 /// The joint of a head is where it turns, far below its top.
 #[test]
 fn the_top_of_the_head_is_not_the_joint_of_the_head() {
-    let mannequin = ga_mannequin::Human::new().skeleton;
+    let mannequin = ga_mannequin::skeleton();
     let head = mannequin.joints().iter().position(|j| j.name == "Head");
     assert!(head.is_some());
     for model in Model::ALL {

@@ -25,8 +25,12 @@ pub(crate) struct Grid {
     pub(crate) cubes: [usize; 3],
 }
 
-/// Cubes along the edge of a block, the unit in which empty space is passed over.
+/// Cubes along the edges of the blocks of space that are passed over where they are empty: large
+/// ones, and the small ones in each of them.
 const BLOCK: usize = 8;
+const SMALL_BLOCK: usize = 4;
+/// Corners of cubes along the edge of a large block.
+const CORNERS: usize = BLOCK + 1;
 
 /// The surface on which `distance` vanishes, cut off at the sides of the grid.
 ///
@@ -38,27 +42,34 @@ pub(crate) fn march(grid: Grid, stretch: f64, distance: impl Fn(Vector, f64) -> 
         surface: Surface::default(),
         vertices: HashMap::new(),
     };
-    let half_diagonal = 0.5 * grid.spacing * BLOCK as f64 * 3.0_f64.sqrt();
-    let corners = BLOCK + 1;
-    let mut values = vec![0.0; corners * corners * corners];
-    let blocks = grid.cubes.map(|n| n.div_ceil(BLOCK));
-    for bz in 0..blocks[2] {
-        for by in 0..blocks[1] {
-            for bx in 0..blocks[0] {
-                let base = [bx * BLOCK, by * BLOCK, bz * BLOCK];
-                let centre = grid.point(base.map(|c| c as f64 + 0.5 * BLOCK as f64));
-                let limit = half_diagonal * stretch;
-                if distance(centre, limit).abs() > limit {
-                    continue;
-                }
-                for (i, value) in values.iter_mut().enumerate() {
-                    let offset = [i % corners, i / corners % corners, i / (corners * corners)];
-                    let at = std::array::from_fn(|k| (base[k] + offset[k]) as f64);
-                    *value = distance(grid.point(at), grid.spacing * 2.0);
-                }
-                marcher.block(base, &values);
+    let is_empty = |base: [usize; 3], size: usize| {
+        let centre = grid.point(base.map(|c| c as f64 + 0.5 * size as f64));
+        let limit = 0.5 * grid.spacing * size as f64 * 3.0_f64.sqrt() * stretch;
+        distance(centre, limit).abs() > limit
+    };
+    // The distances at the corners of a large block, unknown in empty small ones.
+    let mut values = Vec::new();
+    for base in cells(grid.cubes.map(|n| n.div_ceil(BLOCK))) {
+        let base = base.map(|c| c * BLOCK);
+        if is_empty(base, BLOCK) {
+            continue;
+        }
+        values.clear();
+        values.resize(CORNERS.pow(3), None);
+        for small in cells([BLOCK / SMALL_BLOCK; 3]) {
+            let small = small.map(|c| c * SMALL_BLOCK);
+            if is_empty(sum(base, small), SMALL_BLOCK) {
+                continue;
+            }
+            for offset in cells([SMALL_BLOCK + 1; 3]) {
+                let corner = sum(small, offset);
+                values[index(corner)].get_or_insert_with(|| {
+                    let at = sum(base, corner).map(|c| c as f64);
+                    distance(grid.point(at), grid.spacing * 2.0)
+                });
             }
         }
+        marcher.block(base, &values);
     }
     marcher.surface
 }
@@ -86,28 +97,22 @@ struct Corner {
 }
 
 impl Marcher {
-    fn block(&mut self, base: [usize; 3], values: &[f64]) {
-        let corners = BLOCK + 1;
-        let stop: [usize; 3] = std::array::from_fn(|k| BLOCK.min(self.grid.cubes[k] - base[k]));
-        for z in 0..stop[2] {
-            for y in 0..stop[1] {
-                for x in 0..stop[0] {
-                    let cube: [Corner; 8] = std::array::from_fn(|bits| {
-                        let offset = [x + (bits & 1), y + (bits >> 1 & 1), z + (bits >> 2)];
-                        Corner {
-                            at: std::array::from_fn(|k| base[k] + offset[k]),
-                            value: values[offset[0] + corners * (offset[1] + corners * offset[2])],
-                        }
-                    });
-                    let inside = cube.iter().filter(|corner| corner.value < 0.0).count();
-                    if inside == 0 || inside == 8 {
-                        continue;
-                    }
-                    for (path, even) in KUHN {
-                        let tetrahedron = path.map(|bits| cube[bits]);
-                        self.tetrahedron(&tetrahedron, even);
-                    }
-                }
+    /// The surface in a large block; a cube with an unknown corner lies in an empty small one.
+    fn block(&mut self, base: [usize; 3], values: &[Option<f64>]) {
+        let stop = std::array::from_fn(|k| BLOCK.min(self.grid.cubes[k] - base[k]));
+        for low in cells(stop) {
+            let corner = |bits: usize| sum(low, [bits & 1, bits >> 1 & 1, bits >> 2]);
+            let known: [Option<f64>; 8] = std::array::from_fn(|bits| values[index(corner(bits))]);
+            let inside = known.iter().flatten().filter(|value| **value < 0.0).count();
+            if inside == 0 || inside == 8 || known.contains(&None) {
+                continue;
+            }
+            for (path, even) in KUHN {
+                let tetrahedron = path.map(|bits| Corner {
+                    at: sum(base, corner(bits)),
+                    value: known[bits].unwrap_or_default(),
+                });
+                self.tetrahedron(&tetrahedron, even);
             }
         }
     }
@@ -188,4 +193,19 @@ fn even(order: [usize; 4]) -> bool {
         }
     }
     inversions % 2 == 0
+}
+
+/// The cells of a box of so many each way, the first coordinate changing fastest.
+fn cells(counts: [usize; 3]) -> impl Iterator<Item = [usize; 3]> {
+    let [x, y, z] = counts;
+    (0..x * y * z).map(move |i| [i % x, i / x % y, i / (x * y)])
+}
+
+fn sum(a: [usize; 3], b: [usize; 3]) -> [usize; 3] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+/// Where the distance at a corner of a large block is kept.
+fn index([x, y, z]: [usize; 3]) -> usize {
+    x + CORNERS * (y + CORNERS * z)
 }

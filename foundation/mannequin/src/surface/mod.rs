@@ -42,8 +42,9 @@ pub(crate) fn surface(body: &Body, landmarks: &Landmarks) -> Surface {
     };
     let rough = march(grid, STRETCH, |point, limit| body.distance(point, limit));
     let length = |point| edge_length(landmarks, point);
+    // No vertex leaves the skin by as much as the length of an edge.
     mirrored(remesh(rough, ROUNDS, length, |point| {
-        body.distance(point, 0.05)
+        body.distance(point, COARSE)
     }))
 }
 
