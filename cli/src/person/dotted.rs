@@ -62,7 +62,7 @@ impl DottedCharacter {
 
     pub(crate) fn read(&self) -> Result<Dotted> {
         let Some(path) = self.path() else {
-            return Ok(Dotted::mannequin(self.seed));
+            return Ok(Dotted::mannequin(Human::new(), self.seed));
         };
         let figure = Figure::read_gltf(path, 1.0)?;
         let dotted = Dotted::own(figure.name, figure.character, self.seed);
@@ -81,8 +81,7 @@ const FIELDS: usize = 8;
 const GREY: [u8; 3] = [112; 3];
 
 impl Dotted {
-    pub(crate) fn mannequin(seed: HueSeed) -> Self {
-        let human = Human::new();
+    pub(crate) fn mannequin(human: Human, seed: HueSeed) -> Self {
         let dots = human.dots();
         let body = Body::Mannequin(Box::new(human));
         Self::new(MANNEQUIN.to_owned(), body, dots, seed)

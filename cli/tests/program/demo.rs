@@ -5,6 +5,9 @@ use std::process::{Output, Stdio};
 use std::sync::OnceLock;
 
 use ga_anim::bvh;
+use ga_anim::clip::Clip;
+use ga_anim::pose::Pose;
+use ga_character::Figure;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -428,6 +431,19 @@ fn another_character_walks_as_well() {
         let key = format!("/animation/checks/lowest_vertex_{key}_metres");
         assert!(number(&out, &key).abs() < 0.02);
     }
+
+    // The figure alone may be smaller than any on which dots are seen.
+    let mut small = Figure::read_gltf(&folder.path().join("own.glb"), 0.01).unwrap();
+    small.paint = None;
+    let rest = Clip::new(1.0, vec![Pose::rest(small.character.skeleton.len())]).unwrap();
+    let (bytes, _) = ga_character::gltf::encode(&small, &rest, "rest").unwrap();
+    std::fs::write(folder.path().join("small.glb"), bytes).unwrap();
+    let to_small = demo.iter().chain(&["small.glb", "--out", "small"]);
+    assert_success(&nullcone(folder.path(), to_small));
+    assert_failure(
+        &nullcone(folder.path(), ["demo", "--character", "small.glb"]),
+        &["small.glb", "the skin has room for", "0.017 m large"],
+    );
     let none = nullcone(folder.path(), demo.iter().chain(&["none.glb"]));
     assert_failure(&none, &["none.glb", "No such file"]);
 }

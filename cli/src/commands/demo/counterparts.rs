@@ -5,7 +5,6 @@ use ga_anim::pose::Pose;
 use ga_anim::recording::Recording;
 use ga_anim::retarget::JointMap;
 use ga_anim::skeleton::Skeleton;
-use ga_mannequin::Human;
 
 /// The joints of a person that are those of these names of the mannequin: by their names or by the
 /// shape of the body, as a motion of the mannequin finds them.
@@ -13,7 +12,7 @@ pub(super) fn counterparts<const N: usize>(
     skeleton: &Skeleton,
     names: [&str; N],
 ) -> Option<[usize; N]> {
-    let human = Human::new().skeleton;
+    let human = ga_mannequin::skeleton();
     let rest = Clip::new(1.0, vec![Pose::rest(human.len())]).ok()?;
     let rest = Recording::from_clip(&human, &rest).ok()?;
     let (map, _) = JointMap::found(&rest, skeleton).ok()?;
@@ -46,7 +45,7 @@ mod tests {
     /// The mannequin, turned about the vertical, with names that say nothing.
     #[test]
     fn a_person_is_known_by_its_shape() {
-        let human = Human::new().skeleton;
+        let human = ga_mannequin::skeleton();
         for angle in [0.0_f64, 1.0, -2.5] {
             let (sin, cos) = angle.sin_cos();
             let turned = |[x, y, z]: [f64; 3]| [x * cos + z * sin, y, z * cos - x * sin];

@@ -144,12 +144,13 @@ fn demonstrate(
     context: &Context,
     progress: &Progress,
 ) -> Result<Report> {
+    let dotted = subject.dotted()?;
+    let model = subject.model();
     let Subject {
         performance,
         clip,
-        dotted,
-        character,
         warnings,
+        ..
     } = subject;
     let seed = outputs.seed();
     let mut times = Times::default();
@@ -171,7 +172,7 @@ fn demonstrate(
     performed
         .warnings
         .splice(0..0, warnings.into_iter().chain(no_room));
-    let run = Run::new(&truth, character, context, progress, &mut times);
+    let run = Run::new(&truth, model, context, progress, &mut times);
     // The commands of the steps have forgotten the warnings of what was before.
     keep_for_failure(&performed.warnings);
     let run = run?;

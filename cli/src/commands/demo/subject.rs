@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
+use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::recording::Recording;
 use ga_character::storyboard::{STEPS, Storyboard};
 use ga_character::{Animation, Figure, model};
-use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, walk};
+use ga_mannequin::{Human, KEY_TIME, KEYS_PER_STRIDE, skeleton, walk};
 
 use super::inputs::FRAMES;
 use super::studio::FRAMES_PER_SECOND;
@@ -43,10 +44,8 @@ pub(super) struct Subject {
     pub(super) performance: Performance,
     /// The motion of which the first second is filmed.
     pub(super) clip: Clip,
-    /// The figure with the dots that are filmed.
-    pub(super) dotted: Dotted,
-    /// The file of the results that has the character, where it is not the mannequin.
-    pub(super) character: Option<&'static str>,
+    /// The file of the character, where it is not the mannequin.
+    character: Option<PathBuf>,
     /// What is unusual about the files.
     pub(super) warnings: Vec<Warning>,
 }
@@ -60,18 +59,16 @@ impl SubjectArguments {
 
     /// Reads the files.
     pub(super) fn read(&self) -> Result<Subject> {
-        let hues = HueSeed { seed: 1 };
         let mut warnings = Vec::new();
-        let (figure, dotted) = match &self.character {
+        let figure = match &self.character {
             Some(path) => {
                 let mut figure = Figure::read_gltf(path, 1.0)?;
                 // The current folder becomes another one.
                 figure.file = Some(std::path::absolute(path)?);
                 warnings.extend(pipeline::not_in_obj(&figure, Some(path))?);
-                let dotted = Dotted::own(figure.name.clone(), figure.character.clone(), hues);
-                (figure, dotted.with_context(|| path.display().to_string())?)
+                figure
             }
-            None => (mannequin(), Dotted::mannequin(hues)),
+            None => mannequin(),
         };
         let (performance, clip) = match (&self.character, &self.motion) {
             (None, None) => {
@@ -105,10 +102,38 @@ impl SubjectArguments {
         Ok(Subject {
             performance,
             clip,
-            dotted,
-            character: self.character.as_ref().map(|_| model::GLB),
+            character: self.character.clone(),
             warnings,
         })
+    }
+}
+
+impl Subject {
+    /// The figure with the dots that are filmed.
+    pub(super) fn dotted(&self) -> Result<Dotted> {
+        let hues = HueSeed { seed: 1 };
+        let figure = &self.performance.figure;
+        let character = figure.character.clone();
+        let Some(path) = &self.character else {
+            let Character {
+                mesh,
+                skeleton,
+                weights,
+            } = character;
+            let human = Human {
+                mesh,
+                skeleton,
+                weights,
+            };
+            return Ok(Dotted::mannequin(human, hues));
+        };
+        let dotted = Dotted::own(figure.name.clone(), character, hues);
+        dotted.with_context(|| path.display().to_string())
+    }
+
+    /// The file of the results that has the character, where it is not the mannequin.
+    pub(super) fn model(&self) -> Option<&'static str> {
+        self.character.as_ref().map(|_| model::GLB)
     }
 }
 
@@ -120,7 +145,7 @@ fn files_of(path: &Path) -> FigureFiles {
 /// The walk as a recording of the mannequin.
 fn walk_of_mannequin(rate: f64) -> Result<Recording> {
     let clip = walk(STRIDES).resampled(rate)?;
-    Ok(Recording::from_clip(&Human::new().skeleton, &clip)?)
+    Ok(Recording::from_clip(&skeleton(), &clip)?)
 }
 
 fn own_files() -> FigureFiles {
