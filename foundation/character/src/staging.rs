@@ -105,6 +105,20 @@ mod tests {
     }
 
     #[test]
+    fn the_light_stands_higher_than_usual() {
+        let figure = Figure::new("", Human::new().into());
+        let storyboard = Storyboard::of_keys(&walk(2), KEYS_PER_STRIDE);
+        let height = |lighting: Lighting| {
+            let [x, y, z] = lighting.key.direction;
+            y.atan2(x.hypot(z))
+        };
+        let found = height(options(&figure, &storyboard).unwrap().style.lighting);
+        let usual = height(Style::default().lighting);
+        // The shadow is shorter by a third.
+        assert!(found.tan() > 1.5 * usual.tan(), "{found} {usual}");
+    }
+
+    #[test]
     fn the_shadow_of_the_demo_stays_inside_the_pictures() {
         let figure = Figure::new("", Human::new().into());
         let keys = walk(2);

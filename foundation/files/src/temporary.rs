@@ -249,3 +249,53 @@ impl Drop for CreatedFolders {
         self.keep();
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
+mod tests {
+    use super::*;
+
+    fn is_listed(path: &Path) -> bool {
+        let leftovers = leftovers();
+        let Leftovers {
+            files,
+            folders,
+            trees,
+        } = &*leftovers;
+        let mut all = files.iter().chain(folders).chain(trees);
+        all.any(|other| other == path)
+    }
+
+    #[test]
+    fn files_are_listed_until_they_have_their_name_or_are_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("place");
+        for takes_its_name in [true, false] {
+            let (mut temporary, _) = Temporary::new(folder.path(), None).unwrap();
+            let path = temporary.path().unwrap().to_path_buf();
+            assert!(is_listed(&path));
+            if takes_its_name {
+                temporary.persist(&place, &mut leftovers()).unwrap();
+            }
+            drop(temporary);
+            assert!(!is_listed(&path) && !path.exists() && place.exists());
+        }
+    }
+
+    #[test]
+    fn folders_are_listed_until_they_are_kept_or_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let [above, below] = ["above", "above/below"].map(|name| folder.path().join(name));
+        for is_kept in [false, true] {
+            let mut created = CreatedFolders::default();
+            created.create(&below).unwrap();
+            assert!(is_listed(&above) && is_listed(&below) && below.exists());
+            if is_kept {
+                created.keep();
+            }
+            drop(created);
+            assert!(!is_listed(&above) && !is_listed(&below));
+            assert_eq!([above.exists(), below.exists()], [is_kept; 2]);
+        }
+    }
+}

@@ -140,6 +140,24 @@ fn hair_is_dark_skin_is_light_and_clothes_have_their_colours() {
     assert!(hand[0] > hand[2] + 30, "{hand:?}");
     let leg = at([0.1, 0.7, 0.08]);
     assert!(leg[2] > leg[0] && brightness(leg) < 110, "{leg:?}");
+    // The soles are light and the leather at the heel is brown, both without large spots.
+    let shoes = positions().into_iter().filter(|[_, y, _]| *y < 0.06);
+    let mut counts = [0; 2];
+    for place in shoes.step_by(20) {
+        let colour = at(place);
+        if place[1] < 0.010 {
+            counts[0] += 1;
+            assert!(brightness(colour) > 180, "{place:?}: {colour:?}");
+        } else if place[1] > 0.030 && place[2] < 0.0 {
+            counts[1] += 1;
+            assert!(
+                (48..82).contains(&brightness(colour)),
+                "{place:?}: {colour:?}"
+            );
+            assert!(colour[0] > colour[2], "{place:?}: {colour:?}");
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 10), "{counts:?}");
 }
 
 /// A larger texture shows the same with more detail, and the same at every call.

@@ -152,6 +152,43 @@ fn columns_of_small_matrices_are_padded() {
     assert_eq!(attribute.components, Components::U8((1..=9).collect()));
 }
 
+/// By `KHR_mesh_quantization` texture coordinates of morph targets may be integers that stand for
+/// themselves, else only such as stand for fractions.
+#[test]
+fn texture_coordinates_of_targets_may_be_integers_by_the_extension() {
+    let mut bytes = [0.0_f32; 3].map(f32::to_le_bytes).concat();
+    bytes.extend([5, 0xfd, 0, 0]);
+    let read = |extensions: Value, normalized: bool| {
+        let json = json!({
+            "extensionsUsed": extensions,
+            "extensionsRequired": extensions,
+            "accessors": [
+                {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1},
+                {"bufferView": 1, "componentType": 5120, "normalized": normalized,
+                 "type": "VEC2", "count": 1},
+            ],
+            "bufferViews": [
+                {"buffer": 0, "byteLength": 12},
+                {"buffer": 0, "byteOffset": 12, "byteLength": 4, "byteStride": 4},
+            ],
+            "meshes": [{"primitives": [{
+                "attributes": {"POSITION": 0, "TEXCOORD_0": 1},
+                "targets": [{"POSITION": 0, "TEXCOORD_0": 1}],
+                "mode": 0,
+            }]}],
+        });
+        document(json, &bytes).map(|document| {
+            let target = &document.meshes[0].primitives[0].targets[0];
+            target.texcoords[0].clone()
+        })
+    };
+    let quantization = json!(["KHR_mesh_quantization"]);
+    assert_eq!(read(quantization.clone(), false).unwrap(), [[5.0, -3.0]]);
+    let fractions = [[5.0 / 127.0, -3.0 / 127.0]];
+    assert_eq!(read(quantization, true).unwrap(), fractions);
+    assert!(read(json!([]), false).is_err());
+}
+
 /// By `KHR_mesh_quantization` positions may be integers, else they may not.
 #[test]
 fn integers_as_positions_need_the_extension() {
