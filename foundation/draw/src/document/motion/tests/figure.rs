@@ -149,3 +149,24 @@ fn the_still_picture_is_what_the_script_shows_first() {
         );
     }
 }
+
+/// The bones that are farther away come first, whichever of their ends does.
+#[test]
+fn the_ends_of_a_bone_do_not_change_what_hides_it() {
+    let colours = |motion: &super::Motion| -> Vec<String> {
+        let svg = still::draw(&Data::of(motion), "");
+        let svg = roxmltree::Document::parse(&svg).unwrap();
+        let lines = svg.descendants().filter(|node| node.has_tag_name("line"));
+        let bones = lines.filter(|node| node.attribute("stroke-width") == Some("4"));
+        bones
+            .map(|bone| bone.attribute("stroke").unwrap().to_owned())
+            .collect()
+    };
+    let expected = colours(&motion());
+    assert!(expected[0] != expected[1]);
+    for swapped in 0..2 {
+        let mut motion = motion();
+        motion.bones[swapped].ends.reverse();
+        assert_eq!(colours(&motion), expected);
+    }
+}
