@@ -20,7 +20,7 @@
 //! interpolated, not made unit vectors again.
 //!
 //! Texels around the covered ones are copies of them, so that interpolation across a seam reads no
-//! others. Equal input gives equal maps, bit for bit.
+//! others. Equal input gives equal maps, bit for bit, for any number of threads.
 //!
 //! ```
 //! use ga_mesh::bake::{Bake, Coarse, Fine, Options};
@@ -52,6 +52,7 @@ pub use surface::{Coarse, CoarseCorner, Fine, FinePoint, corner_colours, corner_
 pub use texel::{Texel, Texels};
 
 use ga_runtime::vga3::Vector;
+use rayon::prelude::*;
 
 use crate::TextureSpaceError;
 use occlusion::Hemisphere;
@@ -111,6 +112,42 @@ struct Sample {
     fine: FinePoint,
 }
 
+/// What the fine surface has for a texel.
+struct Found {
+    point: FinePoint,
+    height: f64,
+    /// Whether the line along the normal does not cross the surface.
+    is_nearest: bool,
+}
+
+impl Fine {
+    /// The crossing of the line along a normal, or else the nearest point.
+    fn along(&self, point: Vector<f64>, normal: Vector<f64>, cage: f64) -> Option<Found> {
+        let unit = normal.normalized();
+        let crossing = unit.and_then(|unit| self.bvh.nearest_crossing(point, unit, cage));
+        if let Some(hit) = crossing {
+            return Some(Found {
+                point: FinePoint {
+                    triangle: hit.triangle,
+                    barycentric: hit.barycentric,
+                },
+                height: hit.height,
+                is_nearest: false,
+            });
+        }
+        let found = self.bvh.nearest(point.into()).ok()?;
+        let offset = Vector::from(found.point) - point;
+        Some(Found {
+            point: FinePoint {
+                triangle: found.triangle,
+                barycentric: found.barycentric,
+            },
+            height: offset.dot(unit.unwrap_or_default()),
+            is_nearest: true,
+        })
+    }
+}
+
 impl<'a> Bake<'a> {
     /// Assigns a point of the fine surface to each texel.
     ///
@@ -139,40 +176,25 @@ impl<'a> Bake<'a> {
         if texels.is_empty() {
             return Err(TextureSpaceError::NoTriangles { surface: "coarse" });
         }
-        let mut samples = Vec::with_capacity(texels.len());
-        let mut nearest = 0;
-        for texel in texels.iter() {
+        let texels: Vec<Texel> = texels.iter().collect();
+        let found = texels.par_iter().map(|texel| {
             let corners = &coarse.triangles[texel.triangle as usize];
             let point = mean(texel.weights, [0, 1, 2].map(|i| corners[i].position));
             let normal = mean(texel.weights, [0, 1, 2].map(|i| corners[i].normal));
-            let crossing = normal
-                .normalized()
-                .and_then(|normal| fine.bvh.nearest_crossing(point, normal, cage));
-            let (height, fine) = match crossing {
-                Some(hit) => {
-                    let fine = FinePoint {
-                        triangle: hit.triangle,
-                        barycentric: hit.barycentric,
-                    };
-                    (hit.height, fine)
-                }
-                None => {
-                    let Ok(found) = fine.bvh.nearest(point.into()) else {
-                        continue;
-                    };
-                    nearest += 1;
-                    let offset = Vector::from(found.point) - point;
-                    let fine = FinePoint {
-                        triangle: found.triangle,
-                        barycentric: found.barycentric,
-                    };
-                    (offset.dot(normal.normalized().unwrap_or_default()), fine)
-                }
+            fine.along(point, normal, cage)
+        });
+        let found: Vec<Option<Found>> = found.collect();
+        let mut samples = Vec::with_capacity(texels.len());
+        let mut nearest = 0;
+        for (texel, found) in texels.into_iter().zip(found) {
+            let Some(found) = found else {
+                continue;
             };
+            nearest += usize::from(found.is_nearest);
             samples.push(Sample {
                 texel,
-                height: height as f32,
-                fine,
+                height: found.height as f32,
+                fine: found.point,
             });
         }
         let covered: Vec<u32> = samples.iter().map(|sample| sample.texel.index).collect();
@@ -232,7 +254,7 @@ impl<'a> Bake<'a> {
     /// What a function gives for the points of the fine surface, such as the colour of its texture
     /// or, by [`corner_colours`] and [`FinePoint::mean`], of its vertices.
     #[must_use]
-    pub fn colour<const C: usize>(&self, colour: impl Fn(&FinePoint) -> [f32; C]) -> Map<C> {
+    pub fn colour<const C: usize>(&self, colour: impl Fn(&FinePoint) -> [f32; C] + Sync) -> Map<C> {
         self.map([0.0; C], |sample| colour(&sample.fine))
     }
 
@@ -273,11 +295,12 @@ impl<'a> Bake<'a> {
     fn map<const C: usize>(
         &self,
         elsewhere: [f32; C],
-        value: impl Fn(&Sample) -> [f32; C],
+        value: impl Fn(&Sample) -> [f32; C] + Sync,
     ) -> Map<C> {
         let mut texels = vec![elsewhere; self.size as usize * self.size as usize];
-        for sample in &self.samples {
-            texels[sample.texel.index as usize] = value(sample);
+        let values: Vec<_> = self.samples.par_iter().map(&value).collect();
+        for (sample, value) in self.samples.iter().zip(values) {
+            texels[sample.texel.index as usize] = value;
         }
         for &[target, source] in &self.copies {
             texels[target as usize] = texels[source as usize];
