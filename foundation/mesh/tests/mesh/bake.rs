@@ -167,8 +167,8 @@ fn a_normal_map_restores_the_normals_of_a_sphere() {
 /// A surface beyond the cage is still found, by the nearest point.
 #[test]
 fn beyond_the_cage_the_nearest_point_is_taken() {
-    let coarse = flat();
-    let fine = Fine::from_mesh(&sheet(10, |_, _| 0.25)).unwrap();
+    let coarse = Coarse::from_mesh(&sheet(2, |_, _| 1.0), 0).unwrap();
+    let fine = Fine::from_mesh(&sheet(10, |_, _| 1.25)).unwrap();
     let mut options = Options::with_size(16);
     let bake = Bake::new(&coarse, &fine, &options).unwrap();
     assert_eq!(bake.nearest_texels(), 256);
@@ -189,7 +189,7 @@ fn beyond_the_cage_the_nearest_point_is_taken() {
     );
     // Where it faces the other way, it is not crossed.
     let back = Mesh::new(
-        vec![[0.0, 0.0, 0.1], [1.0, 0.0, 0.1], [0.0, 1.0, 0.1]],
+        vec![[0.0, 0.0, 1.1], [1.0, 0.0, 1.1], [0.0, 1.0, 1.1]],
         Faces::from_polygons([[0, 2, 1]]).unwrap(),
     );
     let back = Fine::from_mesh(&back.unwrap()).unwrap();
