@@ -441,9 +441,13 @@ fn another_character_walks_as_well() {
     let to_small = demo.iter().chain(&["small.glb", "--out", "small"]);
     assert_success(&nullcone(folder.path(), to_small));
     assert_failure(
-        &nullcone(folder.path(), ["demo", "--character", "small.glb"]),
+        &nullcone(
+            folder.path(),
+            ["demo", "--character", "small.glb", "--out", "none"],
+        ),
         &["small.glb", "the skin has room for", "0.017 m large"],
     );
+    assert!(!folder.path().join("none").exists());
     let none = nullcone(folder.path(), demo.iter().chain(&["none.glb"]));
     assert_failure(&none, &["none.glb", "No such file"]);
 }

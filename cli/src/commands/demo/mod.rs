@@ -144,7 +144,10 @@ fn demonstrate(
     context: &Context,
     progress: &Progress,
 ) -> Result<Report> {
-    let dotted = subject.dotted()?;
+    let seed = outputs.seed();
+    let mut times = Times::default();
+    progress.part("Making a figure", FIGURE);
+    let (dotted, no_room) = subject.dotted()?.into_figure(TEXTURE_SIZE)?;
     let model = subject.model();
     let Subject {
         performance,
@@ -152,11 +155,7 @@ fn demonstrate(
         warnings,
         ..
     } = subject;
-    let seed = outputs.seed();
-    let mut times = Times::default();
-    progress.part("Making a figure", FIGURE);
     let figure = performance.figure.clone();
-    let (dotted, no_room) = dotted.into_figure(TEXTURE_SIZE)?;
     progress.part("Filming it", FILMS);
     let (performed, truth) = rayon::join(
         || {

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use ga_anim::character::Character;
 use ga_anim::clip::Clip;
 use ga_anim::recording::Recording;
 use ga_character::storyboard::{STEPS, Storyboard};
@@ -115,15 +114,10 @@ impl Subject {
         let figure = &self.performance.figure;
         let character = figure.character.clone();
         let Some(path) = &self.character else {
-            let Character {
-                mesh,
-                skeleton,
-                weights,
-            } = character;
             let human = Human {
-                mesh,
-                skeleton,
-                weights,
+                mesh: character.mesh,
+                skeleton: character.skeleton,
+                weights: character.weights,
             };
             return Ok(Dotted::mannequin(human, hues));
         };

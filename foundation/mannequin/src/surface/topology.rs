@@ -154,10 +154,7 @@ impl Topology {
     fn remove(&mut self, t: u32) {
         if let Some(triangle) = self.triangles[t as usize].take() {
             for v in triangle {
-                let around = &mut self.around[v as usize];
-                if let Some(place) = around.iter().position(|other| *other == t) {
-                    around.remove(place);
-                }
+                self.around[v as usize].retain(|other| *other != t);
             }
         }
     }

@@ -101,7 +101,6 @@ pub struct Bake<'a> {
     samples: Vec<Sample>,
     /// Texels to be filled, and the covered texels from which they are copied.
     copies: Vec<[u32; 2]>,
-    nearest: usize,
 }
 
 /// A texel with its points of both surfaces.
@@ -110,40 +109,34 @@ struct Sample {
     texel: Texel,
     height: f32,
     fine: FinePoint,
-}
-
-/// What the fine surface has for a texel.
-struct Found {
-    point: FinePoint,
-    height: f64,
-    /// Whether the line along the normal does not cross the surface.
+    /// Whether the line along the normal does not cross the fine surface.
     is_nearest: bool,
 }
 
-impl Fine {
-    /// The crossing of the line along a normal, or else the nearest point.
-    fn along(&self, point: Vector<f64>, normal: Vector<f64>, cage: f64) -> Option<Found> {
-        let unit = normal.normalized();
-        let crossing = unit.and_then(|unit| self.bvh.nearest_crossing(point, unit, cage));
-        if let Some(hit) = crossing {
-            return Some(Found {
-                point: FinePoint {
-                    triangle: hit.triangle,
-                    barycentric: hit.barycentric,
-                },
-                height: hit.height,
-                is_nearest: false,
-            });
-        }
-        let found = self.bvh.nearest(point.into()).ok()?;
-        let offset = Vector::from(found.point) - point;
-        Some(Found {
-            point: FinePoint {
-                triangle: found.triangle,
-                barycentric: found.barycentric,
+impl Sample {
+    /// The crossing of the line along the normal of a texel, or else the nearest point.
+    fn new(texel: Texel, coarse: &Coarse, fine: &Fine, cage: f64) -> Option<Self> {
+        let corners = &coarse.triangles[texel.triangle as usize];
+        let point = mean(texel.weights, [0, 1, 2].map(|i| corners[i].position));
+        let normal = mean(texel.weights, [0, 1, 2].map(|i| corners[i].normal)).normalized();
+        let crossing = normal.and_then(|normal| fine.bvh.nearest_crossing(point, normal, cage));
+        let (height, triangle, barycentric) = match &crossing {
+            Some(hit) => (hit.height, hit.triangle, hit.barycentric),
+            None => {
+                let found = fine.bvh.nearest(point.into()).ok()?;
+                let offset = Vector::from(found.point) - point;
+                let height = offset.dot(normal.unwrap_or_default());
+                (height, found.triangle, found.barycentric)
+            }
+        };
+        Some(Self {
+            texel,
+            height: height as f32,
+            fine: FinePoint {
+                triangle,
+                barycentric,
             },
-            height: offset.dot(unit.unwrap_or_default()),
-            is_nearest: true,
+            is_nearest: crossing.is_none(),
         })
     }
 }
@@ -177,26 +170,9 @@ impl<'a> Bake<'a> {
             return Err(TextureSpaceError::NoTriangles { surface: "coarse" });
         }
         let texels: Vec<Texel> = texels.iter().collect();
-        let found = texels.par_iter().map(|texel| {
-            let corners = &coarse.triangles[texel.triangle as usize];
-            let point = mean(texel.weights, [0, 1, 2].map(|i| corners[i].position));
-            let normal = mean(texel.weights, [0, 1, 2].map(|i| corners[i].normal));
-            fine.along(point, normal, cage)
-        });
-        let found: Vec<Option<Found>> = found.collect();
-        let mut samples = Vec::with_capacity(texels.len());
-        let mut nearest = 0;
-        for (texel, found) in texels.into_iter().zip(found) {
-            let Some(found) = found else {
-                continue;
-            };
-            nearest += usize::from(found.is_nearest);
-            samples.push(Sample {
-                texel,
-                height: found.height as f32,
-                fine: found.point,
-            });
-        }
+        let found = texels.into_par_iter();
+        let found = found.filter_map(|texel| Sample::new(texel, coarse, fine, cage));
+        let samples: Vec<Sample> = found.collect();
         let covered: Vec<u32> = samples.iter().map(|sample| sample.texel.index).collect();
         Ok(Self {
             coarse,
@@ -204,7 +180,6 @@ impl<'a> Bake<'a> {
             size,
             copies: map::dilation(size, &covered, options.dilation_texels),
             samples,
-            nearest,
         })
     }
 
@@ -218,7 +193,8 @@ impl<'a> Bake<'a> {
     /// cage distance, so that the nearest point was taken.
     #[must_use]
     pub fn nearest_texels(&self) -> usize {
-        self.nearest
+        let nearest = self.samples.iter().filter(|sample| sample.is_nearest);
+        nearest.count()
     }
 
     /// The normals of the fine surface in the tangent frames of the coarse one.
